@@ -161,7 +161,7 @@ def foreign_kind(path: Path | str) -> FileKind | None:
     Args:
         path: of the file.
     """
-    head = _head(path)
+    head = head_of(path)
     if head is None:
         return None
     found = foreign_content(head)
@@ -195,14 +195,18 @@ def kind_of(path: Path | str) -> FileKind | None:
     Args:
         path: of the file.
     """
-    head = _head(path)
+    head = head_of(path)
     return None if head is None else kind_of_content(head)
 
 
-def _head(path: Path | str) -> bytes | None:
-    """First bytes of a file; None: it cannot be read, which its reader tells."""
+def head_of(path: Path | str) -> bytes | None:
+    """Return the first `HEAD` bytes of a file; None: it cannot be read, or is no regular file, which its reader tells.
+
+    Args:
+        path: of the file.
+    """
     try:
-        if not Path(path).is_file():  # what a pipe gives its reader needs
+        if not Path(path).is_file():  # a pipe may give nothing, a device may have no end
             return None
         with Path(path).open("rb") as file:
             return file.read(HEAD)

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from edesign._version import __version__
 from edesign.errors import ArchiveError, InputError
-from edesign.file_kinds import HDF5
+from edesign.file_kinds import HDF5, head_of
 from edesign.input_files import note_output, spare_inputs
 
 _WRITTEN = re.compile(r"# Written by edesign \S+ from (\".*\")")  # how YAML files of results begin
@@ -82,6 +82,8 @@ def check_file(path: Path) -> None:
     try:
         if path.is_dir():
             raise ArchiveError(f"{path}: cannot be written: it is a folder")
+        if path.exists() and not path.is_file():  # a file would take its place, and may be waited for before
+            raise ArchiveError(f"{path}: cannot be written: it is a pipe or a device")
         with suppress(FileNotFoundError):
             os.lstat(_existing(path.parent) / _partial(path).name)  # refused where the name is too long
     except (OSError, ValueError) as error:
@@ -150,11 +152,10 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
         InputError: a file of another source is there, or one that edesign did not write; or an input of the command.
     """
     spare_inputs(path)
-    try:
-        with path.open(encoding="utf-8", errors="replace") as file:
-            first_line = file.readline(10_000)
-    except (OSError, ValueError):
+    head = head_of(path)
+    if head is None:
         return
+    first_line = head.decode("utf-8", errors="replace").partition("\n")[0]
     other = _named_source(first_line)
     if overwrite or other == source_file(source, path):
         return
@@ -257,8 +258,4 @@ def _words(error: OSError | ValueError) -> str:
 
 def is_hdf5(path: Path) -> bool:
     """Return whether a file begins as one of HDF5."""
-    try:
-        with path.open("rb") as file:
-            return file.read(len(HDF5)) == HDF5
-    except (OSError, ValueError):  # what writing will say
-        return False
+    return (head_of(path) or b"").startswith(HDF5)

@@ -13,7 +13,7 @@ from edesign.damper.parameter_sets import PARAMETER_SETS, ParameterSet
 from edesign.errors import InputError
 from edesign.project.notation.temperature import parse_temperature
 from edesign.project.notation.units import Kind, parse_quantity, parse_ratio
-from edesign.project.reading.problems import did_you_mean, listed
+from edesign.project.reading.problems import MOST_SHOWN, did_you_mean, listed
 
 __all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", "read_parameters", "write_parameters"]
 
@@ -73,14 +73,11 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
     if problems:
         raise ParameterError(law, problems)
     known = {parameter.name: parameter for parameter in law.all_parameters(dict.fromkeys(values, 0.0))}
+    unknown = [name for name in values if name not in known][:MOST_SHOWN]
+    laws = _laws_with(values) if unknown else ""
     problems += [
-        (
-            name,
-            f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)})"
-            f"{_laws_with(values)}",
-        )
-        for name in values
-        if name not in known
+        (name, f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)}){laws}")
+        for name in unknown
     ]
     found: dict[str, float] = {}
     given = [parameter for parameter in known.values() if parameter.name in values]

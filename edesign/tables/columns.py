@@ -60,8 +60,11 @@ def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str,
     for quantity, i in places.items():
         unit = chosen.units.get(quantity)
         factor, zero = _said_unit(table, i, quantity, unit) if unit else _factors(table, i, quantity)
-        values = table.rows[:, i]
-        found[quantity] = factor * values + zero
+        with np.errstate(over="ignore"):
+            found[quantity] = factor * table.rows[:, i] + zero
+        if (beyond := np.flatnonzero(~np.isfinite(found[quantity]))).size:
+            row = int(beyond[0])
+            raise InputError(f"{table.where(i, row)}: {table.rows[row, i]:g} is beyond all numbers in SI units")
         if quantity in chosen.reversed:
             found[quantity] = -found[quantity]
     for quantity in (*chosen.units, *chosen.reversed):

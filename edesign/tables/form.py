@@ -24,6 +24,8 @@ _MARKS = {
     "dSPACE": re.compile(r"dSPACE|ControlDesk|trace_values|Platform\(\)://|Model Root/", re.IGNORECASE),
 }
 """What machines leave in the lines above the numbers."""
+_MARKED = (100, 500)  # lines, and characters of them, in which marks are looked for
+_ABOVE = 1000  # lines among which the headers are; exports of test machines have some dozens above them
 _MTS_SIGNS = re.compile(r"\W*MTS[^|]*(?:\|[^|]*){4}\|(?P<decimal>[.,])\|")
 """Such as `MTS793|MPT|DEU|1|2|,|.|:|1|0|0|A`: after language and versions the signs of decimals, dates and times."""
 
@@ -92,7 +94,7 @@ def decimal_said(lines: Sequence[str]) -> Decimal | None:
 
 def mark_of(lines: Sequence[str]) -> str:
     """Return the maker whose marks are in lines; empty: no known maker."""
-    text = "\n".join(lines)
+    text = "\n".join(line[: _MARKED[1]] for line in lines[: _MARKED[0]])
     return next((maker for maker, mark in _MARKS.items() if mark.search(text)), "")
 
 
@@ -145,7 +147,7 @@ def find_header(
     signs: tuple[Delimiter, ...] = ("semicolon", "tab", "comma")
     if given is not None and given.delimiter is not None:
         signs = (given.delimiter,)
-    for i, line in enumerate(lines):
+    for i, line in enumerate(lines[:_ABOVE]):
         found, sign = max(
             ((sum(map(names, header_cells(line, sign))), sign) for sign in signs), key=lambda pair: pair[0]
         )
@@ -168,10 +170,10 @@ def find_blank_header(lines: Sequence[str], names: Callable[[str], bool]) -> int
     Returns:
         Index of the line, from 0.
     """
-    for i, line in enumerate(lines[:-1]):
+    for i, line in enumerate(lines[:_ABOVE]):
         below = [lines[k].split() for k in range(i + 1, min(i + 3, len(lines)))]
         row = next((row for row in below if all(map(like_number, row))), None)
-        if row is not None and len(row) > 1:
+        if row is not None and len(row) > 1:  # the last line has nothing below it
             headers = header_cells(line, "blanks", len(row))
             return i if len(headers) == len(row) and sum(map(names, headers)) > 1 else None
     return None
@@ -187,7 +189,7 @@ def first_numbers(lines: Sequence[str], delimiter: Delimiter) -> int | None:
     Returns:
         Index of the line, from 0.
     """
-    for i, line in enumerate(lines):
+    for i, line in enumerate(lines[:_ABOVE]):
         row = cells(line, delimiter)
         if len(row) > 1 and any(row) and all(like_number(cell) for cell in row if cell):
             return i

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import struct
+import zlib
+from contextlib import suppress
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -9,9 +12,13 @@ from typing import Any
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.file_kinds import head_of
+from edesign.project.reading.file_bytes import too_large
+from edesign.project.reading.limits import TABLE_BYTES
 
 MARK = "dSPACE"
 _FIVE = b"MATLAB 5.0 MAT-file"
+_COMPRESSED = 15  # type of an element, miCOMPRESSED
 _PORTS = ("Out", "In", "Value")  # of a block, behind its path: the signal has the name of the block
 
 
@@ -30,11 +37,7 @@ def is_matlab_file(path: Path) -> bool:
     Args:
         path: the file.
     """
-    try:
-        with path.open("rb") as file:
-            return is_matlab(file.read(len(_FIVE)))
-    except OSError:
-        return False
+    return is_matlab(head_of(path) or b"")
 
 
 def read_signals(path: Path, content: bytes) -> tuple[list[str], np.ndarray]:
@@ -56,6 +59,7 @@ def read_signals(path: Path, content: bytes) -> tuple[list[str], np.ndarray]:
     """
     from scipy.io import loadmat
 
+    _check_size(path, content)
     try:
         variables = loadmat(BytesIO(content), struct_as_record=False, squeeze_me=True)
     except Exception as error:  # scipy raises whatever its parser meets
@@ -84,6 +88,23 @@ def read_signals(path: Path, content: bytes) -> tuple[list[str], np.ndarray]:
         headers.append(_header(signal, i))
         columns.append(values)
     return headers, np.column_stack(columns)
+
+
+def _check_size(path: Path, content: bytes) -> None:
+    """Refuse a file whose variables are too large once they are decompressed.
+
+    Source: MathWorks, MAT-File Format, level 5: after 128 bytes, elements with their type and number of bytes.
+    """
+    order = ">" if content[126:128] == b"MI" else "<"
+    at, left = 128, TABLE_BYTES
+    while at + 8 <= len(content) and left >= 0:
+        kind, size = struct.unpack_from(f"{order}2I", content, at)
+        if kind == _COMPRESSED:
+            with suppress(zlib.error):  # which the reader tells
+                left -= len(zlib.decompressobj().decompress(content[at + 8 : at + 8 + size], left + 1))
+        at += 8 + size
+    if left < 0:
+        raise too_large(path, "table", TABLE_BYTES + 1, TABLE_BYTES)
 
 
 def _numbers(path: Path, what: str, thing: Any) -> np.ndarray:

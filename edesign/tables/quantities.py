@@ -48,6 +48,7 @@ _OTHER_NAMES = {
     ),
     "temperature": ("temperatur", "temperatura", "température", "温度"),
 }
+_LONGEST = 500  # characters of a header; paths of signals have about a hundred
 _BEFORE = re.compile(r"(?:axial|actuator|elapsed|running|total|(?:ch|channel|kanal|canal) ?\d+)[ _]")
 _BRACKETED = re.compile(r"(?P<name>[^\[(]*)[\[(](?P<unit>[^\])]*)[\])]")
 _SPELLED = {
@@ -79,6 +80,8 @@ def scaled_unit(text: str, units: Mapping[str, float]) -> float | None:
 
 def names_quantity(header: str) -> bool:
     """Return whether a header names a quantity, with a unit or without."""
+    if len(header) > _LONGEST:
+        return False
     name = name_and_unit(header)[0]
     return quantity_of(name) is not None or other_quantity_of(name) is not None
 

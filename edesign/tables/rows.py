@@ -13,6 +13,7 @@ from edesign.project.notation.table_format import Delimiter
 from edesign.tables.form import SIGNS, cells
 from edesign.tables.text import clock_seconds, is_clock, is_number
 
+_BLOCK = 10_000  # lines that are read at a time: of a table with a fault, one block is read slowly
 _GROUPED = re.compile(r"[-+]?\d{1,3}(?:,\d{3})+\.\d*")
 """A number between quotes whose commas cannot be decimal ones, as a point stands behind them: `"1,000.25"`."""
 
@@ -58,16 +59,26 @@ def rows_of_numbers(
     Raises:
         InputError: a row is too short or long, or a cell is empty or no finite number.
     """
+    blocks = []
+    for first in range(0, len(lines), _BLOCK):
+        block = lines[first : first + _BLOCK]
+        rows = _quickly(block, len(headers), delimiter)
+        if rows is None:  # the slow way, which knows the place
+            places = numbers[first : first + _BLOCK]
+            rows = np.array([_row(path, headers, n, line, delimiter) for n, line in zip(places, block, strict=True)])
+        blocks.append(rows)
+    return np.concatenate(blocks)
+
+
+def _quickly(lines: list[str], columns: int, delimiter: Delimiter) -> np.ndarray | None:
+    """Rows of finite numbers, as far as NumPy reads them; None if it does not."""
     try:
         if not all(map(str.strip, lines)):
-            raise ValueError("NumPy leaves out lines without anything")
+            return None  # NumPy leaves out lines without anything
         rows = np.loadtxt(lines, delimiter=SIGNS[delimiter], comments=None, ndmin=2)
-        good = rows.shape == (len(lines), len(headers)) and bool(np.isfinite(rows).all())
     except ValueError:
-        good = False
-    if not good:  # the slow way, which knows the place
-        rows = np.array([_row(path, headers, n, line, delimiter) for n, line in zip(numbers, lines, strict=True)])
-    return rows
+        return None
+    return rows if rows.shape == (len(lines), columns) and bool(np.isfinite(rows).all()) else None
 
 
 def _row(path: Path, headers: Sequence[str], line: int, row: str, delimiter: Delimiter) -> list[float]:

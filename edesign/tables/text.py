@@ -13,7 +13,7 @@ from pathlib import Path
 from edesign.errors import InputError
 from edesign.project.notation.table_format import Decimal, Encoding, TableFormat
 from edesign.project.reading.file_bytes import read_file
-from edesign.project.reading.limits import LINE_CHARACTERS, TABLE_ADVICE, TABLE_COLUMNS, TABLE_LINES
+from edesign.project.reading.limits import LINE_CHARACTERS, TABLE_ADVICE, TABLE_CELLS, TABLE_COLUMNS, TABLE_LINES
 from edesign.tables.binary import describe_binary
 
 _CODECS: dict[Encoding, str] = {
@@ -119,6 +119,8 @@ def lines_of(path: Path, text: str) -> list[str]:
     text = text.replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
     if text.count("\n") > TABLE_LINES:
         raise InputError(f"{path}:{TABLE_LINES + 1}: more lines than the {TABLE_LINES} that are read: {TABLE_ADVICE}")
+    if (count := max(map(text.count, ",;\t"))) > TABLE_CELLS:
+        raise InputError(f"{path}: the table has {count} cells; at most {TABLE_CELLS} are read: {TABLE_ADVICE}")
     if any(sign in text for sign in ("D+", "D-", "d+", "d-")):
         text = _D_EXPONENT.sub(r"\1E\2", text)
     lines = text.split("\n")

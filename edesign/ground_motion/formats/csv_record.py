@@ -108,7 +108,14 @@ def read_csv(
         raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`)")
     check_step(f"{path}", time_step)
     source = ", ".join(part for part in (f"{path.name} in {acceleration_unit}", told(table.form, given)) if part)
-    return Record(name or path.stem, factor * np.array(samples), time_step, source)
+    with np.errstate(over="ignore"):
+        acceleration = factor * np.array(samples)
+    if (beyond := np.flatnonzero(~np.isfinite(acceleration))).size:
+        number_of = int(beyond[0])
+        raise InputError(
+            f"{path}: sample {number_of + 1} is {samples[number_of]:g} {acceleration_unit}, beyond all numbers in m/s2"
+        )
+    return Record(name or path.stem, acceleration, time_step, source)
 
 
 def _columns_of(

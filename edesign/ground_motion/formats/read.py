@@ -109,6 +109,7 @@ _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing
 _COMMENTS = ("#", "%")
 _PROOF = 5  # lines of as many numbers in turn, to the end of the head: a table below words
 _HEAD = 100  # lines in which the marks of a format stand
+_WIDTH = 500  # characters of these lines that may be marks; looking for one takes up to the square of them
 
 
 def read_record_file(
@@ -217,7 +218,7 @@ def format_by_marks(path: Path) -> FileFormat | None:
     """
     if sac.is_sac(path):
         return "sac"
-    head = read_lines(path)[:_HEAD]
+    head = [line[:_WIDTH] for line in read_lines(path)[:_HEAD]]
     marked = next((file_format for file_format, fits in _MARKS.items() if fits(head)), None)
     return "at2" if marked is None and at2.has_header(head) else marked
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.file_kinds import head_of
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.time_steps import check_step
@@ -35,13 +36,8 @@ def is_sac(path: Path) -> bool:
     Args:
         path: of the file.
     """
-    try:
-        with path.open("rb") as file:
-            head = file.read(_HEADER)
-            size = path.stat().st_size
-    except OSError:
-        return False
-    return _byte_order(head, size) is not None
+    head = head_of(path)
+    return head is not None and _byte_order(head[:_HEADER], path.stat().st_size) is not None
 
 
 def read_sac(path: Path | str, acceleration_unit: str, component: str | None = None, name: str = "") -> Record:

@@ -36,7 +36,6 @@ class Readable(Protocol):
 
 _CHUNK = 1 << 20  # bytes
 _MOST_NAMES = 2000  # of files in a folder that are compared with a missing one, which takes 50 ms
-_PIPE_WAIT = 5.0  # s, for a program to open its end of a named pipe: a shell that starts both takes milliseconds
 
 
 def read_file(
@@ -49,17 +48,17 @@ def read_file(
     """Read a file within a limit of size.
 
     Args:
-        path: the file; what has no size, a pipe for instance, is read up to the limit.
+        path: the file; what is said to be of no size, as files of /proc are, is read up to the limit.
         what: it is, for messages: "project file".
         most: bytes that are read; a file of more is refused before it is read.
         advice: what to do about a larger one.
         refused: kinds of files that it cannot be.
 
     Raises:
-        InputError: missing, a folder, unreadable, of a kind that is refused, or too large.
+        InputError: missing, a folder, a pipe or device, unreadable, of a kind that is refused, or too large.
     """
     try:
-        with _opened(path, what) as file:
+        with _opened(path) as file:
             size = os.fstat(file.fileno()).st_size
             data = read_up_to(file, most) if size <= most else file.read(HEAD)
     except FileNotFoundError:
@@ -78,39 +77,18 @@ def read_file(
     return data
 
 
-def _opened(path: Path, what: str) -> BinaryIO:
-    """Open a file for bytes, and a named pipe too, if a program writes into it.
-
-    The system would wait without end for such a program. A pipe whose program is there but still silent is waited for.
+def _opened(path: Path) -> BinaryIO:
+    """Open a regular file for bytes: a pipe may be waited for without end, and a device may have none.
 
     Raises:
-        InputError: no program has opened a pipe for writing.
+        InputError: it is a pipe, a device or a socket.
         OSError, ValueError: the system cannot open it.
     """
-    if not stat.S_ISFIFO(os.stat(path).st_mode):
-        return path.open("rb")
-    import select  # not on every system, as pipes with names are not
-
-    descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
-    try:
-        waiting = select.poll()
-        waiting.register(descriptor, select.POLLIN)
-        if not waiting.poll(1e3 * _PIPE_WAIT) and not _has_writer(descriptor):
-            raise InputError(f"{path}: this is a pipe into which no program writes; name the {what} itself")
-        os.set_blocking(descriptor, True)
-        return os.fdopen(descriptor, "rb")
-    except BaseException:
-        os.close(descriptor)
-        raise
-
-
-def _has_writer(descriptor: int) -> bool:
-    """Whether a program has a pipe open for writing, of one into which nothing was written."""
-    try:
-        os.read(descriptor, 1)
-    except BlockingIOError:  # what the system says while there may be more to come
-        return True
-    return False
+    mode = os.stat(path).st_mode
+    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+        what = "pipe" if stat.S_ISFIFO(mode) else "socket" if stat.S_ISSOCK(mode) else "device"
+        raise InputError(f"{path}: this is a {what}, and only files are read; write into a file what is to be read")
+    return path.open("rb")
 
 
 def missing(path: Path, what: str) -> InputError:

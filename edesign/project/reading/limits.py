@@ -31,6 +31,10 @@ TABLE_COLUMNS = 10_000
 """Numbers in a line. A capture of dSPACE has about a hundred signals, the formats of networks eight numbers a line. A
 record of 100 s at 100 samples a second may stand in one line."""
 
+TABLE_CELLS = 20_000_000
+"""Cells of a table between commas, semicolons or tabs. An hour of a damper test at 1 kHz with four columns has 14
+million; as text each takes 60 bytes of memory."""
+
 LINE_CHARACTERS = 25 * TABLE_COLUMNS
 """Characters in a line of a text of samples: a number of 17 digits has 24, and a sign behind it."""
 

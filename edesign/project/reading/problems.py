@@ -14,6 +14,7 @@ from edesign.project.reading.yaml_nodes import Mark, Node, find
 
 Keys = tuple[str | int, ...]
 
+_LONGEST_NAME = 200  # characters; comparing names takes the square of them
 MOST_SHOWN = 100
 """Problems of a file in its message, some screens full; the mistake that the others come from is among the first."""
 
@@ -147,6 +148,8 @@ def nearest(seen: str, allowed: Iterable[str]) -> str:
         seen: the name in the file.
         allowed: the known names.
     """
+    if len(seen) > _LONGEST_NAME:
+        return ""
     names = {name.lower(): name for name in allowed}
     close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=0.6)
     if not close:

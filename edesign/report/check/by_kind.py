@@ -19,6 +19,7 @@ from edesign.file_kinds import (
     SUITE,
     TABLE,
     FileKind,
+    head_of,
 )
 from edesign.ground_motion.catalogue.folder import ENDINGS
 from edesign.ground_motion.formats.read import format_by_marks
@@ -83,8 +84,5 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
 
 def _is_recording(path: Path) -> bool:
     """Whether a file of no known kind is a record by its content, or at least no text, which its reader tells."""
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        head = file.read(_HEAD)
+    head = (head_of(path) or b"")[:_HEAD]
     return bool(head.strip()) and (b"\0" in head or format_by_marks(path) is not None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from importlib import resources
@@ -18,6 +19,7 @@ from edesign.core.compensator_source import HEADER, header_text, hexadecimal, in
 from edesign.core.damper import LawValues
 from edesign.core.substructure import SubstructureLoop
 from edesign.errors import ArchiveError, InputError
+from edesign.file_kinds import head_of
 from edesign.input_files import spare_inputs
 from edesign.substructure.compensation.compensator_matrices import INPUTS, OUTPUTS, StateSpace, state_space
 from edesign.substructure.rig import rigs
@@ -101,13 +103,10 @@ def identifier(name: str) -> str:
 
 def _owner(path: Path) -> str | None:
     """The compensator that a file was written for; "": it is another file; None: there is none."""
-    try:
-        with path.open(encoding="utf-8", errors="replace") as file:
-            written = _WRITTEN.search(file.readline(1000))
-    except (FileNotFoundError, NotADirectoryError):
+    if not os.path.lexists(path):
         return None
-    except (OSError, ValueError):
-        return ""
+    first_line = (head_of(path) or b"").decode("utf-8", errors="replace").partition("\n")[0]
+    written = _WRITTEN.search(first_line)
     return json.loads(written[1]) if written else ""
 
 

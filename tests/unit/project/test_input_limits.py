@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import gzip
 import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from edesign.calibration.properties.campaign import load_property_campaign
@@ -115,9 +119,77 @@ def test_compressed_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
         read_table(bomb)
 
 
+def test_matlab_files_that_grow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from scipy.io import savemat
+
+    path = tmp_path / "capture.mat"
+    savemat(path, {"a": np.zeros(1_000_000)}, do_compression=True)
+    assert path.stat().st_size < 100_000
+    monkeypatch.setattr("edesign.tables.matlab.TABLE_BYTES", 1_000_000)
+    with pytest.raises(InputError, match=r"capture\.mat: the table has more than 1 MB; at most 1 MB are read"):
+        read_test(path)
+
+
+LIMITED = {
+    "one line": ("0.1," * 5_000_000, ":1: the line has 20000000 characters; at most 250000 are read"),
+    "digits": ("1" * 5_000_000, ":1: the line has 5000000 characters"),
+    "blanks": ("1,2\n" + " " * 5_000_000 + "x", ":2: the line has 5000001 characters"),
+    "columns": ("t,a\n1,2\n" + "1," * 20_000, ":3: the line has 20001 cells; at most 10000 are read"),
+    "words": ("1 2\n" + "a " * 20_000, ":2: the line has 20000 cells"),
+    "lines": ("1,2\n" * 5_000_003, ":5000001: more lines than the 5000000 that are read"),
+    "carriage returns": ("1,2" + "\r" * 5_000_001 + "1", ":5000001: more lines than the 5000000 that are read"),
+    "cells": (("1,2,3,4,5,6,7,8,9,0" + "\n") * 2_300_000, ": the table has 20700000 cells; at most 20000000 are read"),
+}
+
+
+@pytest.mark.parametrize("name", LIMITED)
+@pytest.mark.parametrize("read", (partial(read_record_file, acceleration_unit="g"), *TABLE_READERS[1:]))
+def test_text_that_is_small_to_write_and_large_to_read(
+    read: Callable[[Path], object], name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Refused by counting, before a cell is parsed;"""
+    path = tmp_path / "large.csv"
+    text, said = LIMITED[name]
+    path.write_text(text, encoding="utf-8")
+    monkeypatch.setattr("edesign.tables.text.is_number", lambda cell: pytest.fail("a cell was parsed"))
+    with pytest.raises(InputError) as caught:
+        read(path)
+    assert f"{path}{said}" in str(caught.value)
+
+
+def test_within_the_limits_the_work_grows_as_the_text(tmp_path: Path) -> None:
+    """Lines of one sign, as long as they may be: what looks at them takes no square of their length.
+
+    A square of 250 000 is ten minutes of a processor; the limit of processor time is a safety net alone.
+    """
+    program = "import resource; resource.setrlimit(resource.RLIMIT_CPU, (60, 60))\nimport sys\n"
+    program += (
+        "from edesign.cli.main import main\nfor path in sys.argv[1:]:\n  for c in 'check', 'inspect': main([c, path])"
+    )
+    paths = []
+    for i, line in enumerate((" " * 240_000 + "x", "1" + " " * 240_000 + "x", "a (" * 8_000, "\t" * 9_000 + "x")):
+        paths.append(tmp_path / f"{i}.csv")
+        paths[-1].write_text((line + "\n") * 5 + "1,2\n" * 5, encoding="utf-8")
+    done = subprocess.run([sys.executable, "-c", program, *map(str, paths)], capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr.decode()
+
+
+def test_a_value_that_overflows_with_its_unit_is_told_with_its_place(
+    tmp_path: Path, recwarn: pytest.WarningsRecorder
+) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("time_s,displacement_mm,force_kN\n" + "".join(f"{i},{i % 3},1e{300 + i}\n" for i in range(9)))
+    with pytest.raises(InputError, match=r"a\.csv:8, column 3 \(`force_kN`\): 1e\+306 is beyond all numbers"):
+        read_test(path)  # 1e306 kN are 1e309 N, above the largest double of 1.8e308
+    path.write_text("0.00,1\n0.01,2\n0.02,1e308\n0.03,1\n0.04,2\n0.05,1\n")
+    with pytest.raises(InputError, match=r"a\.csv: sample 3 is 1e\+308 g, beyond all numbers in m/s2"):
+        read_record_file(path, acceleration_unit="g")
+    assert not recwarn.list
+
+
 @pytest.mark.skipif(not Path("/dev/zero").exists(), reason="a device without end")
 def test_a_device_without_end_is_refused() -> None:
-    with refused_at_once("/dev/zero: the project file has more than 4 MB"):
+    with pytest.raises(InputError, match="/dev/zero: this is a device, and only files are read"):
         load_project("/dev/zero")
 
 

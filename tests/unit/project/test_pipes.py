@@ -1,70 +1,72 @@
-"""Named pipes in the place of files: read where a program writes into them, and not waited for without end."""
+"""Pipes and devices in the place of files are refused: one may be waited for without end, the other may have none."""
 
 import os
+import socket
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from edesign.cli.main import main
 from edesign.errors import InputError
-from edesign.project.reading import file_bytes
 from edesign.project.reading.file_bytes import missing, read_file
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes on this system")
 
-
-@pytest.fixture
-def pipe(tmp_path: Path) -> Path:
-    os.mkfifo(tmp_path / "pipe.yaml")
-    return tmp_path / "pipe.yaml"
-
-
-def test_a_pipe_without_a_writer_is_refused(
-    pipe: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(file_bytes, "_PIPE_WAIT", 0.01)
-    assert main(["check", str(pipe)]) == 2
-    assert (
-        f"{pipe}: this is a pipe into which no program writes; name the project file itself" in capsys.readouterr().err
-    )
+NAMES = ("pipe.yaml", "pipe.AT2", "pipe.csv", "pipe.json", "pipe")
+COMMANDS = ("inspect", "run", "sheet", "show", "fit", "records")
+SECONDS = 60
+"""Of processor time and of waiting, a safety net: a command ends in one, and one that waits never does."""
 
 
-def test_a_pipe_is_read_whole_even_if_its_writer_is_slow(pipe: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with subprocess.Popen(
-        [
-            sys.executable,
-            "-c",
-            f"import time\nwith open({str(pipe)!r}, 'w') as f: time.sleep(0.3); f.write('a' * 200000)",
-        ]
-    ):
-        monkeypatch.setattr(file_bytes, "_PIPE_WAIT", 10.0)  # for the program to start
-        assert read_file(pipe, "project file") == b"a" * 200000
+def start(command: str, path: Path) -> subprocess.CompletedProcess[str]:
+    program = f"import resource; resource.setrlimit(resource.RLIMIT_CPU, ({SECONDS}, {SECONDS}))\n"
+    program += "import sys; from edesign.cli.main import main; sys.exit(main(sys.argv[1:]))"
+    words = [sys.executable, "-c", program, command, str(path)]
+    return subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
 
 
-def test_a_writer_that_is_silent_is_waited_for(pipe: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    writer = os.open(pipe, os.O_RDWR)  # which does not wait for a reader
-    monkeypatch.setattr(file_bytes, "_PIPE_WAIT", 0.0)
+@pytest.mark.parametrize(
+    ("command", "name"), [*(("check", name) for name in NAMES), *((command, "pipe.yaml") for command in COMMANDS)]
+)
+def test_a_pipe_is_refused_whatever_it_is_called(tmp_path: Path, command: str, name: str) -> None:
+    os.mkfifo(tmp_path / name)
+    done = start(command, tmp_path / name)
+    assert done.returncode in (2, 4) and "Traceback" not in done.stderr
+    words = " ".join(done.stderr.split())
+    assert "this is a pipe, and only files are read" in words or "not a regular file" in words
+
+
+@pytest.mark.parametrize("device", ["/dev/zero", "/dev/urandom", "/dev/null"])
+@pytest.mark.parametrize("command", ["check", "inspect"])
+def test_a_device_is_refused(command: str, device: str) -> None:
+    if not Path(device).exists():
+        pytest.skip("no such device on this system")
+    done = start(command, Path(device))
+    assert done.returncode == 2 and f"{device}: this is a device, and only files are read" in done.stderr
+
+
+def test_a_pipe_with_a_writer_and_a_socket_are_refused_too(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    writer = os.open(tmp_path / "pipe", os.O_RDWR)  # which does not wait for a reader
     try:
-        with file_bytes._opened(pipe, "file") as file:
-            os.write(writer, b"late")
-            assert file.read(4) == b"late"
+        with pytest.raises(InputError, match="this is a pipe"):
+            read_file(tmp_path / "pipe", "project file")
     finally:
         os.close(writer)
+    with socket.socket(socket.AF_UNIX) as one:
+        one.bind(str(tmp_path / "socket"))
+        with pytest.raises(InputError, match="this is a socket"):
+            read_file(tmp_path / "socket", "project file")
 
 
-def test_a_writer_that_has_gone_leaves_what_it_wrote(tmp_path: Path) -> None:
-    reader, writer = os.pipe()
-    os.write(writer, b"word")
-    os.close(writer)
-    there = Path(f"/dev/fd/{reader}")
-    if not there.exists():
-        pytest.skip("no names of open files on this system")
-    try:
-        assert read_file(there, "file") == b"word"
-    finally:
-        os.close(reader)
+def test_a_pipe_in_the_place_of_an_output_is_refused(tmp_path: Path) -> None:
+    from edesign.archive.files import check_file
+    from edesign.errors import ArchiveError
+
+    os.mkfifo(tmp_path / "result.yaml")
+    with pytest.raises(ArchiveError, match="cannot be written: it is a pipe or a device"):
+        check_file(tmp_path / "result.yaml")
 
 
 def test_a_missing_file_is_told_as_before(tmp_path: Path) -> None:
