@@ -27,11 +27,9 @@ def inspect(
     """Print what a table of numbers is read as, and the YAML that reads it."""
     from edesign.errors import InputError
     from edesign.file_kinds import TABLE, kind_of
-    from edesign.ground_motion.formats.read import FORMATS, component_labels, detect, format_by_marks
+    from edesign.ground_motion.formats.read import FORMATS, component_labels, format_by_marks
     from edesign.report.inspection.account import quoted
-    from edesign.report.inspection.damper_test import damper_test_account
-    from edesign.report.inspection.property_table import property_table_account
-    from edesign.report.inspection.record import record_account
+    from edesign.report.inspection.tables import table_account
     from edesign.report.tables.text import print_tables
     from edesign.report.tables.visible import visible
     from edesign.tables.matlab import is_matlab_file
@@ -41,27 +39,24 @@ def inspect(
         raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use}")
     marked = file.is_file() and file.stat().st_size and not is_matlab_file(file)
     found = format_by_marks(file) if marked else None
-    account = (property_table_account(file) or damper_test_account(file)) if found is None else None
-    if account is None:
-        found = found or detect(file)
-        if found != "table":
-            labels = component_labels(file, found)
-            unit = ", acceleration_unit: ?" if found == "sac" else ""
-            entry = "records:\n" + "".join(
-                f"  NAME{i if len(labels) > 1 else ''}: {{file: {quoted(file.name)}{unit}"
-                + (f", component: {quoted(label)}" if len(labels) > 1 else "")
-                + "}\n"
-                for i, label in enumerate(labels or ("",), 1)
-            )
-            if as_json:
-                print(json.dumps({"path": str(file), "taken_for": "record", "format": found, "yaml": entry}, indent=2))
-                return
-            choice = f" --component {quoted(labels[0])}" if len(labels) > 1 else ""
-            choice += " --unit UNIT" if found == "sac" else ""
-            drawn = f"{file}: a record, {FORMATS[found]}; `edesign spectrum {file}{choice}` draws it."
-            print(visible(f"{drawn}\n\n{entry}"), end="")
+    if found is not None:
+        labels = component_labels(file, found)
+        unit = ", acceleration_unit: ?" if found == "sac" else ""
+        entry = "records:\n" + "".join(
+            f"  NAME{i if len(labels) > 1 else ''}: {{file: {quoted(file.name)}{unit}"
+            + (f", component: {quoted(label)}" if len(labels) > 1 else "")
+            + "}\n"
+            for i, label in enumerate(labels or ("",), 1)
+        )
+        if as_json:
+            print(json.dumps({"path": str(file), "taken_for": "record", "format": found, "yaml": entry}, indent=2))
             return
-        account = record_account(file)
+        choice = f" --component {quoted(labels[0])}" if len(labels) > 1 else ""
+        choice += " --unit UNIT" if found == "sac" else ""
+        drawn = f"{file}: a record, {FORMATS[found]}; `edesign spectrum {file}{choice}` draws it."
+        print(visible(f"{drawn}\n\n{entry}"), end="")
+        return
+    account = table_account(file)
     if as_json:
         print(json.dumps(account.data(), indent=2, ensure_ascii=False, allow_nan=False))
         return

@@ -49,9 +49,12 @@ def without_repeats(body: Body, names: Callable[[str], bool]) -> Body:
     sign = body.form.delimiter
     titles = {cells(line, sign)[0] for n, line in above if body.form.header_line and n < body.form.header_line}
     titles = {title for title in titles if title and not like_number(title)} if sign != "blanks" else set()
-    kept = []
+    titles_above = [n for n, _ in above if body.form.header_line and n < body.form.header_line]
+    kept: list[int] = []
     for i, line in enumerate(body.lines):
         if line.strip() in known:
+            while kept and i - kept[-1] <= len(titles_above) and _stands_above(body.lines[kept[-1]], body):
+                kept.pop()  # what stood above the headers the first time, in other words
             continue
         if not line.lstrip(' "')[:1].isalpha():
             kept.append(i)
@@ -72,8 +75,14 @@ def without_repeats(body: Body, names: Callable[[str], bool]) -> Body:
     return replace(body, numbers=numbers, lines=lines, form=replace(body.form, repeated=count))
 
 
+def _stands_above(line: str, body: Body) -> bool:
+    """Whether a line is no row: its cells are of another number than the headers, and words are among them."""
+    row = cells(line, body.form.delimiter)
+    return len(row) != len(body.headers) and not all(like_number(cell) for cell in row if cell)
+
+
 def without_empty_columns(body: Body) -> Body:
-    """Leave out a column at either end that has nothing in all rows, but for a label in the first one.
+    """Leave out columns at either end that have nothing in all rows, but for a label in the first one.
 
     Args:
         body: of a table.
@@ -81,8 +90,12 @@ def without_empty_columns(body: Body) -> Body:
     sign, headers, lines = SIGNS[body.form.delimiter], body.headers, body.lines
     if sign is None:
         return body
-    last_is_free = headers[-1] == "" or body.form.header_line is None
-    if last_is_free and len(headers) > 1 and all(line.rstrip(" ").endswith(sign) for line in lines):
+    without_headers = body.form.header_line is None
+    while (
+        len(headers) > 1
+        and (headers[-1] == "" or without_headers)
+        and all(line.rstrip(" ").endswith(sign) for line in lines)
+    ):
         headers, lines = headers[:-1], [line.rstrip(" ")[:-1] for line in lines]
     label, _, rest = lines[0].partition(sign)
     if label.strip(' ":').lower() in ("", *_LABELS) and all(line.lstrip(" ").startswith(sign) for line in lines[1:]):

@@ -42,6 +42,16 @@ class Chosen:
         """Return whether a cell is a header: a chosen one, or one that names a quantity."""
         return header in self.columns.values() or names_quantity(header)
 
+    def read_of(self, headers: Sequence[str]) -> list[int]:
+        """Return the columns that are read, from 0: those that are said, or else named; all, if there are none.
+
+        Args:
+            headers: of the columns.
+        """
+        said = [_places_of(headers, wanted) for wanted in self.columns.values()]
+        places = [at for found in said or candidates(headers).values() for at in found]
+        return places if places and all(said) else list(range(len(headers)))
+
 
 def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str, np.ndarray], list[str]]:
     """Return columns by quantity in s, m, N, degC, and the headers of other columns, which are not read.
@@ -73,13 +83,21 @@ def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str,
     return found, [header for i, header in enumerate(table.headers) if i not in places.values()]
 
 
-def places_of(table: Table) -> dict[str, int]:
-    """Return the columns of the quantities that the headers name, from 0.
+def candidates(headers: Sequence[str]) -> dict[str, list[int]]:
+    """Return the columns that may be each quantity, from 0: of plain names, of others where no column has one.
 
-    Raises:
-        InputError: a header is nearly that of a quantity, or a quantity comes twice.
+    Args:
+        headers: of the columns.
     """
-    return _found(table)
+    names = [name_and_unit(header)[0] for header in headers]
+    found: dict[str, list[int]] = {}
+    for meaning in (quantity_of, other_quantity_of):
+        new: dict[str, list[int]] = {}
+        for i, name in enumerate(names):
+            if (quantity := meaning(name)) is not None and quantity not in found:
+                new.setdefault(quantity, []).append(i)
+        found |= new
+    return found
 
 
 def unit_of(table: Table, column: int, quantity: str) -> str | None:
@@ -117,65 +135,58 @@ def need(table: Table, columns: Mapping[str, np.ndarray], *quantities: str) -> N
 
 
 def _found(table: Table) -> dict[str, int]:
-    """Columns by quantity, in the order of the file: of plain names first, of others where no column has one."""
-    found: dict[str, int] = {}
-    others: dict[str, int] = {}
+    """Columns by quantity, each by the one header that names it."""
+    found = candidates(table.headers)
+    say = ", ".join(f"{quantity}: {places[-1] + 1}" for quantity, places in found.items())
     for i, header in enumerate(table.headers):
         name, unit = name_and_unit(header)
-        quantity = quantity_of(name)
-        if quantity is not None:
-            if quantity in found:
-                raise InputError(f"{table.where(i)}: there is a {quantity} already in column {found[quantity] + 1}")
-            found[quantity] = i
+        if quantity_of(name) or other_quantity_of(name):
             continue
-        other = other_quantity_of(name)
-        if other is None and (near := difflib.get_close_matches(name.strip().lower(), QUANTITIES, 1, _MISSPELT)):
+        if near := difflib.get_close_matches(name.strip().lower(), QUANTITIES, 1, _MISSPELT):
             meant = f"{near[0]}_{unit}" if unit in QUANTITIES[near[0]] else near[0]
             raise InputError(
                 f"{table.where(i)}: the column is unknown; did you mean `{meant}`? (allowed: "
-                f"{', '.join(QUANTITIES)}, with their unit: `force_kN`)"
+                f"{', '.join(QUANTITIES)}, with their unit: `force_kN`); or say by `columns` which ones are read"
             )
-        if other is not None and other in others and other not in _plain_of(table):
+    for quantity, (first, *others) in found.items():
+        if others:
             raise InputError(
-                f"{table.where(i)}: column {others[other] + 1} may be the {other} too; say which one by `columns`"
+                f"{table.where(others[0])}: column {first + 1} (`{table.headers[first]}`) may be the {quantity} too; "
+                f"say which one by `columns`, such as `columns: {{{say}}}`"
             )
-        if other is not None:
-            others[other] = i
-    return found | {quantity: i for quantity, i in others.items() if quantity not in found}
-
-
-def _plain_of(table: Table) -> set[str | None]:
-    return {quantity_of(name_and_unit(header)[0]) for header in table.headers}
+    return {quantity: places[0] for quantity, places in found.items()}
 
 
 def _said(table: Table, columns: Mapping[str, int | str]) -> dict[str, int]:
     """Columns that are said, from 0."""
     places: dict[str, int] = {}
     for quantity, wanted in columns.items():
-        if isinstance(wanted, int):
-            if not 1 <= wanted <= len(table.headers):
-                raise InputError(
-                    f"{table.where()}: there is no column {wanted} ({quantity}); the columns are numbered 1 to "
-                    f"{len(table.headers)}"
-                )
-            at = wanted - 1
-        else:
-            names = [name_and_unit(header)[0].strip() for header in table.headers]
-            where = [i for i, header in enumerate(table.headers) if header == wanted] or [
-                i for i, name in enumerate(names) if name == wanted
-            ]
-            if len(where) != 1:
-                hint = did_you_mean(wanted, table.headers)
-                said = f"there are {len(where)} columns" if where else "there is no column"
-                raise InputError(
-                    f"{table.where()}: {said} `{wanted}` ({quantity}){hint} (the columns are: "
-                    f"{', '.join(table.headers)})"
-                )
-            at = where[0]
+        where = _places_of(table.headers, wanted)
+        if isinstance(wanted, int) and not where:
+            raise InputError(
+                f"{table.where()}: there is no column {wanted} ({quantity}); the columns are numbered 1 to "
+                f"{len(table.headers)}"
+            )
+        if len(where) != 1:
+            hint = did_you_mean(str(wanted), table.headers)
+            said = f"there are {len(where)} columns" if where else "there is no column"
+            raise InputError(
+                f"{table.where()}: {said} `{wanted}` ({quantity}){hint} (the columns are: {', '.join(table.headers)})"
+            )
+        at = where[0]
         if at in places.values():
             raise InputError(f"{table.where(at)}: the column cannot be two quantities")
         places[quantity] = at
     return places
+
+
+def _places_of(headers: Sequence[str], wanted: int | str) -> list[int]:
+    """Columns that a number, a header or its name fits, from 0."""
+    if isinstance(wanted, int):
+        return [wanted - 1] if 1 <= wanted <= len(headers) else []
+    return [i for i, header in enumerate(headers) if header == wanted] or [
+        i for i, header in enumerate(headers) if name_and_unit(header)[0].strip() == wanted
+    ]
 
 
 def _said_unit(table: Table, i: int, quantity: str, unit: str) -> tuple[float, float]:

@@ -18,6 +18,8 @@ SIGNS: dict[Delimiter, str | None] = {"comma": ",", "semicolon": ";", "tab": "\t
 _HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Time (s)` is one
 _WIDE_GAP = re.compile(r"\s{2,}|\t")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(?:,\d{3})+")
+_POINTS = re.compile(r"(?<![\d.,])[-+]?\d{1,3}(?:\.\d{3})+,\d+(?![\d.,])")
+"""A number with points between thousands and a decimal comma: `1.100,5`."""
 _MARKS = {
     "MTS": re.compile(r"MTS[\d*]*\||\bMTS\b|TestSuite|MultiPurpose"),
     "Instron": re.compile(r"\bInstron\b|Bluehill|WaveMatrix|\bTestAnlage\b", re.IGNORECASE),
@@ -237,10 +239,15 @@ def decimal_of(
     if not with_comma:
         return given or "point"
     points = next((i for i, line in enumerate(lines) if "." in line), None)
-    if given == "comma" and points is not None:
+    if points is not None and (given == "comma" or any(_POINTS.search(line) for line in with_comma)):
+        line = lines[points] if given == "comma" else next(filter(_POINTS.search, with_comma))
+        row = cells(line, delimiter)
+        column = next((i for i, cell in enumerate(row) if _POINTS.fullmatch(cell)), None)
+        column = next(i for i, cell in enumerate(row) if "." in cell) if column is None else column
+        at = text.numbers[text.lines.index(line)] if line in text.lines else first
         raise InputError(
-            f"{text.path}: decimal commas are said, and a row has a point: `{lines[points].strip()[:40]}`; export it "
-            "without signs between thousands"
+            f"{text.path}:{at}, column {column + 1}: `{row[column][:40]}` has a point where commas stand before "
+            "decimals; export the table without signs between thousands"
         )
     if given is not None:
         return given

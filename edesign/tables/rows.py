@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -45,9 +46,9 @@ def clocks_in_seconds(
 
 
 def rows_of_numbers(
-    path: Path, headers: list[str], numbers: list[int], lines: list[str], delimiter: Delimiter
+    path: Path, headers: list[str], numbers: list[int], lines: list[str], delimiter: Delimiter, read: Collection[int]
 ) -> np.ndarray:
-    """Read rows of finite numbers, (n, columns).
+    """Read rows of finite numbers, (n, columns); nan in the cells of other columns than `read` that have none.
 
     Args:
         path: of the file, for messages.
@@ -55,6 +56,7 @@ def rows_of_numbers(
         numbers: numbers of the lines in the file, from 1.
         lines: of the table below its headers.
         delimiter: the sign between cells.
+        read: columns that are read, from 0.
 
     Raises:
         InputError: a row is too short or long, or a cell is empty or no finite number.
@@ -65,7 +67,9 @@ def rows_of_numbers(
         rows = _quickly(block, len(headers), delimiter)
         if rows is None:  # the slow way, which knows the place
             places = numbers[first : first + _BLOCK]
-            rows = np.array([_row(path, headers, n, line, delimiter) for n, line in zip(places, block, strict=True)])
+            rows = np.array(
+                [_row(path, headers, n, line, delimiter, read) for n, line in zip(places, block, strict=True)]
+            )
         blocks.append(rows)
     return np.concatenate(blocks)
 
@@ -81,7 +85,9 @@ def _quickly(lines: list[str], columns: int, delimiter: Delimiter) -> np.ndarray
     return rows if rows.shape == (len(lines), columns) and bool(np.isfinite(rows).all()) else None
 
 
-def _row(path: Path, headers: Sequence[str], line: int, row: str, delimiter: Delimiter) -> list[float]:
+def _row(
+    path: Path, headers: Sequence[str], line: int, row: str, delimiter: Delimiter, read: Collection[int]
+) -> list[float]:
     found = cells(row, delimiter)
     if len(found) != len(headers):
         hint = ""
@@ -90,6 +96,9 @@ def _row(path: Path, headers: Sequence[str], line: int, row: str, delimiter: Del
         raise InputError(f"{path}:{line}: {len(found)} cells; the headers name {len(headers)} columns{hint}")
     values = []
     for i, (header, cell) in enumerate(zip(headers, found, strict=True), 1):
+        if i - 1 not in read and not is_number(cell):
+            values.append(math.nan)
+            continue
         if delimiter == "comma" and _GROUPED.fullmatch(cell):
             cell = cell.replace(",", "")
         place = f"{path}:{line}, column {i} (`{header}`)"

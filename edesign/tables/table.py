@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -39,7 +39,7 @@ class Table:
         path: the file.
         header_line: line of the headers, from 1; that of the first numbers if there are none.
         headers: one of each column; its number if there are none.
-        rows: (n, columns), finite numbers.
+        rows: (n, columns), finite numbers; nan in columns that are not read.
         lines: line of each row, (n,).
         form: how it was read.
         clocks: columns that are clock times in the file; here they are seconds since the first row.
@@ -72,6 +72,7 @@ def read_table(
     names: Callable[[str], bool] | None = None,
     content: bytes | None = None,
     given: TableFormat | None = None,
+    read: Callable[[Sequence[str]], Collection[int]] | None = None,
 ) -> Table:
     """Read a table of numbers; blank lines and lines that begin with # are skipped.
 
@@ -87,6 +88,7 @@ def read_table(
             first line.
         content: of the file, if it has been read.
         given: what is said of the format.
+        read: columns that are read, from 0, by the headers; others may have anything in their cells. None: all.
 
     Raises:
         InputError: the file cannot be read, has no headers or rows, or a cell that is empty or no finite number; or
@@ -125,7 +127,9 @@ def read_table(
     elif given and given.decimal == "comma":
         raise InputError(f"{path}:{first}: decimal commas and commas between the columns cannot be told apart")
     lines, clocks = clocks_in_seconds(path, lines, body.numbers, delimiter)
-    rows = rows_of_numbers(path, headers, body.numbers, lines, delimiter)
+    rows = rows_of_numbers(
+        path, headers, body.numbers, lines, delimiter, range(len(headers)) if read is None else read(headers)
+    )
     place = first if body.form.header_line is None else body.form.header_line
     return Table(path, place, tuple(headers), rows, np.array(body.numbers), body.form, clocks)
 

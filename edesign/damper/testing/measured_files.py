@@ -195,7 +195,7 @@ def _columns(
 ) -> tuple[Table, dict[str, np.ndarray], list[str]]:
     """Columns of a file in SI, checked as far as its lines matter, and the headers of those that are not read."""
     said = said or TestReading()
-    table = read_table(path, _WHAT, EXAMPLE, said.columns.names, given=said.table)
+    table = read_table(path, _WHAT, EXAMPLE, said.columns.names, given=said.table, read=said.columns.read_of)
     columns, unread = columns_in_si(table, said.columns)
     if said.time_step is not None:
         if "time" in columns:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -116,7 +117,8 @@ class Account:
 
     def data(self) -> dict[str, Any]:
         """Return the account for JSON."""
-        return asdict(self) | {"path": str(self.path)}
+        data: dict[str, Any] = _without_nan(asdict(self) | {"path": str(self.path)})
+        return data
 
     def tables(self) -> list[Table]:
         """Return the account as tables; the YAML and the questions are not in them."""
@@ -157,6 +159,21 @@ def ends(rows: np.ndarray, lines: Lines) -> tuple[tuple[tuple[int, tuple[float, 
     shown = range(len(rows)) if len(rows) <= 2 * _SHOWN else (*range(_SHOWN), *range(len(rows) - _SHOWN, len(rows)))
     numbered = [(int(lines[i]), tuple(map(float, rows[i]))) for i in shown]
     return tuple(numbered[:_SHOWN]), tuple(numbered[-_SHOWN:])
+
+
+def extremes(values: np.ndarray) -> tuple[float, float]:
+    """Return the smallest and the largest number of a column (n,); nan if it has none."""
+    numbers = values[np.isfinite(values)]
+    return (float(numbers.min()), float(numbers.max())) if numbers.size else (math.nan, math.nan)
+
+
+def _without_nan(data: Any) -> Any:
+    """The same with None in the place of nan, which JSON does not know."""
+    if isinstance(data, dict):
+        return {key: _without_nan(value) for key, value in data.items()}
+    if isinstance(data, (list, tuple)):
+        return [_without_nan(value) for value in data]
+    return None if isinstance(data, float) and math.isnan(data) else data
 
 
 def table_keys(form: Form) -> str:

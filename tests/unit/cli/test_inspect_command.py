@@ -14,6 +14,7 @@ from edesign.cli.main import main
 from edesign.damper.testing.campaign import load_campaign
 from edesign.damper.testing.property_table import write_property_table
 from edesign.damper.thesis_tables import measured
+from edesign.errors import InputError
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
 
@@ -161,3 +162,98 @@ def test_zero_has_no_sign(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     )
     assert main(["inspect", str(path)]) == 0
     assert "-0 " not in capsys.readouterr().out.replace("\n", " \n")
+
+
+def export(header: str, tail: str = "", above: str = "") -> str:
+    return above + header + "\n" + "".join(f"{row}{tail}\n" for row in table(",").splitlines())
+
+
+UNKNOWN = "Alpha,Beta,Gamma"
+SAID = "    columns: {time: 1, displacement: 2, force: 3}\n    units: {time: s, displacement: mm, force: kN}\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        export(UNKNOWN, above="Machine: M\nDate,2024-01-01\nArea,1200\nRig,a,b,c\n"),
+        export(UNKNOWN + "\ns,mm,kN"),
+        export(UNKNOWN + ",\n(s),(mm),(kN),", ","),
+        export(UNKNOWN + ",", ","),
+        export(UNKNOWN, ",,", above="Machine: M\n").replace("Gamma", "Gamma,,"),
+    ],
+)
+def test_what_a_campaign_reads_is_inspected_under_unknown_names_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str
+) -> None:
+    """Headers and rows are those that the campaign has, and both have the numbers that were written."""
+    (tmp_path / "a.csv").write_text(text)
+    campaign = tmp_path / "campaign.yaml"
+    campaign.write_text(SPECIMEN + "tests:\n  - file: a.csv\n    temperature: 20 degC\n" + SAID)
+    try:
+        (test,) = load_campaign(campaign).tests
+    except InputError as error:  # then inspect says the same
+        assert main(["inspect", str(tmp_path / "a.csv")]) == 2
+        assert str(error).partition(": ")[2] in capsys.readouterr().err
+        return
+    np.testing.assert_allclose(test.force, [4e3 * u + 1e3 for u in MOTION], atol=0.51e-3)  # six digits of kN
+    found = account(tmp_path / "a.csv", capsys)
+    assert found["rows"] == len(TIMES)
+    headers = [one["header"].partition(" ")[0] for one in found["columns"]]  # type: ignore[attr-defined]
+    assert headers == UNKNOWN.split(",")
+    questions = found["questions"]
+    assert isinstance(questions, list) and any("displacement" in question for question in questions)
+
+
+def test_of_two_channels_that_may_be_meant_it_is_asked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "a.csv"
+    for header, quantity, which in (
+        ("Time (s),Stroke (mm),LVDT (mm),Load (kN)", "displacement", "2 (`Stroke (mm)`) or 3 (`LVDT (mm)`)"),
+        ("Time (s),Position (mm),Load (kN),Force (kN)", "force", "3 (`Load (kN)`) or 4 (`Force (kN)`)"),
+        ("Time (s),Stroke (mm),Force (kN),Force A (kN)", "force", "3 (`Force (kN)`) or 4 (`Force A (kN)`)"),
+    ):
+        path.write_text(header + "\n" + "".join(f"{t},{u},{2 * u},{u}\n" for t, u in zip(TIMES, MOTION, strict=True)))
+        found = account(path, capsys)
+        assert f"Which column is the {quantity}: {which}? Say it by `columns`." in found["questions"]  # type: ignore[operator]
+        assert f"{quantity}: ?" in str(found["yaml"])
+    path.write_text("Time (s),Displacement (mm),Position (mm),Force (kN)\n1,2,3,4\n2,3,4,5\n")
+    assert account(path, capsys)["questions"] == ["What was the ambient temperature?"]  # names decide it
+
+
+def test_cells_of_columns_that_are_not_read_may_have_anything(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "a.csv"
+    lines = [f"{row},{'' if i % 3 else 'ok'}" for i, row in enumerate(table(",").splitlines())]
+    path.write_text("Time (s),Stroke (mm),Load (kN),Note\n" + "\n".join(lines) + "\n")
+    found = account(path, capsys)
+    assert [one["smallest"] is None for one in found["columns"]] == [False, False, False, True]  # type: ignore[attr-defined]
+    for said in ("", SAID):
+        campaign = tmp_path / "campaign.yaml"
+        campaign.write_text(SPECIMEN + "tests:\n  - file: a.csv\n    temperature: 20 degC\n" + said)
+        (test,) = load_campaign(campaign).tests
+        np.testing.assert_allclose(test.force, [4e3 * u + 1e3 for u in MOTION], atol=0.51e-3)
+        assert test.unread == ("Note",)
+    path.write_text(path.read_text().replace("0.010000,1.477601,", "0.010000,,", 1))
+    assert main(["inspect", str(path)]) == 2
+    assert "column 2 (`Stroke (mm)`): the cell is empty" in capsys.readouterr().err
+
+
+def test_lines_above_repeated_headers_are_left_out_whatever_they_say(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "a.csv"
+    rows = table(",").splitlines(keepends=True)
+    head = "Time (s),Stroke (mm),Load (kN)\n"
+    path.write_text("Block 1\n" + head + "".join(rows[:20]) + "Cycle block 2\n" + head + "".join(rows[20:]))
+    found = account(path, capsys)
+    assert found["rows"] == len(TIMES) and found["form"]["repeated"] == 2  # type: ignore[index]
+    path.write_text(head + "".join(rows[:20]) + "Cycle block 2\n" + head + "".join(rows[20:]))
+    assert main(["inspect", str(path)]) == 2  # no line stood above the headers before
+    assert "a.csv:22: 1 cells; the headers name 3 columns" in capsys.readouterr().err
+
+
+def test_a_point_between_thousands_blames_its_own_cell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text("Zeit (s);Weg (mm);Kraft (kN)\n0,00;0,100;100,5\n0,01;1,500;1.100,5\n0,02;1,600;90,5\n")
+    assert main(["inspect", str(path)]) == 2
+    assert f"{path}:3, column 3: `1.100,5` has a point where commas stand before decimals" in capsys.readouterr().err

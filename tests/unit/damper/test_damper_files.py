@@ -116,7 +116,7 @@ def test_a_file_without_force(tmp_path: Path) -> None:
         (GOOD.replace("displacement_mm", "displacement_kN"), "column 2 (`displacement_kN`): `kN` is a unit of force"),
         (GOOD.replace("force_kN", "force_kn"), "the unit `kn` is unknown; did you mean `force_kN`?"),
         (GOOD.replace("force_kN", "force"), "column 3 (`force`): the unit is missing; write `force_kN`"),
-        (GOOD.replace("force_kN", "time_ms"), "there is a time already in column 1"),
+        (GOOD.replace("force_kN", "time_ms"), "column 1 (`time_s`) may be the time too; say which one by `columns`"),
         (GOOD.replace("0.002", "0.001"), "a.csv:4: the time 0.001 s is the time of the line before"),
         (GOOD.replace("0.002", "0.0005"), "a.csv:4: the time 0.0005 s is before 0.001 s; times must ascend"),
         (GOOD + GOOD, "a.csv:6: the time 0 s is before 0.002 s; times must ascend; does another test begin here?"),
@@ -132,7 +132,10 @@ def test_a_file_without_force(tmp_path: Path) -> None:
         (GOOD.replace("\n0,", "\nstart,"), "a.csv:2, column 1 (`time_s`): `start` is not a number"),
         ("Time,Stroke,Load\ns,mm,mm\n0,0,0\n", "column 3 (`Load (mm)`): `mm` is a unit of displacement, not of force"),
         ("Time,Stroke,Load\n0,0,0\n1,1,1\n2,2,2\n", "column 1 (`Time`): the unit is missing; write `time_s`"),
-        ("time_s;displacement_mm;force_kN\n0;0;0\n1;1.234,5;1\n", "`1.234,5` is not a number"),
+        (
+            "time_s;displacement_mm;force_kN\n0;0;0\n1;1.234,5;1\n",
+            "column 2: `1.234,5` has a point where commas stand before decimals",
+        ),
     ],
 )
 def test_wrong_test_files(tmp_path: Path, text: str, said: str) -> None:
