@@ -16,7 +16,7 @@ class Advised(NamedTuple):
     """A message with an advice.
 
     Attributes:
-        base: the input that is right, see `test_advice.py`.
+        base: the input that is right, see `test_followed_advice.py`.
         wrong: changes that provoke the message.
         said: part of the message.
         rights: for each way of the advice the changes of the wrong input.
