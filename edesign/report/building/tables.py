@@ -149,7 +149,7 @@ def base_shear_table(results: BuildingResults) -> Table:
     mass = results.number("mass_kg")
     table = Table(
         "Seismic action",
-        ("direction", "q", "base shear [kN]", "by weight", "without beta", "F_b [kN]", "Omega", "of"),
+        ("direction", "q", "V [kN]", "by weight", "without beta", "F_b [kN]", "Omega", "of"),
         name="seismic_action",
     )
     table.formulas = ()
@@ -169,10 +169,11 @@ def base_shear_table(results: BuildingResults) -> Table:
             ]
         )
     table.notes.append(f"mass {number(mass, 4, 1e3)} t; Omega: least overstrength of dissipative members")
+    table.notes.append("V: base shear, combined from the modes")
     if lateral:
         table.notes.append(
-            "base shear: combined from the modes; F_b = S_d(T_1) m lambda: of the lateral force method, whose forces "
-            "F_i give static moments of accidental torsion (EN 1998-1, 4.3.3.2.2 and 4.3.3.3.3)"
+            "F_b = S_d(T_1) m lambda: of the lateral force method, whose forces F_i give static moments of accidental "
+            "torsion (EN 1998-1, 4.3.3.2.2 and 4.3.3.3.3)"
         )
     return table
 
