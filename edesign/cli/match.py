@@ -125,15 +125,16 @@ def match(
             overwrite,
         )
     kept = f"the results are in {summary.archive}"
+    if csv is not None:
+        with optional("the CSV files", kept):
+            make_folder(csv)
+            for motion in summary.motions.values():
+                if not motion.failure:
+                    write_csv(motion.record, csv / f"{motion.name}.csv")
     if not quiet:
         with optional("the tables", kept):
             print_tables([*tables, *record_tables(summary.archive)])
         print(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
-    if csv is not None:
-        make_folder(csv)
-        for motion in summary.motions.values():
-            if not motion.failure:
-                write_csv(motion.record, csv / f"{motion.name}.csv")
     if figures is not None:
         with optional("the figures", kept):
             draw_figures(summary.archive, figures, figure_format)
