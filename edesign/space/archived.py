@@ -157,7 +157,7 @@ def _sway(design: ElasticDesign) -> Group:
         ):
             group.add(f"{name}_{axis}", ("persistent",), values[:, number], unit, f"{text}, direction {axis}")
     text = "least factor of the loads at which the building sways in any direction or twists"
-    group.add("alpha_cr", ("persistent",), sway.alpha_cr[:, 2], "1", text)
+    group.add("alpha_cr", ("persistent",), sway.alpha_cr.min(axis=1), "1", text)
     return group
 
 

@@ -20,7 +20,7 @@ from edesign.codes.ec3.imperfections import AMPLIFICATION, FIRST_ORDER, initial_
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import SpaceModel
-from edesign.core.space_buckling import BucklingShapes, buckling_shapes
+from edesign.core.space_buckling import SETTLED, BucklingShapes, buckling_shapes
 from edesign.core.space_modes import SpaceModes
 from edesign.space.analysis.effects import Effects
 from edesign.space.analysis.response import STATIONS, StaticResponse
@@ -31,8 +31,8 @@ from edesign.space.structure.model import TENSION_ONLY_SHARE
 STABLE = "EN 1993-1-1, 5.2.2(6)"
 """Clause of the criterion on alpha_cr."""
 COUNTED = (AMPLIFICATION - 1.0) / (FIRST_ORDER - 1.0)
-"""Sum of the shares of sway at which shapes count. A share e with the factor alpha adds e / (alpha - 1) to the effects
-of sway. What is left out adds less than 1 / (10 - 1) to them, which 5.2.1(3) neglects, if alpha is at least 3."""
+"""Sum of the shares of sway at which a shape decides. A share e with the factor alpha adds e / (alpha - 1) to the
+effects of sway: less than this sum adds less than 1 / (10 - 1), which 5.2.1(3) neglects, if alpha is at least 3."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,10 @@ class SwayStability:
 
     Attributes:
         combinations: the persistent combinations, without imperfections.
-        alpha_cr: (n_combinations, 3) least factor of shapes that move along x, along y, and of all shapes.
+        alpha_cr: (n_combinations, 3) factors of sway along x, along y, and of twist (infinite: none).
         initial_sway: (n_combinations, 2) phi along x and y.
-        amplification: (n_combinations, 2) 1 / (1 - 1/alpha_cr) of the sway effects along x and y.
+        amplification: (n_combinations, 2) 1 / (1 - 1/alpha_cr) of the sway effects along x and y; alpha_cr of twist
+            counts for both, as forces that act beside the centre of rotation twist the floors.
         cases: names of the load cases that imperfections make: `S_x`, `S_y`, and `P_Delta` where gravity sways.
         internal: (n_cases, n_members, n_stations, 6) their effects, with amplification, as in `StaticResponse`.
         rows: the combinations, and behind them those with imperfections.
@@ -117,8 +118,8 @@ class SwayAnalysis:
         compression = -factors @ static.internal[:, frame.columns, STATIONS.size // 2, 0]
         axial = np.zeros((len(combinations), len(frame.members)))
         axial[:, frame.columns] = -compression
-        alpha_cr = np.array([critical_factors(model, modes, of, float(mass.sum())) for of in axial])
-        counted = np.clip(alpha_cr[:, :2], AMPLIFICATION, None)
+        alpha_cr = np.array([critical_factors(model, modes, of, mass, frame.level_of_nodes) for of in axial])
+        counted = np.clip(np.minimum(alpha_cr[:, :2], alpha_cr[:, 2:]), AMPLIFICATION, None)  # floors twist, too
         amplification = np.array([[sway_amplification(float(of)) for of in row] for row in counted])
         phi = np.array([[self._initial_sway(frame, of, axis) for axis in AXES] for of in compression])
         found = SwayStability(
@@ -180,44 +181,77 @@ class SwayAnalysis:
 
 
 def critical_factors(
-    model: SpaceModel, modes: SpaceModes, axial: np.ndarray, mass: float
+    model: SpaceModel, modes: SpaceModes, axial: np.ndarray, mass: np.ndarray, levels: np.ndarray
 ) -> tuple[float, float, float]:
-    """Return alpha_cr along x, along y and of all shapes that sway; infinite where nothing sways under the forces.
+    """Return alpha_cr along x, along y and of twist; infinite where nothing sways so under the forces.
 
     Of the strain energy of a buckling shape a share e moves the floors; the rest bends members between floors that
     stand still. Shapes with e near 1 sway, with e near 0 they are those of members. Where members are about to buckle
-    together with a storey, its sway is spread over several shapes. alpha_cr is therefore the factor of the shape at
-    which the sum of e over the shapes up to it reaches `COUNTED`.
+    together with a storey, its sway is spread over several shapes. The shape that decides is therefore the one at which
+    the sum of e over the shapes up to it reaches `COUNTED`; see `_of_all` for those before it.
 
-    A shape belongs to a direction if at least 5 % of the mass moves with it there, as a mode that counts in EN 1998-1,
-    4.3.3.3.1(3). All others, twist above all, are looked at for themselves. A direction without any has the least.
+    A shape belongs to a direction if at least 5 % of the mass that it moves goes there with the floors. All others,
+    twist above all, are looked at for themselves. A direction without any has the least of the others.
 
     Args:
         model: of the frame.
         modes: all its natural modes, of generalised mass 1: together all shapes under horizontal forces.
         axial: (n_members,) N, tension positive.
-        mass: that moves, kg.
+        mass: (n_nodes,) kg, that of the modes.
+        levels: (n_nodes,) floor of each node.
 
     Source: EN 1993-1-1:2005, 5.2.1(3), Eq. 5.1: K + alpha K_G singular.
     """
+    weights = (levels[:, None] == np.unique(levels)) * mass[:, None]
+    floors = weights[:, weights.any(axis=0)]
+    floors = floors / np.sqrt(floors.sum(axis=0))  # amplitudes of floors from the mean of their nodes
+    of_floors = np.einsum("knd,nf->kfd", modes.displacements[:, :, :2], floors)
 
-    def numbers(found: BucklingShapes) -> list[int | None]:
-        """Return the shape that decides along x, along y, and of the others."""
+    def groups(found: BucklingShapes) -> list[tuple[int | None, np.ndarray]]:
+        """Return the shape that decides, and the shares e of the shapes that count, along x, along y, and of others."""
         moved = found.of_start / modes.omega
+        going = (np.tensordot(moved, of_floors, 1) ** 2).sum(axis=1)
         with np.errstate(invalid="ignore"):
-            share = (moved @ modes.participation[:, :2]) ** 2 / ((moved**2).sum(axis=1) * mass)[:, None]
-        x, y = share.T >= LARGE_MODE
+            x, y = going.T / (moved**2).sum(axis=1) >= LARGE_MODE
         e = np.where(np.isfinite(found.factor), (found.of_start**2).sum(axis=1), 0.0)
-        lost = [np.cumsum(np.where(of, e, 0.0)) >= COUNTED for of in (x, y, ~(x | y))]
-        return [int(of.argmax()) if of.any() else None for of in lost]
+        counted = []
+        for of in (x, y, ~(x | y)):
+            share = np.where(of, e, 0.0)
+            lost = np.cumsum(share) >= COUNTED
+            counted.append((int(lost.argmax()) if lost.any() else None, share))
+        return counted
 
     def wanted(found: BucklingShapes) -> list[int]:
-        return sorted({number for number in numbers(found) if number is not None})
+        numbers: set[int] = set()
+        for number, share in groups(found):
+            if number is not None:
+                part = _parts(found.factor, share, number)
+                numbers |= {number, *np.flatnonzero(part > SETTLED * part.sum()).tolist()}
+        return sorted(numbers)
 
     found = buckling_shapes(model, axial, modes.shapes / modes.omega[:, None], wanted, FIRST_ORDER)
-    x, y, other = (np.inf if number is None else float(found.factor[number]) for number in numbers(found))
-    least = min(x, y, other)
-    return x if np.isfinite(x) else least, y if np.isfinite(y) else least, least
+    x, y, twist = (
+        np.inf if number is None else _of_all(found.factor, share, number) for number, share in groups(found)
+    )
+    least = min(x, y, twist)
+    return x if np.isfinite(x) else least, y if np.isfinite(y) else least, twist
+
+
+def _parts(factor: np.ndarray, share: np.ndarray, number: int) -> np.ndarray:
+    """What shapes add to the effects of sway, e / (alpha - 1), up to the one that decides, which has all the rest of e.
+
+    Shapes with a factor up to 1 are of members that buckle, which 6.3 does not allow; they add nothing here.
+    """
+    e, alpha = share[: number + 1].copy(), factor[: number + 1]
+    e[number] = 1.0 - e[:number].sum()
+    return np.divide(e, alpha - 1.0, out=np.zeros(number + 1), where=alpha > 1.0)
+
+
+def _of_all(factor: np.ndarray, share: np.ndarray, number: int) -> float:
+    """The factor of one shape that would amplify sway as the deciding shape and those before it do together."""
+    if factor[number] <= 1.0:
+        return float(factor[number])
+    return 1.0 + 1.0 / float(_parts(factor, share, number).sum())
 
 
 def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criterion]:
@@ -232,10 +266,10 @@ def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criteri
 
     Source: EN 1993-1-1:2005, 5.2.2(5)B and (6).
     """
-    x, y, least = stability.alpha_cr.T
+    x, y, twist = stability.alpha_cr.T
     whose = [(f"direction {axis}", of) for axis, of in zip(AXES, (x, y), strict=True)]
-    if (least < np.minimum(x, y)).any():
-        whose.append(("twist", least))
+    if (twist < np.minimum(x, y)).any():
+        whose.append(("twist", twist))
     found = []
     for name, of in whose:
         worst = int(of.argmin())
@@ -255,19 +289,21 @@ def sway_notes(stability: SwayStability) -> list[str]:
         stability: of the building.
     """
     found = []
+    twist = float(stability.alpha_cr[:, 2].min())
     for number, axis in enumerate(AXES):
-        alpha_cr = float(stability.alpha_cr[:, number].min())
+        along = float(stability.alpha_cr[:, number].min())
+        alpha_cr, what = min((along, f"alpha_cr along {axis}"), (twist, f"for sway along {axis}, alpha_cr of twist"))
         if alpha_cr >= FIRST_ORDER:
             continue
         if stability.cases:
             factor = float(stability.amplification[:, number].max())
             found.append(
-                f"alpha_cr along {axis} is {alpha_cr:.1f}, below 10: sway effects of the persistent combinations are "
-                f"multiplied by {factor:.2f} (EN 1993-1-1, 5.2.2(5)B)"
+                f"{what} is {alpha_cr:.1f}, below 10: sway effects of the persistent combinations are multiplied by "
+                f"{factor:.2f} (EN 1993-1-1, 5.2.2(5)B)"
             )
         else:
             found.append(
-                f"alpha_cr along {axis} is {alpha_cr:.1f}, below 10: without imperfections, effects of second order "
-                "must be in the buckling lengths (EN 1993-1-1, 5.2.2(8))"
+                f"{what} is {alpha_cr:.1f}, below 10: without imperfections, effects of second order must be in the "
+                "buckling lengths (EN 1993-1-1, 5.2.2(8))"
             )
     return found

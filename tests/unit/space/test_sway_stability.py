@@ -26,12 +26,12 @@ NOTE = "sway effects of the persistent combinations are multiplied by"
 
 
 def factors(of: Building, compression: dict[str, float]) -> tuple[float, float, float]:
-    """alpha_cr along x, along y and of all shapes under given forces of the columns by their lines across x."""
+    """alpha_cr along x, along y and of twist under given forces of the columns by their lines across x."""
     frame, model, _ = bending_only(of)
     modes = model.modes(frame.node_mass)
     axial = np.zeros(len(frame.members))
     axial[frame.columns] = [-compression[frame.members[number].name.split("_")[1][0]] for number in frame.columns]
-    return critical_factors(model, modes, axial, frame.node_mass.sum())
+    return critical_factors(model, modes, axial, frame.node_mass, frame.level_of_nodes)
 
 
 @pytest.mark.parametrize("feet", ["fixed", "pinned"])
@@ -91,8 +91,8 @@ def test_against_the_eigenvalue_of_the_core() -> None:
     N = np.array([[2.0e5 * (3 - frame.storey[number]) for number in frame.columns]])
     axial = np.zeros(len(frame.members))
     axial[frame.columns] = -N[0]
-    found = critical_factors(model, modes, axial, frame.node_mass.sum())
-    assert 1.0 <= found[2] / model.critical_factor(axial) < 1.0 + 1e-3
+    found = critical_factors(model, modes, axial, frame.node_mass, frame.level_of_nodes)
+    assert 1.0 <= min(found) / model.critical_factor(axial) < 1.0 + 1e-3
 
 
 def shear(design: ElasticDesign, case: str, storey: int, axis: int) -> float:
