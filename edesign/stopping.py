@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from types import FrameType
 from typing import TypeVar
 
 T = TypeVar("T")
@@ -60,6 +62,43 @@ def stop_if_requested() -> None:
     """
     if stop_requested():
         raise Stopped
+
+
+@contextmanager
+def uninterrupted() -> Iterator[None]:
+    """Hold Ctrl-C back until the context ends, where an exception at any place would break what is called.
+
+    HDF5 calls Python back for its file: an exception in there leaves the library in no state that it knows, and so does
+    the end of the process while another thread is in it.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        with _whole:
+            yield
+        return
+    before = signal.getsignal(signal.SIGINT)
+    asked = False
+
+    def hold(number: int, frame: FrameType | None) -> None:
+        nonlocal asked
+        asked = True
+
+    if before not in (None, signal.SIG_IGN):
+        signal.signal(signal.SIGINT, hold)
+    try:
+        yield
+    finally:
+        if before not in (None, signal.SIG_IGN):
+            signal.signal(signal.SIGINT, before)
+        if asked:
+            signal.raise_signal(signal.SIGINT)
+
+
+def end_uninterrupted() -> None:
+    """Wait until no other thread is within `uninterrupted`, and let none begin it again: the process ends."""
+    _whole.acquire()
+
+
+_whole = threading.RLock()
 
 
 def in_threads(

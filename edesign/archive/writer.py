@@ -22,6 +22,7 @@ from edesign.archive.survey import survey
 from edesign.archive.transaction import TransactionFile
 from edesign.archive.tree import FORMAT, Damaged, Tree
 from edesign.errors import ArchiveError
+from edesign.stopping import uninterrupted
 
 
 def partial_path(path: str | os.PathLike[str]) -> Path:
@@ -55,6 +56,7 @@ class ArchiveWriter:
             the path is that of a file of another kind.
     """
 
+    @uninterrupted()
     def __init__(
         self,
         path: str | os.PathLike[str],
@@ -100,6 +102,7 @@ class ArchiveWriter:
     ) -> None:
         self.close()
 
+    @uninterrupted()
     def write(self, path: str, group: Group) -> None:
         """Write a group at a path, in place of an earlier one, and commit it to the disk.
 
@@ -114,14 +117,17 @@ class ArchiveWriter:
             self._put(path, group)
             self._commit()
 
+    @uninterrupted()
     def has(self, path: str) -> bool:
         """Return whether a group was written at a path, or is reused."""
         return path in self._open_file()
 
+    @uninterrupted()
     def read(self, path: str) -> Group:
         """Read back a group that was written, or is reused and was verified."""
         return Tree(self._open_file(), self._disk.size, trusted=True).group(path)
 
+    @uninterrupted()
     def finish(self, attributes: Mapping[str, object] | None = None) -> Path:
         """Mark the archive complete, give it its final name, and return the path.
 
@@ -147,6 +153,7 @@ class ArchiveWriter:
             _sync_folder(self.path.parent)
         return self.path
 
+    @uninterrupted()
     def discard(self) -> None:
         """Close and delete the partial file, and no other that has taken its place."""
         with suppress(OSError):
@@ -154,6 +161,7 @@ class ArchiveWriter:
                 self.partial.unlink()
         self.close()
 
+    @uninterrupted()
     def close(self) -> None:
         """Close and keep the partial file as the last transaction left it; does nothing a second time."""
         if self._file is not None:

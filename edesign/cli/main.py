@@ -34,6 +34,7 @@ from edesign.cli.rts import app as rts
 from edesign.cli.run import run
 from edesign.cli.schema import schema
 from edesign.cli.sections import sections
+from edesign.cli.shared.stages import end_with
 from edesign.cli.shared.streams import visible_streams
 from edesign.cli.sheet import sheet
 from edesign.cli.show import show
@@ -112,7 +113,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
         if arguments is None:  # in this process nobody else wants Python's warnings; --debug shows them
             logging.captureWarnings(True)
-        return _run([word for word in words if word != "--debug"], debug)
+        code = _run([word for word in words if word != "--debug"], debug)
+    if arguments is None:
+        end_with(code)
+    return code
 
 
 def _run(words: list[str], debug: bool) -> int:

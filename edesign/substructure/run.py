@@ -32,6 +32,8 @@ from edesign.substructure.methods.method_tests import MethodResults
 from edesign.substructure.virtual_test import VirtualTest
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
 
+_CSV = "the CSV file of a run"
+
 
 def run_tests(
     file: RtsFile,
@@ -54,7 +56,7 @@ def run_tests(
 
     Raises:
         InputError: structure, law, compensator or record cannot be used so; two CSV files would have one name.
-        ArchiveError: the archive or a CSV file cannot be written, or is that of something else.
+        ArchiveError: the archive cannot be written, or is that of something else.
         KeyboardInterrupt: by Ctrl-C; nothing is left then.
     """
     file.check_unchanged()
@@ -85,13 +87,15 @@ def run_tests(
                     writer.write(place, group)
                 for run in results.runs:
                     if csv_folder is not None and run.record is not None:
-                        write_run(run, csv_folder / names[run.test, run.compensator])
+                        with optional(_CSV):
+                            write_run(run, csv_folder / names[run.test, run.compensator])
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
                 time = laboratory.drives[other.name].time
                 writer.write(f"{PLACE}/{other.name}", method_group(other, time))
                 if csv_folder is not None and other.record is not None:
-                    _write_method(other.record, time, csv_folder / names[other.name, ""])
+                    with optional(_CSV):
+                        _write_method(other.record, time, csv_folder / names[other.name, ""])
                 others.append(other)
             with optional("the indicators", passing=(ArchiveError,)):
                 writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import contextvars
+import os
 import sys
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, TypeVar
 
 from edesign.cli.shared.streams import progress_line
 from edesign.report.tables.visible import visible_line
-from edesign.stopping import Stopped
+from edesign.stopping import Stopped, end_uninterrupted
 
 R = TypeVar("R")
 Tell = Callable[[str], None]
@@ -26,8 +28,8 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
     lines do not depend on the speed of the machine.
 
     Python answers Ctrl-C between two of its own steps only, and the factorisation of a large building is one step of
-    many seconds. So this thread waits, and Ctrl-C ends it at once; the work ends at its next stage, or with the
-    process.
+    many seconds. So this thread waits, and Ctrl-C ends it as soon as no file is being written; the work ends at its
+    next stage, or with the process.
 
     Args:
         work: is handed a function that takes the name of each stage at its beginning.
@@ -35,7 +37,7 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
     """
     stages: list[tuple[str, float]] = []
     by_time = sys.stderr.isatty()
-    ended = threading.Event()
+    ended, done = threading.Event(), threading.Event()
     results: list[R] = []
     errors: list[BaseException] = []
 
@@ -51,6 +53,7 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
             results.append(work(tell))
         except BaseException as error:
             errors.append(error)
+        done.set()
 
     context: Any = contextvars.copy_context()
     thread = threading.Thread(target=context.run, args=(run,), daemon=True)
@@ -64,11 +67,35 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
             if by_time and not quiet and stage != told and thread.is_alive() and lasts:
                 told = stage
                 _tell(stage)
+    except KeyboardInterrupt:
+        ended.set()
+        end_uninterrupted()
+        _left.append(done)
+        raise
     finally:
         ended.set()
     if errors:
         raise errors[0]
     return results[0]
+
+
+def end_with(code: int) -> None:
+    """End the process with an exit code if work that Ctrl-C has left still goes on in it.
+
+    Python would take libraries down under that work, and crash.
+
+    Args:
+        code: of the command.
+    """
+    if not all(done.is_set() for done in _left):
+        for stream in (sys.stdout, sys.stderr):
+            with suppress(OSError, ValueError):
+                stream.flush()
+        os._exit(code)
+
+
+_left: list[threading.Event] = []
+"""Set when work that Ctrl-C did not wait for has ended; a `join` that it interrupts may take a thread for ended."""
 
 
 def _tell(stage: str) -> None:

@@ -430,12 +430,13 @@ def test_criteria_that_fail_leave_the_matched_records(
     [
         ("edesign.substructure.run.indicators", "the indicators"),
         ("edesign.substructure.run.with_unstable_loops", "whether the loops of cycles are stable"),
+        ("edesign.substructure.run.write_run", "the CSV file of a run"),
     ],
 )
-def test_what_is_said_of_substructure_tests_may_fail(
+def test_what_follows_substructure_tests_may_fail(
     broken: str, stage: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    words = CASES["rts run"].words()
+    words = [*CASES["rts run"].words(), "--csv", "csv"]
     _break(monkeypatch, broken, RuntimeError(CAUSE))
     assert main(words) == 5
     assert f"{stage} failed" in capsys.readouterr().err and _whole(Path("out.h5"))
