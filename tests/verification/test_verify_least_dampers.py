@@ -19,7 +19,7 @@ from shear_frames import HEIGHT, MASS, STIFFNESS
 
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import DamperRun, Dampers
-from edesign.study.design.design import run_design
+from edesign.study.design.design import DesignResult, run_design
 
 PRECISION = 0.01
 LIMIT = 2.5e-3  # of the drift; 11.3e-3 without dampers
@@ -105,15 +105,18 @@ def test_least_coefficients_whatever_the_estimate_says(a_gR: float) -> None:
     if told.reason:
         assert told.reason.endswith("this is an estimate by the response spectrum: with `verify` histories decide")
     histories = Histories(of)
-    found = run_design(
-        project,
-        "tried",
-        design(f"{text}, {VERIFY.replace('@', 'coefficient')}", project),
-        Path("."),
-        histories.respond,
-        histories.judge,
-    )
+
+    def verified(rounds: int) -> DesignResult:
+        verify = VERIFY.replace("@", "coefficient").replace("rounds: 20", f"rounds: {rounds}")
+        asked = design(f"{text}, {verify}", project)
+        return run_design(project, "tried", asked, Path("."), histories.respond, histories.judge)
+
+    found = verified(20)
     assert found.status == "completed", found.reason
+    enough = max(int(np.argmax(found.group.variables["round_met"].values)) + 1, 2)  # that meet the limit
+    few = verified(enough)
+    assert few.status == "completed" and f"all {enough} `rounds` were used" in str(few.group.attributes["warnings"])
+    assert "`rounds`" not in str(found.group.attributes["warnings"])
     c = found.group.variables["damping_coefficient"].values
     (drifts,) = peak_drifts(np.zeros((1, 2)), c[None])
     assert drifts.max() <= LIMIT

@@ -113,16 +113,20 @@ class Designer(ABC, Generic[S]):
         return True
 
     def doubts(self, done: Search[S], drift: float) -> list[str]:
-        """Return the warning that an estimate says the dampers are not enough, where histories have not said they are.
+        """Return warnings: of an estimate that asks for more dampers than histories judged, of rounds that were too few.
 
         Args:
             done: all rounds and the chosen one.
             drift: the largest storey drift over height that is estimated.
         """
-        outcome, limit = done.chosen.outcome, self._spec.drift
+        outcome, limit, verify = done.chosen.outcome, self._spec.drift, self._spec.verify
+        if verify is not None and outcome is not None and outcome.met and outcome.drift:  # searched storey by storey
+            last = len(done.rounds)
+            few = f"all {last} `rounds` were used: more may find a smaller sum of the dampers"
+            return [few] if last >= verify.rounds else []
         if (
             limit is None
-            or self._spec.verify is None
+            or verify is None
             or drift <= (1.0 + _ROUNDING) * limit
             or (outcome is not None and outcome.met)
         ):
