@@ -110,7 +110,7 @@ def earlier(*paths: Path) -> str:
     Args:
         *paths: that the stage replaces.
     """
-    there = [str(path) for path in paths if path.exists()]
+    there = [str(path) for path in paths if path.is_file()]
     return f" ({', '.join(there)} {'is' if len(there) == 1 else 'are'} of an earlier run)" if there else ""
 
 
@@ -121,7 +121,7 @@ def told(failures: Sequence[Failure]) -> str:
         failures: of `noting_failures`.
     """
     kept = dict.fromkeys(one.kept for one in failures if one.kept)
-    lines = [f"{'; '.join(kept) or 'the results stand'}, but not all that follows them", *map(str, failures)]
+    lines = [f"{'; '.join(kept) or 'the results stand'}, but not all that follows", *map(str, failures)]
     if any(one.unexpected for one in failures):
         lines.append("please report an error in edesign itself with the output of --debug, which has its traceback")
     return "\n  ".join(lines)

@@ -78,7 +78,8 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
             keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1"
         )
     elif loc and loc[-1] == "[key]":
-        problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")
+        most = context.get("max_length", 64)
+        problems.at_key(keys, f"a name is made of letters, digits and `_`, `-`, `+`, `.`, at most {most} of them")
     elif kind == "literal_error":
         allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
         other = f", or {shape}" if loc[-1] == f"{TAG}plain" and (shape := _other_shape(model, loc)) else ""

@@ -39,6 +39,10 @@ class _Pair:
     def change(self, quantity: str) -> Change | None:
         return largest_change(self.before, self.after, quantity)
 
+    def of_the_same_records(self) -> bool:
+        """Whether both have been completed under the same records."""
+        return len(self.before) == len(self.first.completed) and len(self.after) == len(self.found.completed)
+
 
 def changes_table(sets: Sequence[HistorySet]) -> Table:
     """Return where each quantity changes most from the first variant of a level to each other one.
@@ -84,7 +88,8 @@ def changes_in_short(sets: Sequence[HistorySet]) -> Table:
             cells.append("-" if found is None else f"{_percent(found)} % {found.place}")
         before, now = (tension(found.completed.values()) for found in (pair.first, pair.found))
         there = "none" if now is None else f"{number(now.force, 3, 1e3)} kN {now.column}"
-        there += "" if before is None else f" ({number(before.force, 3, 1e3)} kN)"
+        alike = pair.of_the_same_records()
+        there += "" if before is None or not alike else f" ({number(before.force, 3, 1e3)} kN)"
         table.rows.append([label(pair.found), *cells, there])
     if len(pairs) > MOST_ROWS:
         table.notes.append(f"and {len(pairs) - MOST_ROWS} more, among all tables")

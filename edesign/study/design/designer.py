@@ -113,7 +113,7 @@ class Designer(ABC, Generic[S]):
         return True
 
     def doubts(self, done: Search[S], drift: float) -> list[str]:
-        """Return warnings: of an estimate that asks for more dampers than histories judged, of rounds that were too few.
+        """Return warnings: an estimate asks for more dampers than histories judged, or rounds were too few.
 
         Args:
             done: all rounds and the chosen one.
