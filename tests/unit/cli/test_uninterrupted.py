@@ -26,6 +26,7 @@ def work(tell):
     pressed.wait()  # what goes on in a library, and asks nobody
 
 pressed = threading.Event()
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell in the background has it ignored
 try:
     stages.in_stages(work)
 except KeyboardInterrupt:
@@ -37,11 +38,15 @@ print("not here")
 
 def test_ctrl_c_comes_behind_what_is_not_to_be_interrupted() -> None:
     done = []
-    with pytest.raises(KeyboardInterrupt), uninterrupted():
-        os.kill(os.getpid(), signal.SIGINT)
-        done.append("whole")
-    assert done == ["whole"]
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(KeyboardInterrupt), uninterrupted():
+            os.kill(os.getpid(), signal.SIGINT)
+            done.append("whole")
+        assert done == ["whole"]
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_a_request_to_stop_comes_behind_it_too() -> None:
