@@ -5,49 +5,18 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.facts import Facts
 from edesign.ground_motion.sources import Found, find_recording
 from edesign.ground_motion.suite import TAKEN, Suite, SuiteEntry
 from edesign.project.records.chosen_records import Limits
 
 _LONGEST = 64  # characters of a name, as in suites
 _PLAIN = re.compile(r"[^a-z0-9]+")
-
-
-@dataclass(frozen=True)
-class Facts:
-    """Facts on a recording beside its samples; None where one is not known.
-
-    Attributes:
-        event, year, station: what was recorded, and where.
-        rsn: record sequence number of PEER.
-        magnitude: moment magnitude.
-        distance: closest to the rupture, m.
-        v_s30: m/s.
-        pulse: whether its velocity has a pulse.
-    """
-
-    event: str | None = None
-    year: int | None = None
-    station: str | None = None
-    rsn: int | None = None
-    magnitude: float | None = None
-    distance: float | None = None
-    v_s30: float | None = None
-    pulse: bool | None = None
-
-    def over(self, other: Facts) -> Facts:
-        """Return these facts, and those of others where they say nothing.
-
-        Args:
-            other: facts on the recording from elsewhere.
-        """
-        said = {field.name: getattr(self, field.name) for field in fields(self)}
-        return replace(other, **{name: value for name, value in said.items() if value is not None})
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from edesign.errors import InputError
-from edesign.ground_motion.catalogue.candidate import Facts
+from edesign.ground_motion.formats.facts import Facts
 from edesign.ground_motion.formats.text import read_lines
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number

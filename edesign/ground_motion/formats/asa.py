@@ -12,12 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import read_rows
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
-from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
@@ -40,30 +39,14 @@ def has_title(lines: list[str]) -> bool:
     return any(_TITLE.match(line) for line in lines)
 
 
-def read_asa(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
-    """Read one channel; step, number, orientation and peak of each come from the header.
+def channels_of(path: Path) -> list[Channel]:
+    """Read all channels; step, number, orientation and peak of each come from the header.
 
-    Args:
-        path: the file.
-        component: orientation as in the file (`N00E`, `V`, `N90W`), or the number of the channel.
-        name: of the record; its file name without ending by default.
+    A channel is called by its orientation as in the file (`N00E`, `V`, `N90W`) or its number.
 
     Raises:
         InputError: a key is missing, another unit than gal, decimated data, not as many samples as the header says,
-            something else than finite numbers, peaks that are not those of the header, or `component` names none.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name or path.name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read all channels of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_asa`.
+            something else than finite numbers, or peaks that are not those of the header.
     """
     lines = read_lines(path)
     data = next((i for i, line in enumerate(lines) if _DATA.match(line)), None)
@@ -138,3 +121,6 @@ def _about(header: _Header) -> str:
     event = " ".join(part for part in (said("FECHA DEL SISMO"), said("HORA EPICENTRO")) if part)
     parts = ("ASA (Mexico), unprocessed", event, said("MAGNITUD").replace("/", " "), station)
     return ", ".join(part for part in parts if part)
+
+
+FORMAT = RecordFormat("ASA (Mexico) standard file", has_title, channels_of, keeps_suffix=True)

@@ -1,12 +1,13 @@
-"""Choosing one of the components that a record file holds."""
+"""A format of record files, and choosing one of the components that a file holds."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.facts import Facts
 from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 
@@ -67,6 +68,44 @@ def choose(path: Path, channels: Sequence[Channel], component: str | int | None)
     if found:
         raise InputError(f"{path}: `{component}` fits {listed(channel.label for channel in found)}; name one of them")
     raise InputError(f"{path}: there is no component `{component}`; the file has {labels}")
+
+
+@dataclass(frozen=True)
+class RecordFormat:
+    """A format whose files name the components in them; each has a module, which ends in the `FORMAT` that it reads.
+
+    Attributes:
+        title: for people.
+        fits: whether the first lines of a file are of this format.
+        channels: reads the components of a file.
+        several: whether a file may hold more than one, so that its components are read to be named.
+        keeps_suffix: whether the suffix of a file names its component and so belongs to the name of the record.
+        suffixes: of such files, for those whose lines don't show it.
+        facts: reads what a file says of earthquake and station.
+    """
+
+    title: str
+    fits: Callable[[list[str]], bool]
+    channels: Callable[[Path], list[Channel]]
+    several: bool = True
+    keeps_suffix: bool = False
+    suffixes: tuple[str, ...] = ()
+    facts: Callable[[Path], Facts] = lambda path: Facts()
+
+    def read(self, path: Path, component: str | int | None = None, name: str = "") -> Record:
+        """Read the record of one component.
+
+        Args:
+            path: of the file.
+            component: what it is called; None: the only one.
+            name: of the record; "": that of the file.
+
+        Raises:
+            InputError: what `channels` and `choose` find.
+        """
+        if self.keeps_suffix:
+            name = name or path.name
+        return choose(path, self.channels(path), component).record(path, name)
 
 
 def _plain(name: str) -> str:

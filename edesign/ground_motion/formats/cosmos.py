@@ -11,12 +11,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import field_format, is_end_of_data, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
-from edesign.ground_motion.record import Record
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 
@@ -46,31 +45,23 @@ _UNIT_NAMES = {"g": STANDARD_GRAVITY, "mg": STANDARD_GRAVITY / 1000.0, "gal": 0.
 _UNIT_NAMES |= dict.fromkeys(("cm/sec2", "cm/sec/sec", "cm/s/s", "cm/s2", "cm/s^2", "cm/sec^2"), 0.01)
 
 
-def read_cosmos(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
-    """Read a channel of acceleration in physical units (volume 1 or 2); velocity and displacement are passed over.
+def has_title(lines: list[str]) -> bool:
+    """Say whether one of the first two lines is the title of such a file.
 
     Args:
-        path: the file.
-        component: number of the channel, its orientation (`340 deg`, `340`, `Up`) or its channel code; needed if the
-            file holds more than one channel of acceleration.
-        name: of the record; its file name without ending by default.
-
-    Raises:
-        InputError: not of this format, truncated, wrong counts, raw counts instead of accelerations, unknown unit or
-            time step, something else than finite numbers, or `component` does not name one channel.
+        lines: of the file.
     """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
+    return any(TITLE.match(line) for line in lines[:2])
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all channels of acceleration.
+    """Read all channels of acceleration in physical units (volume 1 or 2); other quantities are passed over.
 
-    Args:
-        path: of the file.
+    A channel is called by its number, its orientation (`340 deg`, `340`, `Up`) or its channel code.
 
     Raises:
-        InputError: as `read_cosmos`.
+        InputError: not of this format, truncated, wrong counts, raw counts instead of accelerations, unknown unit
+            or time step, or something else than finite numbers.
     """
     lines = read_lines(path)
     channels: list[Channel] = []
@@ -244,3 +235,6 @@ def _description(texts: list[str], comments: list[str]) -> tuple[str, str, tuple
     bearing = re.match(r"([0-9]+)\s*deg", orientation, re.IGNORECASE)
     names = [number, orientation, bearing[1] if bearing else "", *codes]
     return ", ".join(" ".join(part.split()) for part in parts if part), label, tuple(n for n in names if n)
+
+
+FORMAT = RecordFormat("COSMOS .V1/.V2/.V2c", has_title, channels_of)

@@ -10,12 +10,11 @@ import re
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import FieldFormat, field_format, is_end_of_data, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_rate, check_step
-from edesign.ground_motion.record import Record
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 
@@ -38,22 +37,6 @@ _COMPONENT = re.compile(r"\s*COMP\s+(\S+)")  # of USC
 _EVENT, _STATION = 8, 6  # lines of the text header, from 0; volume 1 lacks the first of them
 
 
-def read_csmip(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
-    """Read the acceleration of one channel; its peak must be that of the header.
-
-    Args:
-        path: the file.
-        component: number of the channel or its orientation (`360 Deg`, `360`, `Up`); needed if there are several.
-        name: of the record; its file name without ending by default.
-
-    Raises:
-        InputError: no evenly spaced accelerations, truncated, another unit than cm/s2 or g, something else than
-            finite numbers, a peak that is not that of the header, or `component` does not name one channel.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
 def _data_line(line: str) -> re.Match[str] | None:
     """Match a line that announces accelerations: number of points, their step or rate, and their unit.
 
@@ -73,13 +56,13 @@ def has_data(lines: list[str]) -> bool:
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read the acceleration of all channels.
+    """Read the acceleration of all channels; each peak must be that of the header.
 
-    Args:
-        path: of the file.
+    A channel is called by its number or its orientation (`360 Deg`, `360`, `Up`).
 
     Raises:
-        InputError: as `read_csmip`.
+        InputError: no evenly spaced accelerations, truncated, another unit than cm/s2 or g, something else than
+            finite numbers, or a peak that is not that of the header.
     """
     lines = read_lines(path)
     if SPECTRA.match(lines[0]):
@@ -177,3 +160,6 @@ def _no_more(path: Path, lines: list[str], at: int, count: int, layout: FieldFor
         and "points" not in lines[end].lower()
     ):
         raise InputError(f"{path}:{end + 1}: more data than the {count} points announced in line {at + 1}")
+
+
+FORMAT = RecordFormat("CSMIP .V1/.V2", has_data, channels_of)

@@ -12,12 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import without_padding
 from edesign.ground_motion.formats.header_peak import check_peak, last_place
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
-from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
 _COUNT = re.compile(r"\s*NO\.?\s+OF\s+POINTS\s*:\s*(\S+)\s+EQUALLY\s+SPACED\s+INTERVALS\s+OF\s*:\s*(\S+)\s+SEC", re.I)
@@ -41,30 +40,14 @@ def has_header(lines: list[str]) -> bool:
     return any(_COUNT.match(line) for line in head) and any(_PEAK.match(line) for line in head)
 
 
-def read_csmnc(path: Path | str, component: str | None = None, name: str = "") -> Record:
+def channels_of(path: Path) -> list[Channel]:
     """Read a file of one component; step, number, unit and peak come from the header.
 
-    Args:
-        path: the file.
-        component: if given it must be that of the file: EW, NS or UD.
-        name: of the record; its file name without ending by default.
+    The component is called EW, NS or UD.
 
     Raises:
         InputError: velocity or displacement, another unit than cm/s2, not as many samples as the header says,
-            something else than finite numbers, a peak that is not that of the header, or another component.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read the one component of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_csmnc`.
+            something else than finite numbers, or a peak that is not that of the header.
     """
     lines = read_lines(path, "gb18030")
     found = {
@@ -133,3 +116,6 @@ def _about(lines: list[str], quantity: str) -> str:
         station,
     )
     return ", ".join(part for part in parts if part)
+
+
+FORMAT = RecordFormat("CSMNC (China) .dat", has_header, channels_of)

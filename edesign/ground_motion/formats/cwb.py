@@ -11,12 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import read_rows
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_rate
-from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
@@ -38,30 +37,14 @@ def has_header(lines: list[str]) -> bool:
     return {key.lower() for key in (SEQUENCE, RATE, UNIT)} <= keys
 
 
-def read_cwb(path: Path | str, component: str | None = None, name: str = "") -> Record:
-    """Read one of the three components of a file.
+def channels_of(path: Path) -> list[Channel]:
+    """Read the three components of a file.
 
-    Args:
-        path: the file.
-        component: U, N or E.
-        name: of the record; its file name without ending by default.
+    The components are called U, N and E.
 
     Raises:
         InputError: a key is missing, another unit than gal, something else than finite numbers, times that are not
-            those of the sampling rate, truncated, peaks that are not those of the header, or `component` names none.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_cwb`.
+            those of the sampling rate, truncated, or peaks that are not those of the header.
     """
     lines = read_lines(path, "big5")
     header = {match[1].lower(): (i, match[2]) for i, line in enumerate(lines, 1) if (match := _KEY.match(line))}
@@ -117,3 +100,6 @@ def _about(header: dict[str, tuple[int, str]]) -> str:
     corrected = ", offset removed" if "corr" in said(UNIT).lower() else ""
     parts = (f"CWB Taiwan, unprocessed{corrected}", said("Origin Time"), magnitude and f"ML {magnitude}", station)
     return ", ".join(part for part in parts if part)
+
+
+FORMAT = RecordFormat("CWB (Taiwan) text", has_header, channels_of)

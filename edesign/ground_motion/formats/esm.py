@@ -12,12 +12,12 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
+from edesign.ground_motion.formats.facts import Facts, positive
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS
-from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
@@ -27,19 +27,24 @@ STEP, COUNT = "SAMPLING_INTERVAL_S", "NDATA"
 _Header = Mapping[str, tuple[int, str]]  # key: line from 1, value
 
 
-def read_esm(path: Path | str, component: str | None = None, name: str = "") -> Record:
-    """Read a file of one component; the header gives step, number and unit of the samples.
+def has_key(lines: list[str]) -> bool:
+    """Say whether a line has a key that only such files have.
 
     Args:
-        path: the file.
-        component: if given it must be that of the file: its stream (`HNE`) or the last letter of it.
-        name: of the record; its file name without ending by default.
+        lines: of the file.
+    """
+    return not {STEP, COUNT}.isdisjoint(match[1].upper() for line in lines if (match := KEY.match(line)))
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read a file of one component; the header gives step, number and unit of the samples.
+
+    The component is called by its stream (`HNE`) or the last letter of it.
 
     Raises:
         InputError: a key is missing, the data are no acceleration or in an unknown unit, not as many samples as
-            NDATA says, something else than finite numbers, or another component.
+            NDATA says, or something else than finite numbers.
     """
-    path = Path(path)
     lines = read_lines(path)
     first = next((i for i, line in enumerate(lines) if not KEY.match(line)), len(lines))
     header = {m[1].upper(): (i, m[2]) for i, line in enumerate(lines[:first], start=1) if (m := KEY.match(line))}
@@ -65,7 +70,7 @@ def read_esm(path: Path | str, component: str | None = None, name: str = "") -> 
     channel = Channel(
         stream, (stream[-1:],), (ACCELERATION_UNITS[unit] * np.array(samples)).tolist(), step, _about(header)
     )
-    return choose(path, [channel], component).record(path, name)
+    return [channel]
 
 
 def _check_peak(path: Path, header: _Header, unit: str, samples: np.ndarray) -> None:
@@ -96,3 +101,26 @@ def _about(header: _Header) -> str:
     event = said("EVENT_NAME") or said("EVENT_ID")
     parts = (event, said("EVENT_DATE_YYYYMMDD"), said("MAGNITUDE_W", "Mw ") or said("MAGNITUDE_L", "ML "), station)
     return ", ".join(part for part in (*parts, said("PROCESSING", "processing: ")) if part)
+
+
+def facts_of(path: Path) -> Facts:
+    """Return what the header says of earthquake and station.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: the file cannot be read.
+    """
+    said = {m[1].upper(): m[2] for line in read_lines(path)[:64] if (m := KEY.match(line)) and m[2].lower() != "none"}
+    date, event = said.get("EVENT_DATE_YYYYMMDD", ""), said.get("EVENT_NAME") or said.get("EVENT_ID")
+    return Facts(
+        event or date or None,
+        int(date[:4]) if date[:4].isdigit() else None,
+        " ".join(said[key] for key in ("NETWORK", "STATION_CODE") if said.get(key)) or None,
+        magnitude=positive(said.get("MAGNITUDE_W", "")),
+        v_s30=positive(said.get("VS30_M/S", "")),
+    )
+
+
+FORMAT = RecordFormat("ESM/ITACA ASCII", has_key, channels_of, several=False, facts=facts_of)

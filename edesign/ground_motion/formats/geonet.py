@@ -12,12 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import FieldFormat, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak, last_place
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
-from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
 TITLE = re.compile(r"\s*(Uncorrected|Corrected)\s+accelerogram\b(.*)", re.IGNORECASE)
@@ -44,30 +43,14 @@ def has_title(lines: list[str]) -> bool:
     return bool(lines) and TITLE.match(lines[0]) is not None and any(_MARK.search(line) for line in lines[9:13])
 
 
-def read_geonet(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
-    """Read the acceleration of one component; velocities and displacements are passed over.
+def channels_of(path: Path) -> list[Channel]:
+    """Read the acceleration of all components; velocities and displacements are passed over.
 
-    Args:
-        path: the file.
-        component: as the file names it (`N10E`, `S16W`, `Up`), or its bearing in degrees.
-        name: of the record; its file name without ending by default.
+    A component is called as in the file (`N10E`, `S16W`, `Up`), or by its bearing in degrees.
 
     Raises:
         InputError: a header that is not of this form; truncated; something else than finite numbers; a peak that is
-            not that of the header; or `component` does not name one.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_geonet`.
+            not that of the header.
     """
     lines = read_lines(path)
     channels: list[Channel] = []
@@ -138,3 +121,6 @@ def _about(texts: list[str], kind: str) -> str:
         " ".join(part for part in (site[1] if site else "", " ".join(texts[2].split())) if part),
     )
     return ", ".join(part for part in parts if part)
+
+
+FORMAT = RecordFormat("GeoNet .V1A/.V2A", has_title, channels_of)

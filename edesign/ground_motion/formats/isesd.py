@@ -10,11 +10,10 @@ import re
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import without_padding
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
-from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
 _KEY = re.compile(r"\s*([a-zA-Z][a-zA-Z &/]*?)\s*:\s+(.*?)\s*$")  # keys count in small letters
@@ -34,30 +33,14 @@ def has_header(lines: list[str]) -> bool:
     return {_STEP, _COUNT, _UNITS} <= keys
 
 
-def read_isesd(path: Path | str, component: str | None = None, name: str = "") -> Record:
+def channels_of(path: Path) -> list[Channel]:
     """Read the corrected acceleration of a file; velocities and displacements are passed over.
 
-    Args:
-        path: the file.
-        component: if given it must be that of the file, as its header orients the transducer (`NS`, `Z`, ...).
-        name: of the record; its file name without ending by default.
+    The component is called as the header orients the transducer (`NS`, `Z`, ...).
 
     Raises:
-        InputError: a key is missing, no corrected accelerations (uncorrected ones, or spectra), another unit than m/s2,
-            not as many samples as the header says, something else than finite numbers, or another component.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read the one component of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_isesd`.
+        InputError: a key is missing, no corrected accelerations (uncorrected ones, or spectra), another unit than
+            m/s2, not as many samples as the header says, or something else than finite numbers.
     """
     lines = read_lines(path)
     blocks = [(i, match[1]) for i, line in enumerate(lines) if (match := _BLOCK.match(line))]
@@ -109,3 +92,6 @@ def _values(path: Path, lines: list[str], start: int, count: int) -> list[float]
             words = found
             values += [number(word, path, i) for word in words]
     return without_padding(values, count, len(words))
+
+
+FORMAT = RecordFormat("European strong-motion database .cor", has_header, channels_of)

@@ -12,10 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_rate
-from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
@@ -35,30 +34,14 @@ def has_header(lines: list[str]) -> bool:
     return {_SITE, _UNIT} <= keys and any(rate in keys for rate in _RATES)
 
 
-def read_jma(path: Path | str, component: str | None = None, name: str = "") -> Record:
-    """Read one of the three components of a table; the recorder's offset is in them.
-
-    Args:
-        path: the file.
-        component: NS, EW or UD.
-        name: of the record; its file name without ending by default.
-
-    Raises:
-        InputError: a key is missing, another unit than gal, something else than finite numbers, lines of another
-            number of columns, or `component` names none.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
 def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a table.
+    """Read the three components of a table; the recorder's offset is in them.
 
-    Args:
-        path: of the file.
+    The components are called NS, EW and UD.
 
     Raises:
-        InputError: as `read_jma`.
+        InputError: a key is missing, another unit than gal, something else than finite numbers, or lines of another
+            number of columns.
     """
     lines = read_lines(path, "cp932")
     header = {match[1].upper(): (i, match[2]) for i, line in enumerate(lines[:10], 1) if (match := _KEY.match(line))}
@@ -93,3 +76,6 @@ def channels_of(path: Path) -> list[Channel]:
         Channel(label, _NAMES.get(label.upper(), ()), (0.01 * column).tolist(), 1.0 / rate, about)
         for label, column in zip(labels, np.array(rows).T, strict=True)
     ]
+
+
+FORMAT = RecordFormat("JMA (Japan) .csv", has_header, channels_of)

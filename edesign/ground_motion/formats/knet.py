@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
+from edesign.ground_motion.formats.facts import Facts, positive
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_rate
-from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
 FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"  # in any case
@@ -38,19 +38,24 @@ def has_key(line: str, key: str) -> bool:
     return line[: len(key)].lower() == key.lower()
 
 
-def read_knet(path: Path | str, component: str | None = None, name: str = "") -> Record:
-    """Read a file of one component; the mean of all samples is subtracted, as NIED recommends.
+def has_header(lines: list[str]) -> bool:
+    """Say whether lines begin as such a file does.
 
     Args:
-        path: the file.
-        component: if given it must be that of the file (`E-W`, `EW`, ...).
-        name: of the record; its file name (with its ending, which is the component) by default.
+        lines: of the file.
+    """
+    return has_key(lines[0], FIRST) and any(has_key(line, RATE) for line in lines)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read a file of one component; the mean of all samples is subtracted, as NIED recommends.
+
+    The component is called `E-W`, `EW`, ...
 
     Raises:
-        InputError: the header is incomplete or not of this form, something else than whole numbers, fewer or more
-            samples than duration and frequency say, or another component.
+        InputError: the header is incomplete or not of this form, something else than whole numbers, or fewer or more
+            samples than duration and frequency say.
     """
-    path = Path(path)
     lines = read_lines(path)
     if len(lines) <= _HEADER_LINES or not has_key(lines[_HEADER_LINES - 1], "Memo"):
         raise InputError(
@@ -78,7 +83,7 @@ def read_knet(path: Path | str, component: str | None = None, name: str = "") ->
     event = f"{_value(path, lines, FIRST)}, M {_value(path, lines, 'Mag.')}"
     about = f"K-NET, {event}, {_value(path, lines, 'Station Code')}, mean of {counts.mean():.6g} counts subtracted"
     channel = Channel(direction, (code,), (0.01 * gal).tolist(), 1.0 / frequency, about)
-    return choose(path, [channel], component).record(path, name or path.name)
+    return [channel]
 
 
 def _check_peak(path: Path, lines: list[str], gal: np.ndarray) -> None:
@@ -120,3 +125,32 @@ def _match(path: Path, lines: list[str], key: str, pattern: re.Pattern[str], exa
     if match is None:
         raise InputError(f"{path}:{_line(path, lines, key)}: {key}: `{value}`; a value such as {example} is expected")
     return match
+
+
+def facts_of(path: Path) -> Facts:
+    """Return what the header says of earthquake and station.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: the file cannot be read.
+    """
+    lines = read_lines(path)[:_HEADER_LINES]
+    values = {key: line[len(key) :].strip() for line in lines for key in _FACTS if has_key(line, key)}
+    origin = values.get(FIRST)
+    year = int(origin[:4]) if origin and origin[:4].isdigit() else None
+    return Facts(origin, year, values.get("Station Code"), magnitude=positive(values.get("Mag.", "")))
+
+
+_FACTS = (FIRST, "Mag.", "Station Code")
+
+FORMAT = RecordFormat(
+    "K-NET/KiK-net ASCII",
+    has_header,
+    channels_of,
+    several=False,
+    keeps_suffix=True,
+    suffixes=(".ns", ".ew", ".ud", *(f".{c}{k}" for c in ("ns", "ew", "ud") for k in (1, 2))),
+    facts=facts_of,
+)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 from edesign.errors import InputError
@@ -25,7 +25,7 @@ from edesign.ground_motion.formats import (
     smc,
     volume_one,
 )
-from edesign.ground_motion.formats.channels import Channel
+from edesign.ground_motion.formats.channels import RecordFormat
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.unknown_format import describe_text
 from edesign.ground_motion.record import Record
@@ -35,21 +35,26 @@ from edesign.project.records.record_tables import Layout
 from edesign.project.records.records import FileFormat
 from edesign.tables.text import is_number
 
+NAMING: dict[FileFormat, RecordFormat] = {
+    "cosmos": cosmos.FORMAT,
+    "smc": smc.FORMAT,
+    "geonet": geonet.FORMAT,
+    "csmip": csmip.FORMAT,
+    "volume1": volume_one.FORMAT,
+    "esm": esm.FORMAT,
+    "afad": afad.FORMAT,
+    "knet": knet.FORMAT,
+    "jma": jma.FORMAT,
+    "cwb": cwb.FORMAT,
+    "csmnc": csmnc.FORMAT,
+    "isesd": isesd.FORMAT,
+    "asa": asa.FORMAT,
+}
+"""Formats whose files name their components, in the order in which their marks are looked for."""
+
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
-    "cosmos": "COSMOS .V1/.V2/.V2c",
-    "csmip": "CSMIP .V1/.V2",
-    "volume1": "volume 1 of CSMIP, USC, RENADIC and BHRC",
-    "smc": "SMC of the USGS",
-    "geonet": "GeoNet .V1A/.V2A",
-    "esm": "ESM/ITACA ASCII",
-    "afad": "AFAD text with three components",
-    "knet": "K-NET/KiK-net ASCII",
-    "jma": "JMA (Japan) .csv",
-    "cwb": "CWB (Taiwan) text",
-    "csmnc": "CSMNC (China) .dat",
-    "isesd": "European strong-motion database .cor",
-    "asa": "ASA (Mexico) standard file",
+    **{name: one.title for name, one in NAMING.items()},
     "sac": "binary SAC",
     "table": "columns of text (.csv, .txt, .dat, .acc)",
 }
@@ -57,53 +62,8 @@ FORMATS: dict[FileFormat, str] = {
 
 _SUFFIXES: dict[str, FileFormat] = {
     **dict.fromkeys((".at2", ".vt2", ".dt2"), "at2"),
-    **dict.fromkeys((".ns", ".ew", ".ud", *(f".{c}{k}" for c in ("ns", "ew", "ud") for k in (1, 2))), "knet"),
+    **{suffix: name for name, one in NAMING.items() for suffix in one.suffixes},
     **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
-}
-_READERS: dict[FileFormat, Callable[..., Record]] = {  # of the formats whose files name their components
-    "cosmos": cosmos.read_cosmos,
-    "csmip": csmip.read_csmip,
-    "esm": esm.read_esm,
-    "afad": afad.read_afad,
-    "knet": knet.read_knet,
-    "smc": smc.read_smc,
-    "geonet": geonet.read_geonet,
-    "volume1": volume_one.read_volume_one,
-    "cwb": cwb.read_cwb,
-    "asa": asa.read_asa,
-    "csmnc": csmnc.read_csmnc,
-    "jma": jma.read_jma,
-    "isesd": isesd.read_isesd,
-}
-_CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those whose components are read to be named
-    "cosmos": cosmos.channels_of,
-    "csmip": csmip.channels_of,
-    "afad": afad.channels_of,
-    "smc": smc.channels_of,
-    "csmnc": csmnc.channels_of,
-    "isesd": isesd.channels_of,
-    "geonet": geonet.channels_of,
-    "volume1": volume_one.channels_of,
-    "cwb": cwb.channels_of,
-    "jma": jma.channels_of,
-    "asa": asa.channels_of,
-}
-_MARKS: dict[FileFormat, Callable[[list[str]], bool]] = {  # by which the first lines of a file tell its format
-    "cosmos": lambda head: any(cosmos.TITLE.match(line) for line in head[:2]),
-    "smc": smc.has_title,
-    "geonet": geonet.has_title,
-    "csmip": csmip.has_data,
-    "volume1": volume_one.has_header,
-    "esm": lambda head: (
-        not {esm.STEP, esm.COUNT}.isdisjoint(match[1].upper() for line in head if (match := esm.KEY.match(line)))
-    ),
-    "afad": lambda head: any(afad.FIRST in line.upper() for line in head[:1]),
-    "knet": lambda head: knet.has_key(head[0], knet.FIRST) and any(knet.has_key(line, knet.RATE) for line in head),
-    "jma": jma.has_header,
-    "cwb": cwb.has_header,
-    "csmnc": csmnc.has_header,
-    "isesd": isesd.has_header,
-    "asa": asa.has_title,
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _COMMENTS = ("#", "%")
@@ -170,7 +130,7 @@ def read_record_file(
     elif found == "at2":
         record = at2.read_at2(path, name)
     else:
-        record = _READERS[found](path, component, name)
+        record = NAMING[found].read(path, component, name)
     low, high = _POSSIBLE_PGA
     if record.pga > high or 0.0 < record.pga < low:
         raise InputError(f"{path}: the peak of {record.pga:g} m/s2 is that of no ground motion; is the unit right?")
@@ -187,8 +147,8 @@ def component_labels(path: Path, file_format: FileFormat) -> tuple[str, ...]:
     Raises:
         InputError: what the reader of the format finds.
     """
-    channels = _CHANNELS.get(file_format)
-    return tuple(channel.label for channel in channels(path)) if channels is not None else ()
+    known = NAMING.get(file_format)
+    return tuple(channel.label for channel in known.channels(path)) if known is not None and known.several else ()
 
 
 def _known(path: Path, file_format: FileFormat) -> FileFormat:
@@ -204,7 +164,7 @@ def names_components(file_format: FileFormat) -> bool:
     Args:
         file_format: its format.
     """
-    return file_format in _READERS or file_format == "sac"
+    return file_format in NAMING or file_format == "sac"
 
 
 def format_by_marks(path: Path) -> FileFormat | None:
@@ -219,7 +179,7 @@ def format_by_marks(path: Path) -> FileFormat | None:
     if sac.is_sac(path):
         return "sac"
     head = [line[:_WIDTH] for line in read_lines(path)[:_HEAD]]
-    marked = next((file_format for file_format, fits in _MARKS.items() if fits(head)), None)
+    marked = next((file_format for file_format, one in NAMING.items() if one.fits(head)), None)
     return "at2" if marked is None and at2.has_header(head) else marked
 
 

@@ -12,13 +12,12 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import FieldFormat, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.sampled_pairs import evenly_sampled
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_rate, check_step
-from edesign.ground_motion.record import Record
 
 TITLE = re.compile(r"\s*([0-6])\s+(UNCORRECTED|CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER|UNKNOWN)\b(.*)", re.I)
 _TEXTS, _INTEGERS, _REALS = 11, 48, 50
@@ -37,30 +36,14 @@ def has_title(lines: list[str]) -> bool:
     return bool(lines) and TITLE.match(lines[0]) is not None and any(line.strip() == "*" for line in lines[1:_TEXTS])
 
 
-def read_smc(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
+def channels_of(path: Path) -> list[Channel]:
     """Read a file of one component, corrected or uncorrected; its peaks must be those that the header states.
 
-    Args:
-        path: the file.
-        component: if given it must be that of the file: its bearing in degrees, or `Up`.
-        name: of the record; its file name without ending by default.
+    The component is called by its bearing in degrees, or `Up`.
 
     Raises:
         InputError: velocity, displacement or spectra; a header that is not of this form; truncated; something else
-            than finite numbers; a peak that is not that of the header; or another component.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read the one component of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_smc`.
+            than finite numbers; a peak that is not that of the header.
     """
     lines = read_lines(path)
     title = TITLE.match(lines[0])
@@ -131,3 +114,6 @@ def _about(lines: list[str], kind: str) -> tuple[str, ...]:
     event = " ".join(lines[3].split())
     magnitude = re.search(r"Moment Mag=\s*([0-9.]+)", lines[4])
     return f"SMC, {kind.lower()}", event, f"Mw {magnitude[1]}" if magnitude else "", station
+
+
+FORMAT = RecordFormat("SMC of the USGS", has_title, channels_of)

@@ -14,13 +14,12 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, RecordFormat
 from edesign.ground_motion.formats.fixed_width import is_end_of_data, without_padding
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.sampled_pairs import evenly_sampled
 from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.formats.time_steps import check_step
-from edesign.ground_motion.record import Record
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 
@@ -49,30 +48,14 @@ def has_header(lines: list[str]) -> bool:
     return bool(lines) and _TITLE.match(lines[0]) is not None and any(_UNIT.search(line) for line in lines[:_TEXTS])
 
 
-def read_volume_one(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
-    """Read the uncorrected acceleration of one channel; times that are not even are interpolated, which `source` tells.
+def channels_of(path: Path) -> list[Channel]:
+    """Read the uncorrected acceleration of all channels; uneven times are interpolated, which `source` tells.
 
-    Args:
-        path: the file.
-        component: number of the channel, its orientation (`90 DEG`, `90`, `UP`, `EW`), or the component (`N08W`, `L1`).
-        name: of the record; its file name without ending by default.
+    A channel is called by its number, its orientation (`90 DEG`, `UP`, `EW`) or its component (`N08W`, `L1`).
 
     Raises:
         InputError: a header that is not of this form; another unit than g or g/10; truncated; something else than
-            finite numbers; times that don't rise; a peak that is not that of the header; or `component` names none.
-    """
-    path = Path(path)
-    return choose(path, channels_of(path), component).record(path, name)
-
-
-def channels_of(path: Path) -> list[Channel]:
-    """Read all channels of a file.
-
-    Args:
-        path: of the file.
-
-    Raises:
-        InputError: as `read_volume_one`.
+            finite numbers; times that don't rise; a peak that is not that of the header.
     """
     lines = read_lines(path)
     channels: list[Channel] = []
@@ -189,3 +172,6 @@ def _about(texts: list[str]) -> tuple[str, ...]:
     magnitude = next((f"{match[1]} {match[2]}" for text in texts if (match := _MAGNITUDE.search(text))), "")
     parts = (who, "volume 1, uncorrected", event, magnitude, station)
     return tuple(" ".join(part.split()) for part in parts if part.strip())
+
+
+FORMAT = RecordFormat("volume 1 of CSMIP, USC, RENADIC and BHRC", has_header, channels_of)

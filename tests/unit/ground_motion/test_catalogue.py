@@ -11,9 +11,10 @@ from catalogue_files import motion, write_at2
 from strong_motion_samples import afad_file, knet_file
 
 from edesign.errors import InputError
-from edesign.ground_motion.catalogue.candidate import Facts, Names
+from edesign.ground_motion.catalogue.candidate import Names
 from edesign.ground_motion.catalogue.flatfile import read_flatfile
 from edesign.ground_motion.catalogue.gather import Catalogue, gather
+from edesign.ground_motion.formats.facts import Facts
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.notation.units import STANDARD_GRAVITY

@@ -9,8 +9,7 @@ import pytest
 from strong_motion_samples import cosmos_channel, csmip_channel, csmip_channel_of_1983, fixed, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.cosmos import read_cosmos
-from edesign.ground_motion.formats.csmip import read_csmip
+from edesign.ground_motion.formats import cosmos, csmip
 from edesign.ground_motion.record import Record
 
 G = 9.80665  # m/s2
@@ -24,7 +23,7 @@ def write(folder: Path, text: str) -> Path:
 
 
 def read(folder: Path, text: str, component: str | int | None = None) -> Record:
-    return read_cosmos(write(folder, text), component)
+    return cosmos.FORMAT.read(write(folder, text), component)
 
 
 def test_samples_step_and_description(tmp_path: Path) -> None:
@@ -115,7 +114,7 @@ def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: s
     assert said and text != WHOLE
     path = write(tmp_path, text)
     with pytest.raises(InputError) as caught:
-        read_cosmos(path)
+        cosmos.FORMAT.read(path)
     assert said in str(caught.value)
     assert str(caught.value).startswith(f"{path}:{line}: ")
 
@@ -129,14 +128,14 @@ def test_no_acceleration_and_no_text(tmp_path: Path) -> None:
 
 def test_csmip_reads_the_acceleration_of_a_channel(tmp_path: Path) -> None:
     values = motion(20, 40.0)
-    record = read_csmip(write(tmp_path, csmip_channel(values)))
+    record = csmip.FORMAT.read(write(tmp_path, csmip_channel(values)))
     np.testing.assert_allclose(record.acceleration, 0.01 * values, atol=0.5e-8)
     assert record.time_step == 0.005
     assert "Nowhere Earthquake" in record.source and "ML: 5.6" in record.source and "1: 360 Deg" in record.source
     both = write(tmp_path, csmip_channel(values) + csmip_channel(-2.0 * values, 2, "Up"))
-    np.testing.assert_allclose(read_csmip(both, "Up").acceleration, -0.02 * values, atol=0.5e-8)
+    np.testing.assert_allclose(csmip.FORMAT.read(both, "Up").acceleration, -0.02 * values, atol=0.5e-8)
     with pytest.raises(InputError, match="2 components; name one: `1: 360 Deg`, `2: Up`"):
-        read_csmip(both)
+        csmip.FORMAT.read(both)
 
 
 @pytest.mark.parametrize(
@@ -156,7 +155,7 @@ def test_csmip_faults(tmp_path: Path, old: str, new: str, line: int, said: str) 
     assert old in text
     path = write(tmp_path, text.replace(old, new, 1))
     with pytest.raises(InputError) as caught:
-        read_csmip(path)
+        csmip.FORMAT.read(path)
     assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
 
 
@@ -167,22 +166,22 @@ def test_csmip_of_the_eighties(tmp_path: Path) -> None:
     """
     values = motion(20, -1267.957)  # such values fill their fields
     text = csmip_channel_of_1983(values) + csmip_channel_of_1983(0.5 * values, 2, "UP")
-    record = read_csmip(write(tmp_path, text), "90")
+    record = csmip.FORMAT.read(write(tmp_path, text), "90")
     np.testing.assert_allclose(record.acceleration, 0.01 * values, atol=0.5e-5)
     assert record.time_step == 0.02
     for said in ("NOWHERE EARTHQUAKE     MAY 2, 1983".replace("     ", " "), "NOWHERE FAULT ZONE 14", "1: 90 DEG"):
         assert said in record.source
-    np.testing.assert_allclose(read_csmip(write(tmp_path, text), "up").acceleration, 0.005 * values, atol=0.5e-5)
+    np.testing.assert_allclose(csmip.FORMAT.read(write(tmp_path, text), "up").acceleration, 0.005 * values, atol=0.5e-5)
     short = csmip_channel_of_1983(values).replace("   20 POINTS OF ACCEL", "   24 POINTS OF ACCEL")
     with pytest.raises(InputError, match=":14: 4 fields of 10 characters; 8 are expected"):
-        read_csmip(write(tmp_path, short))
+        csmip.FORMAT.read(write(tmp_path, short))
     with pytest.raises(InputError, match=":11: unknown unit of acceleration `furlong`; read are cm/sec2"):
-        read_csmip(write(tmp_path, csmip_channel_of_1983(values, unit="FURLONG")))
+        csmip.FORMAT.read(write(tmp_path, csmip_channel_of_1983(values, unit="FURLONG")))
     uneven = csmip_channel_of_1983(values).replace(fixed(values, 8, 10, 3)[:10], "1.5")
     with pytest.raises(InputError, match=":11: no format of the numbers"):
-        read_csmip(write(tmp_path, uneven))
+        csmip.FORMAT.read(write(tmp_path, uneven))
 
 
 def test_csmip_without_data(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="no line such as `12000 points of accel data"):
-        read_csmip(write(tmp_path, "Corrected accelerogram\n"))
+        csmip.FORMAT.read(write(tmp_path, "Corrected accelerogram\n"))

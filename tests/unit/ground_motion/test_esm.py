@@ -9,7 +9,7 @@ import pytest
 from strong_motion_samples import esm_file, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.esm import read_esm
+from edesign.ground_motion.formats.esm import FORMAT
 
 G = 9.80665  # m/s2
 
@@ -22,7 +22,7 @@ def write(folder: Path, text: str) -> Path:
 
 @pytest.mark.parametrize(("unit", "factor"), [("cm/s^2", 0.01), ("m/s^2", 1.0), ("g", G)])
 def test_samples_in_each_unit(tmp_path: Path, unit: str, factor: float) -> None:
-    record = read_esm(write(tmp_path, esm_file(motion(), UNITS=unit)))
+    record = FORMAT.read(write(tmp_path, esm_file(motion(), UNITS=unit)))
     np.testing.assert_allclose(record.acceleration, factor * motion(), atol=0.5e-6 * factor)
     assert record.time_step == 0.005
     for said in ("NOWHERE", "20161030", "Mw 6.5", "IT NRC NORCIA", "HGE"):
@@ -31,15 +31,15 @@ def test_samples_in_each_unit(tmp_path: Path, unit: str, factor: float) -> None:
 
 def test_shorter_header_of_older_files(tmp_path: Path) -> None:
     text = esm_file(motion(), DATA_TYPE=None, USER1=None, USER2=None, MAGNITUDE_W="", MAGNITUDE_L="6.1")
-    record = read_esm(write(tmp_path, text))
+    record = FORMAT.read(write(tmp_path, text))
     assert record.acceleration.size == 20 and "ML 6.1" in record.source
 
 
 def test_the_component_must_be_that_of_the_file(tmp_path: Path) -> None:
     path = write(tmp_path, esm_file(motion()))
-    assert read_esm(path, "HGE").checksum == read_esm(path, "e").checksum == read_esm(path).checksum
+    assert FORMAT.read(path, "HGE").checksum == FORMAT.read(path, "e").checksum == FORMAT.read(path).checksum
     with pytest.raises(InputError, match="no component `N`; the file has `HGE`"):
-        read_esm(path, "N")
+        FORMAT.read(path, "N")
 
 
 WHOLE = esm_file(motion())
@@ -69,10 +69,10 @@ def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: s
     assert text != WHOLE
     path = write(tmp_path, text)
     with pytest.raises(InputError) as caught:
-        read_esm(path)
+        FORMAT.read(path)
     assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
 
 
 def test_nothing_to_read(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="the file is empty"):
-        read_esm(write(tmp_path, "\n"))
+        FORMAT.read(write(tmp_path, "\n"))

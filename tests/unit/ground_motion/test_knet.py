@@ -9,7 +9,7 @@ import pytest
 from strong_motion_samples import knet_file, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.knet import read_knet
+from edesign.ground_motion.formats.knet import FORMAT
 
 COUNTS = np.round(motion(100, 4.0e5)).astype(int) - 9876
 WHOLE = knet_file(COUNTS)
@@ -22,7 +22,7 @@ def write(folder: Path, text: str) -> Path:
 
 
 def test_counts_become_accelerations_about_their_mean(tmp_path: Path) -> None:
-    record = read_knet(write(tmp_path, WHOLE))
+    record = FORMAT.read(write(tmp_path, WHOLE))
     expected = 0.01 * 3920.0 / 6182761.0 * (COUNTS - np.mean(COUNTS))  # NIED: scale factor in gal a count
     np.testing.assert_allclose(record.acceleration, expected, rtol=1e-12, atol=1e-15)
     assert record.time_step == 0.01 and record.name == "MYG0041103111446.EW"
@@ -31,15 +31,15 @@ def test_counts_become_accelerations_about_their_mean(tmp_path: Path) -> None:
 
 
 def test_directions_of_kik_net(tmp_path: Path) -> None:
-    record = read_knet(write(tmp_path, knet_file(COUNTS, Dir="5", Sampling="200Hz", Duration="0.5")))
+    record = FORMAT.read(write(tmp_path, knet_file(COUNTS, Dir="5", Sampling="200Hz", Duration="0.5")))
     assert record.time_step == 0.005 and "component EW2" in record.source
 
 
 def test_the_component_must_be_that_of_the_file(tmp_path: Path) -> None:
     path = write(tmp_path, WHOLE)
-    assert read_knet(path, "EW").checksum == read_knet(path, "E-W").checksum == read_knet(path).checksum
+    assert FORMAT.read(path, "EW").checksum == FORMAT.read(path, "E-W").checksum == FORMAT.read(path).checksum
     with pytest.raises(InputError, match="no component `NS`; the file has `E-W`"):
-        read_knet(path, "NS")
+        FORMAT.read(path, "NS")
 
 
 @pytest.mark.parametrize(
@@ -62,18 +62,18 @@ def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: s
     assert text != WHOLE
     path = write(tmp_path, text)
     with pytest.raises(InputError) as caught:
-        read_knet(path)
+        FORMAT.read(path)
     assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
 
 
 def test_a_frequency_or_scale_of_zero(tmp_path: Path) -> None:
     for changed in ({"Sampling": "0Hz"}, {"Scale": "3920(gal)/0"}):
         with pytest.raises(InputError, match="must be greater than zero"):
-            read_knet(write(tmp_path, knet_file(COUNTS, **changed)))
+            FORMAT.read(write(tmp_path, knet_file(COUNTS, **changed)))
 
 
 def test_another_peak_than_that_of_the_header_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "MYG0041103111446.EW"
     path.write_text(knet_file(COUNTS, Max="1.000"))
     with pytest.raises(InputError, match=r"EW:15: the header has a peak of 1.000 gal, the samples"):
-        read_knet(path)
+        FORMAT.read(path)

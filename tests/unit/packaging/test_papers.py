@@ -5,13 +5,15 @@ from __future__ import annotations
 import re
 import tomllib
 from pathlib import Path
+from typing import get_args
 
 import pytest
 import yaml
 
 import edesign
 from edesign.calibration.dampers.effects import TABLES
-from edesign.ground_motion.formats.read import FORMATS
+from edesign.ground_motion.formats.read import FORMATS, NAMING
+from edesign.project.records.records import FileFormat
 
 ROOT = Path(__file__).parents[3]
 PAPERS = (
@@ -70,7 +72,8 @@ def test_links_and_files_that_are_named_are_there(name: str) -> None:
 def test_contributing_names_what_a_newcomer_must_change() -> None:
     """The lists that it names are those of the code."""
     paper = text("CONTRIBUTING.md")
-    assert TABLES and FORMATS and all(f"`{name}`" in paper for name in ("TABLES", "FORMATS", "_READERS", "FileFormat"))
+    assert TABLES and all(f"`{name}`" in paper for name in ("TABLES", "NAMING", "FileFormat"))
+    assert NAMING.keys() <= FORMATS.keys() == set(get_args(FileFormat))
 
 
 def test_contributing_lists_the_layers_that_are_checked() -> None:
