@@ -3,37 +3,55 @@
 from __future__ import annotations
 
 import os
-import signal
+import pickle
+import subprocess
 import sys
-import warnings
+import tempfile
+import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from multiprocessing import get_context
-from multiprocessing.connection import Connection
-from multiprocessing.process import BaseProcess
+from multiprocessing.connection import wait
 from typing import Generic, TypeVar
+
+from edesign.one_thread import one_thread
 
 T = TypeVar("T")
 S = TypeVar("S")
 
+START_AFTER = 2.0
+"""Seconds of work here before other processes start: one takes about as long to start, which short searches spare."""
+PATIENCE = 5.0, 10.0
+"""A process is given up after so many seconds, or so many times the longest work on one argument here if more."""
+
 
 class Ahead(Generic[T, S]):
-    """A function whose next arguments can be foretold; forked processes find their values meanwhile.
+    """A function whose next arguments can be foretold; other processes find their values meanwhile.
 
-    A value that was found and is not asked for is lost work and nothing else: the function must be pure.
+    A value that was found and is not asked for is lost work and nothing else: the function must be pure. No process is
+    waited for without limit: what one owes that dies, fails or hangs is found here.
 
     Args:
-        function: of one argument, both sides of which can be pickled; a process has what this one had at the call.
+        function: of one argument, both sides of which can be pickled.
+        make: returns the same function in another process; it is pickled.
         workers: processes, this one among them.
+        start_after: seconds of work here before the others start.
     """
 
-    def __init__(self, function: Callable[[T], S], workers: int) -> None:
+    def __init__(
+        self,
+        function: Callable[[T], S],
+        make: Callable[[], Callable[[T], S]],
+        workers: int,
+        start_after: float = START_AFTER,
+    ) -> None:
         self._function = function
+        self._make = make
+        self._to_start = workers - 1
+        self._start_after = start_after
+        self._spent = self._longest = 0.0  # s
         self._next: Iterator[T] = iter(())
         self._found: dict[T, S] = {}
-        # elsewhere there is no fork, or, on macOS, system libraries may crash in a forked process
-        others = workers - 1 if sys.platform == "linux" else 0
-        self._others = [_Other(function) for _ in range(others)]
+        self._others: list[_Other[T, S]] = []
 
     def expect(self, arguments: Iterable[T]) -> None:
         """Foretell the arguments of the next calls, the nearest first; this replaces what was foretold before.
@@ -53,36 +71,50 @@ class Ahead(Generic[T, S]):
         if argument not in self._found:
             other = next((one for one in self._others if one.at_work_on == argument), None)
             if other is None:
-                self._found[argument] = self._function(argument)
+                self._find(argument)
             else:
                 self._wait_for(other)
                 self._feed(argument)
-        if argument not in self._found:  # the process has died, or met an error
-            self._found[argument] = self._function(argument)
+        if argument not in self._found:  # the process has died, hangs, or met an error
+            self._find(argument)
         return self._found[argument]
+
+    def _find(self, argument: T) -> None:
+        began = time.monotonic()
+        self._found[argument] = self._function(argument)
+        took = time.monotonic() - began
+        self._spent, self._longest = self._spent + took, max(self._longest, took)
 
     def _wait_for(self, other: _Other[T, S]) -> None:
         """Find what comes after it here until a process has its value."""
         while not other.is_ready() and (following := self._following()) is not None:
             try:
-                self._found[following] = self._function(following)
+                self._find(following)
             except Exception:  # is met again where it is asked for
                 break
-        self._take(other)
+        least, times = PATIENCE
+        if other.is_ready(max(least, times * self._longest)):
+            self._take(other)
+        else:
+            self._give_up(other)
 
     def close(self) -> None:
         """End the processes."""
+        self._to_start = 0
         for other in self._others:
             other.close()
         self._others = []
 
     def _feed(self, current: T) -> None:
         """Give the processes that are free what comes next."""
+        if self._to_start > 0 and self._spent >= self._start_after:
+            with suppress(OSError):  # the system allows no more processes
+                self._others += [_Other(self._make) for _ in range(self._to_start)]
+            self._to_start = 0
+        for other in [other for other in self._others if other.busy and other.is_ready()]:
+            self._take(other)
         for other in self._others:
-            if other.at_work_on is not None and other.is_ready():
-                self._take(other)
-        for other in self._others:
-            if other.at_work_on is None:
+            if not other.busy:
                 wanted = self._following(current)
                 if wanted is None:
                     return
@@ -96,61 +128,83 @@ class Ahead(Generic[T, S]):
     def _take(self, other: _Other[T, S]) -> None:
         """Keep what a process found; one that has died or met an error leaves its argument to this process."""
         argument = other.at_work_on
-        with suppress(EOFError, OSError):
+        try:
             for value in other.end():
                 if argument is not None:
                     self._found[argument] = value
-            return
+        except (EOFError, OSError, pickle.UnpicklingError):
+            self._give_up(other)
+
+    def _give_up(self, other: _Other[T, S]) -> None:
         self._others = [one for one in self._others if one is not other]
         other.close()
 
 
 class _Other(Generic[T, S]):
-    """A forked process that finds one value at a time."""
+    """A Python process of its own that finds one value at a time; its first answer, an empty one, says that it can.
 
-    def __init__(self, function: Callable[[T], S]) -> None:
+    It is started anew and not forked, as a fork beside threads may wait forever for what these hold. Unlike processes
+    of `multiprocessing` it does not run the script of the user once more, and Ctrl-C does not reach it.
+    """
+
+    def __init__(self, make: Callable[[], Callable[[T], S]]) -> None:
+        self.busy = True
         self.at_work_on: T | None = None
-        fork = get_context("fork")
-        self._pipe, there = fork.Pipe()
-        parent = os.getpid()
-        self._process: BaseProcess = fork.Process(target=_serve, args=(function, there, parent), daemon=True)
-        with warnings.catch_warnings():
-            # Python 3.12 warns of threads beside a fork: those of the BLAS, which knows of forks
-            warnings.simplefilter("ignore", DeprecationWarning)
-            self._process.start()
-        there.close()
+        with tempfile.TemporaryFile() as made:  # a pipe would hold this process up until the other one has read it
+            pickle.dump(make, made)
+            made.seek(0)
+            self._process = subprocess.Popen(
+                [sys.executable, "-P", "-c", f"from {__name__} import serve; serve({made.fileno()})"],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,  # what is to be said is said where the argument is asked for
+                env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
+                pass_fds=[made.fileno()],
+                start_new_session=True,
+            )
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._asked, self._told = self._process.stdin, self._process.stdout
 
     def begin(self, argument: T) -> None:
-        self.at_work_on = argument
+        self.busy, self.at_work_on = True, argument
         with suppress(OSError):  # of a process that has died; `end` finds that out
-            self._pipe.send(argument)
+            pickle.dump(argument, self._asked)
+            self._asked.flush()
 
-    def is_ready(self) -> bool:
-        return self._pipe.poll()
+    def is_ready(self, timeout: float = 0.0) -> bool:
+        return bool(wait([self._told], timeout))
 
     def end(self) -> list[S]:
         """The value, in a list; an empty one after an error."""
-        self.at_work_on = None
-        found: list[S] = self._pipe.recv()
+        self.busy, self.at_work_on = False, None
+        found: list[S] = pickle.load(self._told)
         return found
 
     def close(self) -> None:
         self._process.kill()
-        self._process.join()
-        self._pipe.close()
+        self._process.wait()
+        for stream in (self._asked, self._told):
+            with suppress(OSError):  # what was not sent
+                stream.close()
 
 
-def _serve(function: Callable[[T], S], pipe: Connection, parent: int) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent says what is to be said
-    with suppress(EOFError, OSError):
+def serve(made: int) -> None:
+    """Find values for the process that started this one, until it ends.
+
+    Args:
+        made: descriptor of the file with what makes the function.
+    """
+    asked, told = sys.stdin.buffer, sys.stdout.buffer
+    sys.stdout = sys.stderr  # nothing else comes between the answers
+    with suppress(EOFError, OSError), one_thread():
+        with open(made, "rb") as file:
+            function = pickle.load(file)()
+        found: list[object] = []
         while True:
-            while not pipe.poll(1.0):
-                if os.getppid() != parent:  # other forks keep the pipe open
-                    return
-            argument: T = pipe.recv()
-            found: list[S]
+            pickle.dump(found, told)
+            told.flush()
+            argument = pickle.load(asked)
             try:
                 found = [function(argument)]
-            except Exception:  # the parent meets it itself, if it ever asks
+            except Exception:  # the process that asked meets it itself, if it ever asks for this value
                 found = []
-            pipe.send(found)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from edesign.codes.ec3.imperfections import AMPLIFICATION
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.project.building.building import Building
 from edesign.space.analysis.deflections import LIMITED
 from edesign.space.analysis.sway import STABLE
 from edesign.space.checks.criteria import brace_slenderness
@@ -81,7 +83,7 @@ class Evaluator:
         self.searched = searched_clauses(analysis) - frozenset(design.select.leave_out)
         names = [group.name for group in groups]
         self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
-        self._ahead = Ahead(self._evaluated, workers)
+        self._ahead = Ahead(self._evaluated, partial(_evaluated_by, analysis.building, self.groups), workers)
 
     @property
     def count(self) -> int:
@@ -205,6 +207,11 @@ class Evaluator:
         met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)
         excess = float(np.maximum(every - 1.0, 0.0).sum())
         return Evaluation(choice, self.mass(choice), self.cost(choice), met, excess, float(every.max()))
+
+
+def _evaluated_by(building: Building, groups: Sequence[Group]) -> Callable[[Choice], Evaluation]:
+    """Return the evaluation of choices in another process, which begins with the sections of the file as this one."""
+    return Evaluator(ElasticAnalysis(building), groups)._evaluated
 
 
 def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
