@@ -13,7 +13,15 @@ for _library in ("OPENBLAS", "OMP", "MKL"):
 # workers of pytest-xdist have the width of the terminal; tables in a pipe, as tests read them, would be folded to it
 os.environ.pop("COLUMNS", None)
 
+import pytest  # noqa: E402
 from hypothesis import HealthCheck, settings  # noqa: E402
 
 settings.register_profile("edesign", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("edesign")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Whole studies take longer than what else counts as a hang."""
+    for item in items:
+        if item.get_closest_marker("study"):
+            item.add_marker(pytest.mark.timeout(6 * 3600))

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from cases.small_frame import command, edesign, environment, write
+from limited import limited
 
 LONG = (  # an analysis that takes long enough to be interrupted, and little memory
     ("[4 m, 3 m]", "{count: 12, height: 3 m}"),
@@ -26,18 +27,20 @@ def start(path: Path) -> subprocess.Popen[str]:
         command("run", path), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment()
     )
     assert process.stderr is not None
-    for line in process.stderr:
-        if line.startswith("[3/3] shake"):
-            return process
-    raise AssertionError("the last analysis did not begin")
+    with limited(process):
+        for line in process.stderr:
+            if line.startswith("[3/3] shake"):
+                return process
+        raise AssertionError("the last analysis did not begin")
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)])
 def test_an_interrupted_run_says_what_it_kept_and_goes_on_from_there(tmp_path: Path, number: signal.Signals) -> None:
     path = write(tmp_path, *LONG)
     process = start(path)
-    process.send_signal(number)
-    _, errors = process.communicate(timeout=30)
+    with limited(process):
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=30)
     partial = tmp_path / "project.h5.partial"
     assert process.returncode == 130 and "Traceback" not in errors
     assert f"interrupted: 2 of 3 analyses are finished and kept in {partial}" in errors

@@ -17,6 +17,7 @@ import pytest
 from cases.small_frame import command, edesign, environment, place_of
 from cases.small_frame import write as write_project
 from cases.small_study import PLANNED, SUITE, write
+from limited import limited
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
@@ -314,11 +315,12 @@ def test_ctrl_c_in_the_rounds_of_a_design_keeps_them(tmp_path: Path, call: Calle
         command("run", path), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment()
     )
     assert process.stderr is not None
-    for line in process.stderr:
-        if line.startswith("design added: round 2"):
-            process.send_signal(signal.SIGINT)
-            break
-    _, errors = process.communicate(timeout=30)
+    with limited(process):
+        for line in process.stderr:
+            if line.startswith("design added: round 2"):
+                process.send_signal(signal.SIGINT)
+                break
+        _, errors = process.communicate(timeout=30)
     partial = tmp_path / "out.h5.partial"
     assert process.returncode == 130 and "Traceback" not in errors, errors
     assert "analyses are finished, with designs/added, and kept in " in errors and str(partial) in errors

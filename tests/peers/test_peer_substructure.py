@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from limited import limited
 
 if importlib.util.find_spec("openseespy") is None:
     pytest.skip("OpenSeesPy (extra 'peers') is not installed", allow_module_level=True)
@@ -87,7 +88,9 @@ def test_client_is_killed(tmp_path: Path) -> None:
     """The session ends with what was done, in or between steps."""
     with laboratory(record=tmp_path / "session.csv") as lab:
         client = start_client(lab.port, motion(30.0), tmp_path)
-        assert client.stdout is not None and client.stdout.readline() == "begun\n"
+        assert client.stdout is not None
+        with limited(client, SOON):
+            assert client.stdout.readline() == "begun\n"
         time.sleep(0.5)
         client.kill()
         client.communicate()
@@ -103,7 +106,9 @@ def test_server_is_stopped(tmp_path: Path) -> None:
     """The client gets NaN instead of a silence for which OpenSees has no end."""
     with laboratory() as lab:
         client = start_client(lab.port, motion(30.0), tmp_path)
-        assert client.stdout is not None and client.stdout.readline() == "begun\n"
+        assert client.stdout is not None
+        with limited(client, SOON):
+            assert client.stdout.readline() == "begun\n"
         time.sleep(0.5)
         lab.stop.set()
         found = finish(client)

@@ -339,6 +339,7 @@ def command(words: Sequence[str], limit: float = 10.0) -> Ended:
 
 
 FAILURES = ("hung", "crashed")
+STUCK = 480  # s, by the clock: a fork that waits for a lock of a thread that it has not takes no CPU time
 
 
 def in_fork(work: Callable[[], str], limit: float, memory: int = 1 << 30) -> str:
@@ -358,6 +359,8 @@ def in_fork(work: Callable[[], str], limit: float, memory: int = 1 << 30) -> str
             used = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0]) * os.sysconf("SC_PAGE_SIZE")
             resource.setrlimit(resource.RLIMIT_AS, (used + memory, used + memory))
             resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(limit), math.ceil(limit) + 1))
+            signal.signal(signal.SIGALRM, signal.SIG_DFL)
+            signal.alarm(STUCK)
             with os.fdopen(write, "wb") as pipe:
                 pipe.write(work().encode("utf-8", "backslashreplace"))
             code = 0
@@ -367,7 +370,7 @@ def in_fork(work: Callable[[], str], limit: float, memory: int = 1 << 30) -> str
     with os.fdopen(read, "rb") as pipe:
         said = pipe.read().decode("utf-8")
     _, status = os.waitpid(child, 0)
-    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM, signal.SIGKILL):
         return "hung"
     return said if status == 0 else "crashed"
 

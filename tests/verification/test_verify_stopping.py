@@ -16,6 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from limited import limited
 
 from edesign.core.damper import CoreDamper
 from edesign.core.spectrum import peak_displacement
@@ -91,7 +92,8 @@ def started(script: str) -> subprocess.Popen[str]:
         text=True,
     )
     assert process.stdout is not None
-    assert process.stdout.readline() == "ready\n"
+    with limited(process):
+        assert process.stdout.readline() == "ready\n"
     return process
 
 
@@ -116,11 +118,8 @@ def test_interrupt_ends_a_long_call(call: str, caller: subprocess.Popen[str]) ->
     caller.stdin.write(CALLS[call] + "\n")
     caller.stdin.flush()
     interrupt(caller)
-    end = threading.Timer(SOON, caller.kill)
-    end.start()
-    said = caller.stdout.readline()
-    end.cancel()
-    assert said == "stopped\n"
+    with limited(caller, SOON):
+        assert caller.stdout.readline() == "stopped\n"
 
 
 def test_a_process_ends_on_the_interrupt_of_a_call() -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import h5py
 import pytest
+from limited import limited
 from unit.archive.archive_samples import history_group
 
 from edesign.archive.dataset import Group
@@ -144,8 +145,9 @@ def test_kill_minus_nine_keeps_every_finished_group(tmp_path: Path, after: int) 
     path = tmp_path / "a.h5"
     process = python(KILLED, str(path))
     assert process.stdout is not None
-    for _ in range(after):
-        assert process.stdout.readline(), process.stderr and process.stderr.read()
+    with limited(process):
+        for _ in range(after):
+            assert process.stdout.readline(), process.stderr and process.stderr.read()
     process.send_signal(signal.SIGKILL)
     reported = after + len(process.stdout.read().split())  # `communicate` would lose what `readline` has read ahead
     assert process.wait() == -signal.SIGKILL
@@ -265,9 +267,10 @@ def test_a_partial_archive_is_read_while_its_run_writes(tmp_path: Path) -> None:
     path = tmp_path / "a.h5"
     process = python(KILLED.replace("print", "time.sleep(0.05); print").replace("sys", "sys, time", 1), str(path))
     assert process.stdout is not None
-    process.stdout.readline()
     counts = []
     try:
+        with limited(process):
+            process.stdout.readline()
         for _ in range(6):
             found, damage = read_archive(
                 partial_path(path),

@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from limited import limited
 
 from edesign.core.damper import CoreDamper, LawValues
 from edesign.damper.testing.measured_files import read_test
@@ -431,9 +432,12 @@ def test_signals(number: int, tmp_path: Path) -> None:
     )
     environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[3])}
     record = tmp_path / "session.csv"
-    with subprocess.Popen(
-        [sys.executable, "-c", code, str(record)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment
-    ) as process:
+    with (
+        subprocess.Popen(
+            [sys.executable, "-c", code, str(record)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment
+        ) as process,
+        limited(process),
+    ):
         assert process.stdout is not None and process.stderr is not None
         client = Client(int(process.stdout.readline().rsplit(b":", 1)[1]))
         in_step(client)

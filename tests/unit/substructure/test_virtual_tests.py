@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy
+from limited import limited
 
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
@@ -288,9 +289,15 @@ def test_one_ctrl_c_ends_a_pseudo_dynamic_test_and_leaves_nothing(tmp_path: Path
     test = "tests: [{name: slow, kind: pseudo_dynamic, record: el_centro, scale: 0.18, free_vibration: 2000 s}]\n"
     path.write_text(INLINE[: INLINE.index("tests:")] + test, encoding="utf-8")
     environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[3])}
-    with subprocess.Popen(
-        [sys.executable, "-m", "edesign", "rts", "run", str(path)], stderr=subprocess.PIPE, env=environment, text=True
-    ) as process:
+    with (
+        subprocess.Popen(
+            [sys.executable, "-m", "edesign", "rts", "run", str(path)],
+            stderr=subprocess.PIPE,
+            env=environment,
+            text=True,
+        ) as process,
+        limited(process),
+    ):
         assert process.stderr is not None
         assert process.stderr.readline() == "slow ...\n"
         process.send_signal(signal.SIGINT)
