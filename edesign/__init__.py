@@ -51,7 +51,7 @@ _PLACES = {
     "check_building": "edesign.space.check",
     "check_study": "edesign.study.check.summary",
     "open_archive": "edesign.report.open_archive",
-    "run_building": "edesign.study.building",
+    "run_building": "edesign.study.run.building",
     "run_project": "edesign.study.run.run",
     "run_study": "edesign.study.run.run",
     "summarise": "edesign.report.summary",

@@ -39,7 +39,7 @@ def design(
     from edesign.report.tables.visible import visible_line
     from edesign.space.selection.archived import selection_group
     from edesign.space.selection.select import select_sections
-    from edesign.study.building import check_building_archive, write_building
+    from edesign.study.run.building import check_building_archive, write_building
 
     def tell(line: str) -> None:
         if not quiet:

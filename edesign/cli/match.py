@@ -81,7 +81,7 @@ def match(
     from edesign.report.drawing.style import check_format
     from edesign.report.ground_motion.record_tables import choice_table, record_tables
     from edesign.report.tables.text import print_tables
-    from edesign.study.motions.match import choose_recordings, match_recordings
+    from edesign.study.run.match import choose_recordings, match_recordings
 
     check_format(figure_format)
     if max_per_event is not None and select is None:

@@ -103,7 +103,7 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, 
     from edesign.building.building_file import load_building
     from edesign.cli.shared.stages import Tell, in_stages
     from edesign.space.elastic_design import ElasticDesign
-    from edesign.study.building import run_building
+    from edesign.study.run.building import run_building
 
     def work(tell: Tell) -> tuple[Path, ElasticDesign]:
         tell(f"reading {file}")

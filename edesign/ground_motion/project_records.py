@@ -139,7 +139,7 @@ def _choice(project: HoldsRecords, name: str) -> RecordChoice:
     if not isinstance(choice, RecordChoice):
         raise InputError(
             f"{project.where('records', name)}: records.{name}: its recordings are not chosen yet; a run and a check "
-            "of the project choose them, and `edesign.study.motions.choosing.with_choices`"
+            "of the project choose them, and `edesign.study.plan.choosing.with_choices`"
         )
     return choice
 

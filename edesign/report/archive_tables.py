@@ -26,7 +26,7 @@ from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.summary import all_results, entry, find, input_warnings, results
 from edesign.report.tables.table import Table, formatted, number, seconds, whole
-from edesign.study.check.warnings import warning_lines, warnings_of
+from edesign.study.results.warnings import warning_lines, warnings_of
 
 PROFILE_COLUMNS = (
     ("floor u [m]", "floor_displacement", 1.0),

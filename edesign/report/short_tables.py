@@ -49,8 +49,8 @@ from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.summary import all_results, design_warnings, ending, entry, input_warnings
 from edesign.report.tables.table import Table, number
 from edesign.report.tables.text import PAPER, fitted, plain
-from edesign.study.check.warnings import warning_lines
 from edesign.study.results.kinds import ANALYSES
+from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COMPLETED
 
 WARNINGS_SHOWN = 3

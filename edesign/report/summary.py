@@ -14,9 +14,9 @@ from edesign.errors import EdesignError, InputError
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.tables.table import finite
-from edesign.study.check.warnings import ATTRIBUTE, warnings_of
+from edesign.study.motions.record_groups import failed_criteria
 from edesign.study.results.kinds import ANALYSES, DESIGNS, RECORDS
-from edesign.study.results.records import failed_criteria
+from edesign.study.results.warnings import ATTRIBUTE, warnings_of
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
 OF_KINDS = ("study_file", "building_file", "building_checksum", "rts_file", "rts_checksum")

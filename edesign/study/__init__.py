@@ -1,5 +1,5 @@
-"""Studies and their runs: variants of a frame, designs of their dampers, the plan of analyses, and its execution.
+"""Studies and their runs: motions, analyses, designs of dampers, the plan, its checks, and its execution.
 
-`run.run` is behind `edesign run`, `check.summary` behind `edesign check`; `building.py` runs a building, and
-`variants.py` puts the dampers of a variant into the frame.
+The rooms from the bottom: `results`, `motions`, `analysis`, `design`, `placement`, `plan`, `check`, `run`; imports go
+down only. `run.run` is behind `edesign run`, `check.summary` behind `edesign check`.
 """

@@ -22,8 +22,8 @@ from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.stopping import Stopped
 from edesign.study.results.kinds import SUBSTRUCTURE
+from edesign.study.results.provenance import circumstances, versions
 from edesign.study.run.interrupt import stop_on_signals
-from edesign.study.run.provenance import circumstances, versions
 from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators, method_group
 from edesign.substructure.judgement.measured import APPLIED_FORCE, HEADERS

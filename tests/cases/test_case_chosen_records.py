@@ -22,7 +22,7 @@ from edesign.ground_motion.selection import Selection, select
 from edesign.ground_motion.simulation import simulate
 from edesign.project import load_project
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.study.motions.choosing import with_choices
+from edesign.study.plan.choosing import with_choices
 
 CASE = HERE / "chosen_records"
 A_G_S = 0.16 * STANDARD_GRAVITY * 1.2  # EN 1998-1, Table 3.2, type 1, ground B

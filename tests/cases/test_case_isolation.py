@@ -19,7 +19,7 @@ from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_project, load_study
 from edesign.report.archive_tables import overview
 from edesign.report.assessment.verdict_data import study_verdicts
-from edesign.study.check.warnings import warnings_of
+from edesign.study.results.warnings import warnings_of
 from edesign.study.run.run import run_project, run_study
 
 Results = Callable[[str, str], Group]

@@ -25,8 +25,8 @@ from edesign.building.project_file import load_project
 from edesign.errors import AnalysisError, InputError
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.motions import project_motions
+from edesign.study.plan.plan import make_plan
 from edesign.study.run.backends import Backend, Call, Result, make_backend
-from edesign.study.run.plan import make_plan
 
 distributed = pytest.importorskip("distributed")
 pytest.importorskip("cryptography")  # a cluster of this machine has certificates of its own

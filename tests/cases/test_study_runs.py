@@ -27,8 +27,8 @@ from edesign.errors import AnalysisError, InputError, Interrupted
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.response_spectrum import psa
 from edesign.report.summary import summarise
-from edesign.study.design import study_designs
 from edesign.study.run import run as runs
+from edesign.study.run import study_designs
 from edesign.study.run.backends.call import Call, Control, Result, Results
 from edesign.study.run.backends.serial import SerialBackend
 from edesign.study.run.progress import Progress

@@ -19,8 +19,8 @@ from opensees_scripts import run, table, written
 from edesign import load_project, new_project
 from edesign.archive.dataset import Group
 from edesign.project.project import Project
+from edesign.study.plan.plan import make_plan
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.plan import make_plan
 
 if importlib.util.find_spec("openseespy") is None:
     pytest.skip("OpenSeesPy (extra 'peers') is not installed", allow_module_level=True)

@@ -14,8 +14,8 @@ import pytest
 from opensees_scripts import run, table, written
 
 from edesign import load_project
+from edesign.study.plan.plan import make_plan
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.plan import make_plan
 
 if importlib.util.find_spec("openseespy") is None:
     pytest.skip("OpenSeesPy (extra 'peers') is not installed", allow_module_level=True)

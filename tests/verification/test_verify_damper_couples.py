@@ -13,9 +13,9 @@ import pytest
 
 from edesign import check_project, load_project
 from edesign.archive.dataset import Group
-from edesign.study.check.warnings import warnings_of
+from edesign.study.plan.plan import make_plan
+from edesign.study.results.warnings import warnings_of
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.plan import make_plan
 
 MOTION = Path(__file__).parent.parent / "cases" / "records" / "motion.csv"
 PROJECT = """edesign: 1

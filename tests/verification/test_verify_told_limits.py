@@ -15,9 +15,9 @@ import pytest
 from edesign import check_project, load_project
 from edesign.archive.dataset import Group
 from edesign.project.project import Project
-from edesign.study.check.warnings import AnalysisWarning, warnings_of
+from edesign.study.plan.plan import make_plan
+from edesign.study.results.warnings import AnalysisWarning, warnings_of
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.plan import make_plan
 
 G = 9.80665  # m/s2
 FRAME = """edesign: 1

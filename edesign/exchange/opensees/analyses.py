@@ -29,9 +29,9 @@ from edesign.study.analysis.history import check_motion, input_motion, scale_fac
 from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame, make_structure
-from edesign.study.analysis.vertical_motion import ground_motion
+from edesign.study.motions.applied import ground_motion
 from edesign.study.motions.motions import Motion, match_options, project_motions
-from edesign.study.run.plan import make_plan
+from edesign.study.plan.plan import make_plan
 
 PUSH, QUAKE, VERTICAL = 2, 3, 4
 """Tags of the patterns beside gravity, and of their time series."""

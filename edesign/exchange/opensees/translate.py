@@ -35,7 +35,7 @@ from edesign.project.project import Project
 from edesign.project.records.records import ChosenRecords
 from edesign.study.analysis.dampers import attachments, device_laws
 from edesign.study.analysis.structure import GRAVITY_STEPS
-from edesign.study.motions.choosing import with_choices
+from edesign.study.plan.choosing import with_choices
 
 
 def translate_python(project: Project, path: Path, without_dampers: bool, tell: Tell) -> Translation:

@@ -26,10 +26,10 @@ from edesign.report.design.tables import design_tables
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.summary import all_results, ending, statistics
 from edesign.report.tables.table import Table, number, seconds, whole
-from edesign.study.check.warnings import warning_lines
+from edesign.study.plan.variants import bound_of
 from edesign.study.results.kinds import DESIGNS, INCREMENTAL
+from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, SKIPPED
-from edesign.study.variants import bound_of
 
 EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
 

@@ -11,8 +11,8 @@ from edesign.archive.reader import Archive
 from edesign.project.dampers.dampers import Dampers, Device
 from edesign.project.reading.yaml_nodes import parse
 from edesign.project.study.study import Study
+from edesign.study.plan.variants import dampers_at_temperature
 from edesign.study.results.kinds import DESIGNS
-from edesign.study.variants import dampers_at_temperature
 
 
 def archived_dampers(archive: Archive, study: Study) -> dict[str, Dampers]:

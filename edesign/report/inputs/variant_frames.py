@@ -12,7 +12,7 @@ from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.study.analysis.structure import make_frame
-from edesign.study.variants import variant_project
+from edesign.study.plan.variants import variant_project
 
 
 class VariantFrames:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.study.study import Study, Variant
 from edesign.report.tables.table import Table
-from edesign.study.variants import bound_of
+from edesign.study.plan.variants import bound_of
 
 
 def variants_table(study: Study) -> Table:

@@ -12,7 +12,7 @@ from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.figures import Named, dampers_figure, geometry, has_dampers, has_loads, loads_and_masses
-from edesign.study.variants import dampers_at_temperature, laws_of_design, variant_project
+from edesign.study.plan.variants import dampers_at_temperature, laws_of_design, variant_project
 
 if TYPE_CHECKING:
     from collections.abc import Collection

@@ -19,8 +19,8 @@ from edesign.report.archived import archived_project
 from edesign.report.assessment.verdict_tables import performance_tables
 from edesign.report.tables.table import Table, number
 from edesign.report.tables.text import wrapped
-from edesign.study.check.warnings import warning_lines
 from edesign.study.results.kinds import ANALYSES, DIRECT
+from edesign.study.results.warnings import warning_lines
 from edesign.substructure.archived import building_name
 
 Measure = Callable[[Group], float | None]

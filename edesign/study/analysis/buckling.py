@@ -11,8 +11,8 @@ from edesign.building.frame_model import FrameModel
 from edesign.building.struts import Bar, Kind, Strut, frame_bars
 from edesign.codes.ec3.buckling import NO_BUCKLING
 from edesign.project.project import Project
-from edesign.study.check.warnings import AnalysisWarning
-from edesign.study.check.warnings import Kind as WarningKind
+from edesign.study.results.warnings import AnalysisWarning
+from edesign.study.results.warnings import Kind as WarningKind
 
 CLAUSE = "EN 1993-1-1, 6.3.1"
 _PLURAL: Mapping[Kind, str] = {

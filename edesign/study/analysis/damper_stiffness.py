@@ -16,8 +16,8 @@ from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.project.reading.problems import listed
 from edesign.study.analysis.structure import Structure
-from edesign.study.check.warnings import AnalysisWarning, store_warnings
 from edesign.study.results.recording import coordinate
+from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
 _SMALL_STRAIN = 1e-4
 _SMALL_DEFORMATION = 1e-5  # m, of dampers without layers

@@ -18,7 +18,7 @@ from edesign.project.dampers.dampers import LawDescription, TunedMass
 from edesign.project.notation.names import tuned_mass_name
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
-from edesign.study.check.warnings import AnalysisWarning, Kind
+from edesign.study.results.warnings import AnalysisWarning, Kind
 
 WATER = 1000.0  # kg/m3
 

@@ -14,8 +14,6 @@ from edesign.project.frame.members import BraceRun
 from edesign.project.project import Project
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.structure import make_structure
-from edesign.study.check.validity import judged, rotation_limits, rotation_names
-from edesign.study.check.warnings import store_warnings
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.dampers import damper_quantities
@@ -25,6 +23,8 @@ from edesign.study.results.recording import Quantity, channels, coordinate, stor
 from edesign.study.results.springs import spring_quantities
 from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts, storey_shears
 from edesign.study.results.supports import base_shear, isolator_axial_forces
+from edesign.study.results.validity import judged, rotation_limits, rotation_names
+from edesign.study.results.warnings import store_warnings
 
 
 def run_gravity(project: Project, spec: GravityAnalysis) -> Group:

@@ -18,15 +18,15 @@ from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalD
 from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.project.records.records import record_of
+from edesign.study.analysis.history_results import HistoryResults
 from edesign.study.analysis.isolators import isolator_warnings
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.residual import period_steps
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
-from edesign.study.analysis.vertical_motion import ground_motion
 from edesign.study.analysis.wave_passage import LateFeet
-from edesign.study.check.warnings import store_warnings
+from edesign.study.motions.applied import ground_motion
 from edesign.study.motions.motions import Motion, level_factor, project_motions
-from edesign.study.results.history import HistoryResults
+from edesign.study.results.warnings import store_warnings
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 

@@ -13,8 +13,8 @@ from edesign.project.frame.supports import VerticalSpring
 from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.couples import NEGLECTED
+from edesign.study.results.warnings import AnalysisWarning
 
 _ROUNDING = 1e-9  # of an axial force that is none, against the largest
 

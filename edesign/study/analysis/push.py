@@ -18,8 +18,6 @@ from edesign.study.analysis.capacity_events import EventChannels
 from edesign.study.analysis.dampers import core_strain_warnings
 from edesign.study.analysis.lateral_patterns import by_floor
 from edesign.study.analysis.structure import make_frame, make_structure
-from edesign.study.check.validity import judged, rotation_limits, rotation_names
-from edesign.study.check.warnings import AnalysisWarning, store_warnings
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.couples import LackingCouples
@@ -31,6 +29,8 @@ from edesign.study.results.requested import requested_quantities
 from edesign.study.results.springs import hinge_warnings, spring_quantities
 from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts, storey_shears
 from edesign.study.results.supports import base_shear, support_reactions
+from edesign.study.results.validity import judged, rotation_limits, rotation_names
+from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
 Progress = Callable[[int, int], None]
 Stop = Callable[[], bool]

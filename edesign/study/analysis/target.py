@@ -18,8 +18,8 @@ from edesign.project.project import Project
 from edesign.study.analysis.capacity import Capacity, Target, capacity, level_spectrum
 from edesign.study.analysis.dampers import goes_with_speed
 from edesign.study.analysis.push import Progress, Stop, push
-from edesign.study.check.warnings import AnalysisWarning, store_warnings
 from edesign.study.results.recording import coordinate
+from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
 ROUNDING = 1e-9  # of a displacement
 

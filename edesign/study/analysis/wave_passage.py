@@ -12,12 +12,12 @@ from edesign.core import SupportMotion
 from edesign.ground_motion.delayed import delayed_by
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.notation import names
-from edesign.study.check.warnings import AnalysisWarning, store_warnings
 from edesign.study.results.recording import coordinate
+from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
 if TYPE_CHECKING:
     from edesign.ground_motion.record import Record
-    from edesign.study.analysis.vertical_motion import GroundMotion
+    from edesign.study.motions.applied import GroundMotion
 
 LASTING = 0.01
 """Share of the largest displacement between feet that may be left; more than this rounding of records has is said."""

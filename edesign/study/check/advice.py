@@ -31,9 +31,9 @@ from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.plausibility import implausible
 from edesign.study.check.tuned_masses import tuned_mass_advice
+from edesign.study.plan.plan import Task
+from edesign.study.plan.variants import laws_of_design, variant_warnings
 from edesign.study.results.couples import couple_advice
-from edesign.study.run.plan import Task
-from edesign.study.variants import laws_of_design, variant_warnings
 
 MODAL = ("first_mode", "mode_1", "triangular")  # of lateral forces as elastic analyses have them
 _COLLAPSED = 0.10  # of a drift: twice that of Collapse Prevention (FEMA 356, Table C1-3)

@@ -18,7 +18,7 @@ from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterio
 from edesign.project.criteria.criterion_quantities import QUANTITIES
 from edesign.project.dampers.verification import AnyVerify
 from edesign.project.study.study import Study, warm_variant
-from edesign.study.run.study_plan import make_study_plan, verification_records
+from edesign.study.plan.study_plan import make_study_plan, verification_records
 
 
 def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:

@@ -29,8 +29,8 @@ from edesign.project.project import Project
 from edesign.project.reading.problems import listed
 from edesign.study.analysis.dampers import without_dampers_in_modes
 from edesign.study.analysis.gravity import run_gravity
-from edesign.study.check.warnings import warnings_of
 from edesign.study.design.plausibility import percent
+from edesign.study.results.warnings import warnings_of
 
 STIFF = 0.050
 """C_t of the stiffest structures in EN 1998-1, 4.3.3.2.2(3), Eq. 4.6: T1 = C_t H^(3/4), s and m."""

@@ -17,9 +17,9 @@ from edesign.project.reading.problems import Keys, keys_text
 from edesign.project.study.incremental import SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
+from edesign.study.analysis.intensity import first_period
 from edesign.study.analysis.modal import fundamental_period
-from edesign.study.motions.intensity import first_period
-from edesign.study.variants import variant_project
+from edesign.study.plan.variants import variant_project
 
 
 def check_project_reach(project: Project, specs: Iterable[PlannedAnalysis]) -> None:

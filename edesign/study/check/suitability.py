@@ -12,9 +12,9 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records.records import Suite, record_of
 from edesign.study.analysis.history import scale_factor
-from edesign.study.motions.intensity import first_period
+from edesign.study.analysis.intensity import first_period
 from edesign.study.motions.motions import Motion
-from edesign.study.run.plan import Task
+from edesign.study.plan.plan import Task
 
 if TYPE_CHECKING:  # it loads h5py, which a check does not need
     from edesign.study.run.state import Prepared, RunState

@@ -26,10 +26,10 @@ from edesign.study.check.criteria import too_few_motions
 from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings
-from edesign.study.motions.choosing import study_with_choices, with_choices
 from edesign.study.motions.motions import Motion, expected_scale
-from edesign.study.run.plan import Task, make_plan
-from edesign.study.run.study_plan import make_study_plan, wanted_designs
+from edesign.study.plan.choosing import study_with_choices, with_choices
+from edesign.study.plan.plan import Task, make_plan
+from edesign.study.plan.study_plan import make_study_plan, wanted_designs
 
 ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
 

@@ -1,4 +1,4 @@
-"""Motions made ready for histories: found, chosen, processed, fitted to the spectrum.
+"""Motions made ready for histories: fitted to the spectrum, applied as a history asks for, archived.
 
-Called by `study.run` before the first history, and by `edesign match`.
+A run makes them before its first history; `edesign match` makes them alone.
 """

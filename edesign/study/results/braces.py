@@ -9,8 +9,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame_model import FrameModel, Member
 from edesign.project.project import Project
-from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.recording import Quantity, Terms, coordinate
+from edesign.study.results.warnings import AnalysisWarning
 
 BRACE = "buckling_brace"
 RECORDED = "recorded_brace"

@@ -14,10 +14,10 @@ from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation.names import line_name
 from edesign.project.project import Project
-from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.dampers import storey_damper_forces
 from edesign.study.results.recording import Quantity, Terms
 from edesign.study.results.storeys import storey_shears
+from edesign.study.results.warnings import AnalysisWarning
 
 NEGLECTED = 0.10
 """Share of an overturning moment that may be left out: EN 1998-1, 4.4.2.2(2), lets second-order effects be up to it."""

@@ -11,8 +11,8 @@ from edesign.building.struts import frame_bars
 from edesign.codes.ec3.joints import classified
 from edesign.project.project import Project
 from edesign.project.reading.words import counted
-from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.recording import Quantity, Terms, coordinate
+from edesign.study.results.warnings import AnalysisWarning
 
 UNAFFECTED = 0.25
 """N / N_pl up to which the plastic moment stays: EN 1993-1-1, 6.2.9.1(4), Eq. 6.33."""

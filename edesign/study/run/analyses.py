@@ -20,7 +20,7 @@ from edesign.study.analysis.modal import run_modal
 from edesign.study.analysis.pushover import run_pushover
 from edesign.study.analysis.target import run_target
 from edesign.study.motions.motions import Motion
-from edesign.study.run.plan import labels
+from edesign.study.plan.plan import labels
 
 
 def run_analysis(

@@ -9,21 +9,21 @@ from pathlib import Path
 
 from edesign.project.project import Project
 from edesign.project.study.study import Study
-from edesign.study.analysis.incremental import study_stripes
 from edesign.study.check.advice import project_warnings, study_warnings, unjudged
 from edesign.study.check.check import check_inputs, check_study_inputs
-from edesign.study.design.study_designs import study_designs
-from edesign.study.motions.choosing import study_with_choices, with_choices
+from edesign.study.plan.choosing import study_with_choices, with_choices
+from edesign.study.plan.plan import make_plan
+from edesign.study.plan.study_plan import make_study_plan
+from edesign.study.plan.variants import variant_strain
 from edesign.study.results.kinds import DESIGNS
+from edesign.study.results.provenance import root_group, study_root_group
 from edesign.study.run.backends import make_backend
+from edesign.study.run.incremental import study_stripes
 from edesign.study.run.outcome import Outcome, RunSummary
-from edesign.study.run.plan import make_plan
 from edesign.study.run.progress import Listener, silent
-from edesign.study.run.provenance import root_group, study_root_group
 from edesign.study.run.run_plan import run_plan
 from edesign.study.run.state import Job, Prepared, RunState
-from edesign.study.run.study_plan import make_study_plan
-from edesign.study.variants import variant_strain
+from edesign.study.run.study_designs import study_designs
 
 __all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_study"]
 

@@ -18,18 +18,18 @@ from edesign.optional_stages import optional
 from edesign.stopping import stoppable
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.check.suitability import scale_warnings, variant_periods
-from edesign.study.check.warnings import ATTRIBUTE
 from edesign.study.motions.motions import Motion, match_options, project_motions
+from edesign.study.motions.record_groups import failed_criteria, project_record_groups
+from edesign.study.plan.plan import Task, waves
 from edesign.study.results.hazard import hazard_groups
-from edesign.study.results.records import failed_criteria, project_record_groups
+from edesign.study.results.provenance import IDENTITY, circumstances, now
+from edesign.study.results.warnings import ATTRIBUTE
 from edesign.study.run.analyses import analyse, analyse_stripe
 from edesign.study.run.backends import Backend
 from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.interrupt import stop_on_signals
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
-from edesign.study.run.plan import Task, waves
 from edesign.study.run.progress import Listener, Progress
-from edesign.study.run.provenance import IDENTITY, circumstances, now
 from edesign.study.run.state import Job, Prepared, RunState
 
 MATCHING = "matching"  # what the progress of the fit of the records is called

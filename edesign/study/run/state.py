@@ -15,10 +15,10 @@ from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.project import Project
 from edesign.study.motions.motions import Motion
+from edesign.study.plan.plan import Task
 from edesign.study.run.backends import Backend
 from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.outcome import Outcome
-from edesign.study.run.plan import Task
 from edesign.study.run.progress import Listener, Progress
 
 Prepared = Callable[[Task], tuple[Project, PlannedAnalysis]]

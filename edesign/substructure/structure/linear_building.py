@@ -10,9 +10,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame_model import FrameModel
 from edesign.core import Response
+from edesign.study.analysis.history_results import store_residuals
 from edesign.study.results.coordinates import coordinates
 from edesign.study.results.floors import floor_accelerations, floor_displacements, floor_relative_accelerations
-from edesign.study.results.history import store_residuals
 from edesign.study.results.recording import SINGLE, Quantity, Terms, coordinate, store, store_run
 from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts
 

@@ -17,9 +17,9 @@ from edesign.errors import AnalysisError, InputError
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study.analysis.history import integrator, load_and_damp
+from edesign.study.analysis.history_results import HistoryResults
 from edesign.study.analysis.residual import period_steps
 from edesign.study.analysis.structure import Structure, make_frame, make_structure
-from edesign.study.results.history import HistoryResults
 from edesign.substructure.structure.numerical import LinearPart
 
 GROWTH = 1e-9

@@ -36,7 +36,7 @@ from edesign.project.building import parse_building
 from edesign.project.loader import parse_project
 from edesign.study.check.check import check_study_inputs
 from edesign.study.check.summary import check_project
-from edesign.study.run.study_plan import make_study_plan
+from edesign.study.plan.study_plan import make_study_plan
 
 ROOT = Path(__file__).parents[3]
 EC8 = "hazard: {code: ec8-2004, a_gR: 0.2 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}\n"

@@ -416,7 +416,7 @@ def test_criteria_that_fail_leave_the_matched_records(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = _suite()
-    _break(monkeypatch, "edesign.study.motions.match.criteria", RuntimeError(CAUSE))
+    _break(monkeypatch, "edesign.study.run.match.criteria", RuntimeError(CAUSE))
     assert main(words) == 5
     said = capsys.readouterr()
     assert "the criteria of the code failed" in said.err and _whole(Path("out.h5")) and _whole(Path("csv/a.csv"))
@@ -449,7 +449,7 @@ def test_what_follows_substructure_tests_may_fail(
         (_project(), "edesign.study.run.run_plan.scale_warnings", "what is doubtful about the records"),
         (
             _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),
-            *("edesign.study.building.building_warnings", "what is doubtful about the building"),
+            *("edesign.study.run.building.building_warnings", "what is doubtful about the building"),
         ),
     ],
 )

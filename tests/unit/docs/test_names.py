@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.study.check.warnings import ALIKE
+from edesign.study.results.warnings import ALIKE
 from tools import doc_names
 
 HERE = doc_names.ROOT / "docs" / "theory" / "core.md"

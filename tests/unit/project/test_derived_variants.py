@@ -12,7 +12,7 @@ from edesign.project.study.derived import Derived
 from edesign.project.study.study import Study
 from edesign.project.study.study_loader import StudyError, parse_study
 from edesign.study.check.check import check_study_inputs
-from edesign.study.run.study_plan import make_study_plan
+from edesign.study.plan.study_plan import make_study_plan
 
 CASE = Path(__file__).parents[2] / "cases" / "any_quantity"
 TEXT = (CASE / "sweep.yaml").read_text(encoding="utf-8")

@@ -8,7 +8,7 @@ from unit.study.test_target_displacements import HAZARD, PORTAL
 
 from edesign.project import ProjectError
 from edesign.study.check.advice import pattern_warnings
-from edesign.study.run.plan import make_plan
+from edesign.study.plan.plan import make_plan
 
 HEAD = PORTAL.partition("analyses:")[0].replace("mass: 1 t", "mass: 10 t")
 WITH = HEAD + HAZARD.replace("@a@", "1 g")

@@ -23,7 +23,7 @@ from edesign.project.study.study import Study
 from edesign.project.study.study_loader import StudyError, parse_study
 from edesign.study.check.check import check_study_inputs
 from edesign.study.check.summary import check_study
-from edesign.study.run.study_plan import make_study_plan
+from edesign.study.plan.study_plan import make_study_plan
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_10_storey" / "study.yaml"
 LEVELS = "(levels here: `DBE`, `MCE`)"

@@ -18,7 +18,7 @@ from edesign.report.export.facts import provenance_facts
 from edesign.report.export.workbook import _origin
 from edesign.report.page.document import page_text
 from edesign.report.summary import summarise
-from edesign.study.building import run_building
+from edesign.study.run.building import run_building
 
 EVEN = SMALL.replace("x: [6 m, 4 m]", "x: [5 m, 5 m]")
 """Symmetric in plan and of one plan over its height."""

@@ -26,7 +26,7 @@ from edesign.report.building.tables import remarks
 from edesign.report.page.document import page_text
 from edesign.report.page.render import formula
 from edesign.space.elastic_design import ElasticDesign
-from edesign.study.building import run_building
+from edesign.study.run.building import run_building
 
 OPEN = SMALL.replace("storeys: [4 m, 3 m]", "storeys: [4 m, 3 m]\ndiaphragms: none")
 

@@ -19,7 +19,7 @@ from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import building_tables
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import broken, plain, print_tables
-from edesign.study.building import run_building
+from edesign.study.run.building import run_building
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from edesign.report.tables.table import number
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports
 from edesign.space.elastic_design import ElasticDesign
-from edesign.study.building import run_building
+from edesign.study.run.building import run_building
 
 OWN_WEIGHT = ("self_weight: false", "self_weight: true")
 FRAME = changed(moment_frames(x="6 m, 6 m", storeys="4 m, 3 m"), OWN_WEIGHT) + NO_TORSION

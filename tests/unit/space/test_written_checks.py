@@ -23,7 +23,7 @@ from edesign.report.building.results import BuildingResults
 from edesign.space.checks.buckling_moments import quarter_moments
 from edesign.space.checks.written_checks import written_check
 from edesign.space.checks.written_steps import ForcesAlong, FreeBeam
-from edesign.study.building import run_building
+from edesign.study.run.building import run_building
 
 SAME = 1e-9
 """Both do the same sums of some tens of terms in another order; above rounding by six digits."""

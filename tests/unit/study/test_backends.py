@@ -19,9 +19,9 @@ from edesign.building.project_file import load_project
 from edesign.errors import InputError
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.motions import project_motions
+from edesign.study.plan.plan import make_plan
 from edesign.study.run.backends import Backend, Call, make_backend
 from edesign.study.run.backends.state import refusal
-from edesign.study.run.plan import make_plan
 
 PROJECTS = Path(__file__).parents[3] / "projects"
 

@@ -16,7 +16,7 @@ from edesign.cli.main import main
 from edesign.project import ProjectError
 from edesign.study.analysis.buckling import slender_braces
 from edesign.study.analysis.structure import make_frame
-from edesign.study.check.warnings import warnings_of
+from edesign.study.results.warnings import warnings_of
 from edesign.study.run.analyses import run_analysis
 
 BRACED = """\

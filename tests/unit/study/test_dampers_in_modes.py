@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.report.response.damper_results import amplitude_notes
 from edesign.study.analysis.modal import run_modal
-from edesign.study.check.warnings import warnings_of
+from edesign.study.results.warnings import warnings_of
 
 C, SPRING = 2e5, 4e7  # N s/m, N/m
 

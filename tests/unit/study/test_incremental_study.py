@@ -19,12 +19,12 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.study.incremental import LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
 from edesign.project.study.study_loader import StudyError
-from edesign.study.analysis.incremental import incremental_group
-from edesign.study.motions.intensity import check_hazard_curves, first_period, level_intensity, record_intensity
+from edesign.study.analysis.intensity import check_hazard_curves, first_period, level_intensity, record_intensity
+from edesign.study.plan.plan import waves
+from edesign.study.plan.study_plan import make_study_plan
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.plan import waves
+from edesign.study.run.incremental import incremental_group
 from edesign.study.run.run import run_study
-from edesign.study.run.study_plan import make_study_plan
 
 DRIFT = "interstorey_drift"
 

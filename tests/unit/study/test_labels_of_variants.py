@@ -8,7 +8,7 @@ import pytest
 
 from edesign.building.project_file import load_project
 from edesign.project.template import new_project
-from edesign.study.run.plan import make_plan
+from edesign.study.plan.plan import make_plan
 
 
 def variants(path: Path) -> dict[str, object]:

@@ -23,11 +23,11 @@ from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.check.check import check_study_inputs
 from edesign.study.check.summary import check_project
-from edesign.study.run import provenance
+from edesign.study.plan.study_plan import make_study_plan
+from edesign.study.results import provenance
+from edesign.study.results.provenance import IDENTITY, root_group, study_root_group
 from edesign.study.run.progress import Progress
-from edesign.study.run.provenance import IDENTITY, root_group, study_root_group
 from edesign.study.run.run import run_project, run_study
-from edesign.study.run.study_plan import make_study_plan
 
 PROJECT = """\
 edesign: 1

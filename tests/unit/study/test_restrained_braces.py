@@ -24,7 +24,7 @@ from edesign.study.analysis.lateral_patterns import floor_masses
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import frame_warnings
-from edesign.study.check.warnings import warnings_of
+from edesign.study.results.warnings import warnings_of
 
 TEXT = (HERE / "brb_frame" / "project.yaml").read_text(encoding="utf-8").replace("../records", str(HERE / "records"))
 RISING = "{kind: rising, bays: 1, storeys: all, law: brb, scale: [1.7, 1.4, 0.8]}"

@@ -9,7 +9,7 @@ from cases.small_study import write
 
 from edesign.building.project_file import load_study
 from edesign.study.check.advice import study_warnings
-from edesign.study.run.study_plan import make_study_plan
+from edesign.study.plan.study_plan import make_study_plan
 
 
 def test_a_design_without_a_variant_is_told(tmp_path: Path) -> None:

@@ -12,8 +12,8 @@ from edesign.building.project_file import load_study
 from edesign.errors import InputError
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis
 from edesign.project.study.study import Study
+from edesign.study.plan.study_plan import make_study_plan, wanted_designs
 from edesign.study.run.run import run_study
-from edesign.study.run.study_plan import make_study_plan, wanted_designs
 
 WARM = "  - {variants: warm, levels: DBE, records: set/first, free_vibration: 1 s}\n"
 MODES = ("{name: modes, kind: modal, modes: 2}", "{name: gravity, kind: gravity}")

@@ -15,7 +15,7 @@ from edesign.project.project import Project
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.check.summary import check_project
 from edesign.study.motions.motions import Motion
-from edesign.study.run.plan import Stripe, Task, make_plan
+from edesign.study.plan.plan import Stripe, Task, make_plan
 
 
 @pytest.fixture

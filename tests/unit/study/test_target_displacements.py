@@ -16,9 +16,9 @@ from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project import Project
 from edesign.project.analysis.pushover import GivenPattern
 from edesign.study.analysis.lateral_patterns import lateral_loads
-from edesign.study.check.warnings import warnings_of
+from edesign.study.plan.plan import make_plan
+from edesign.study.results.warnings import warnings_of
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.plan import make_plan
 
 CASES = Path(__file__).parents[2] / "cases"
 HAZARD = """\

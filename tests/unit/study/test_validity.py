@@ -25,7 +25,7 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
 from edesign.project.study.study_loader import StudyError
 from edesign.report.summary import all_results
-from edesign.study.check.warnings import warnings_of
+from edesign.study.results.warnings import warnings_of
 from edesign.study.run.analyses import run_analysis
 from edesign.study.run.run import run_study
 

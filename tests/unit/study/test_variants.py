@@ -16,8 +16,8 @@ from edesign.project.notation.selections import ALL_NUMBERS
 from edesign.project.study.study import Study
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.history import run_history
-from edesign.study.run.study_plan import make_study_plan
-from edesign.study.variants import variant_project, variant_warnings
+from edesign.study.plan.study_plan import make_study_plan
+from edesign.study.plan.variants import variant_project, variant_warnings
 
 AREA = 0.01  # m2, of a layer
 SPEC = HistoryAnalysis(name="shake", kind="history", record="motion", pga="0.3 g", free_vibration="1 s")

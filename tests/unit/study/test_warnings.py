@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.study.check.warnings import AnalysisWarning, store_warnings, warning_lines, warnings_of
+from edesign.study.results.warnings import AnalysisWarning, store_warnings, warning_lines, warnings_of
 
 
 def warned(*warnings: AnalysisWarning) -> Group:

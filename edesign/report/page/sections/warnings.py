@@ -11,8 +11,8 @@ from edesign.report.page.section import Facts, Section
 from edesign.report.page.source import Source
 from edesign.report.summary import design_warnings, input_warnings
 from edesign.report.tables.table import Table
-from edesign.study.check.warnings import grouped_warnings
 from edesign.study.results.kinds import RECORDS
+from edesign.study.results.warnings import grouped_warnings
 
 NAMED = 20
 """Failed analyses that are named here; the others are in the table of all analyses."""

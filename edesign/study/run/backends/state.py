@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-from edesign.study.run.provenance import code_checksum, libraries
+from edesign.study.results.provenance import code_checksum, libraries
 
 
 @cache

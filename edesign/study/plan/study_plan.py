@@ -12,9 +12,9 @@ from edesign.project.analysis.pushover import Pushover, Pushovers
 from edesign.project.reading.problems import keys_text, unknown_name
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
-from edesign.study.motions.intensity import intensity_text
-from edesign.study.run.plan import Stripe, Task, pushover_parts, selected
-from edesign.study.variants import variant_strain
+from edesign.study.analysis.intensity import intensity_text
+from edesign.study.plan.plan import Stripe, Task, pushover_parts, selected
+from edesign.study.plan.variants import variant_strain
 
 MODES, GRAVITY = "modes", "gravity"
 USUAL_MODES = 3

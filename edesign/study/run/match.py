@@ -26,10 +26,10 @@ from edesign.ground_motion.selection_scaling import SelectionOptions
 from edesign.ground_motion.sources import Found
 from edesign.optional_stages import optional
 from edesign.study.motions.motions import Motion, fit, prepare_motions, raise_suite
-from edesign.study.results.records import criteria, suite_groups
+from edesign.study.motions.record_groups import criteria, suite_groups
+from edesign.study.results.provenance import circumstances, versions
 from edesign.study.run.interrupt import stop_on_signals
 from edesign.study.run.progress import Listener, Progress, silent
-from edesign.study.run.provenance import circumstances, versions
 
 
 @dataclass(frozen=True)

@@ -19,13 +19,13 @@ from edesign.study.analysis.modal import mode_count
 from edesign.study.check.criteria import kept_for_verification, too_few_motions
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.placement.placement import run_placement
+from edesign.study.plan.plan import Task, labels
+from edesign.study.plan.study_plan import histories_of_a_round, verification_records, wanted_designs
+from edesign.study.plan.variants import variant_project
 from edesign.study.results.kinds import DESIGNS
 from edesign.study.run.analyses import analyse
 from edesign.study.run.backends.call import Call
-from edesign.study.run.plan import Task, labels
 from edesign.study.run.state import Prepared, RunState
-from edesign.study.run.study_plan import histories_of_a_round, verification_records, wanted_designs
-from edesign.study.variants import variant_project
 
 
 class _Lost(EdesignError):

@@ -13,7 +13,7 @@ from edesign.project.study.study import Study, Variant
 from edesign.study.analysis.dampers import law_warnings
 from edesign.study.design.bounds import property_factors
 from edesign.study.design.building import with_temperature
-from edesign.study.run.plan import Task
+from edesign.study.plan.plan import Task
 
 
 def variant_project(

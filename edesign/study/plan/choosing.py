@@ -17,7 +17,7 @@ from edesign.project.study.study import Study
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.motions.motions import target_spectrum
 from edesign.study.results.kinds import RECORDS
-from edesign.study.run.provenance import code_checksum
+from edesign.study.results.provenance import code_checksum
 
 
 def with_choices(project: Project, archive: Path | None = None) -> Project:

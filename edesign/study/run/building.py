@@ -17,9 +17,9 @@ from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.check import building_warnings
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.study.check.warnings import ATTRIBUTE
 from edesign.study.results.kinds import BUILDING
-from edesign.study.run.provenance import add_hazard_files, circumstances, versions
+from edesign.study.results.provenance import add_hazard_files, circumstances, versions
+from edesign.study.results.warnings import ATTRIBUTE
 
 
 def run_building(

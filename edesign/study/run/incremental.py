@@ -15,12 +15,12 @@ from edesign.project.project import Project
 from edesign.project.study.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
-from edesign.study.motions.intensity import first_period, level_intensity, record_intensity
+from edesign.study.analysis.intensity import first_period, level_intensity, record_intensity
+from edesign.study.plan.plan import Task
+from edesign.study.plan.variants import variant_strain
 from edesign.study.results.kinds import INCREMENTAL
 from edesign.study.results.recording import coordinate
-from edesign.study.run.plan import Task
 from edesign.study.run.state import Prepared, RunState
-from edesign.study.variants import variant_strain
 
 
 def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:

@@ -18,8 +18,6 @@ from edesign.study.analysis.collapse import collapse_reason, drift_limits
 from edesign.study.analysis.dampers import core_strain_warnings, strain_warnings
 from edesign.study.analysis.footings import footing_quantities
 from edesign.study.analysis.residual import DEFINITION, residual
-from edesign.study.check.validity import judged, rotation_limits, rotation_names
-from edesign.study.check.warnings import store_warnings
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.couples import LackingCouples
@@ -44,6 +42,8 @@ from edesign.study.results.storeys import (
     storey_shears,
 )
 from edesign.study.results.supports import base_shear, isolator_axial_forces, support_reactions
+from edesign.study.results.validity import judged, rotation_limits, rotation_names
+from edesign.study.results.warnings import store_warnings
 
 MOVING = ("node_displacement", "column_plastic_rotation", "beam_plastic_rotation")  # what `motion` keeps
 

@@ -14,9 +14,9 @@ from edesign.core import Response
 from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
 from edesign.project.reading.words import percent
-from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.recording import Quantity
 from edesign.study.results.storeys import line_drift_storeys
+from edesign.study.results.warnings import AnalysisWarning
 
 AT = {
     "time": "at {:.6g} s",
