@@ -22,8 +22,9 @@ from edesign.ground_motion.project_records import find_recordings, references  #
 from edesign.ground_motion.record import Record  # noqa: E402
 from edesign.project.loader import parse_project  # noqa: E402
 from edesign.project.project import Project  # noqa: E402
-from edesign.study.analysis.history import input_motion, integrator  # noqa: E402
+from edesign.study.analysis.history import integrator  # noqa: E402
 from edesign.study.analysis.structure import Structure, make_structure  # noqa: E402
+from edesign.study.motions.applied import input_motion  # noqa: E402
 
 FILE = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" / "project.yaml"
 STOREY_STIFFNESS = (51776, 26820, 22744, 20863, 16934, 15144, 14515, 12776, 11591, 9592)  # kN/m, Table 5.7

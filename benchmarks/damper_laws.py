@@ -32,8 +32,8 @@ from edesign.damper.fitting.identifiable import HELD
 from edesign.damper.fitting.loading import Loading
 from edesign.damper.laws import LAWS
 from edesign.project.project import Project
-from edesign.study.analysis.history import input_motion
 from edesign.study.analysis.structure import make_frame, make_structure
+from edesign.study.motions.applied import input_motion
 
 # not as tests.*: another package may be installed by that name
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))

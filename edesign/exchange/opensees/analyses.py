@@ -25,11 +25,10 @@ from edesign.project.reading.words import counted
 from edesign.project.records.records import record_of
 from edesign.study.analysis.capacity import capacity
 from edesign.study.analysis.damper_stiffness import damped_modes
-from edesign.study.analysis.history import check_motion, input_motion, scale_factor
 from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame, make_structure
-from edesign.study.motions.applied import ground_motion
+from edesign.study.motions.applied import check_motion, ground_motion, scale_factor
 from edesign.study.motions.motions import Motion, match_options, project_motions
 from edesign.study.plan.plan import make_plan
 
@@ -254,17 +253,9 @@ def _history(
         found.left_out.append(f"analysis {spec.name}: its `collapse_drift` does not end it")
     motion = motions[spec.record]
     check_motion(project, spec, motion.record)
-    assert project.integration is not None, "the loader asks for it"
-    step = project.integration.time_step or motion.record.time_step
     vertical = spec.vertical.record if spec.vertical is not None else None
-    ground = ground_motion(
-        project,
-        spec,
-        motion.record,
-        scale_factor(project, spec, motion.record),
-        None if vertical is None else motions[vertical],
-        lambda record, scale, after: input_motion(record, scale, step, after),
-    )
+    other = None if vertical is None else motions[vertical]
+    ground = ground_motion(project, spec, motion.record, scale_factor(project, spec, motion.record), other)
     horizontal, dt = ground.horizontal.acceleration, ground.horizontal.time_step
     if abs(horizontal[0]) > 0.01 * np.max(np.abs(horizontal)):
         begins = "begins with more than 1 % of its peak, with which OpenSees does not begin from rest in equilibrium"

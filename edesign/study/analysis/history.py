@@ -24,11 +24,9 @@ from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.residual import period_steps
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
 from edesign.study.analysis.wave_passage import LateFeet
-from edesign.study.motions.applied import ground_motion
-from edesign.study.motions.motions import Motion, level_factor, project_motions
+from edesign.study.motions.applied import ground_motion, scale_factor
+from edesign.study.motions.motions import Motion, project_motions
 from edesign.study.results.warnings import store_warnings
-
-MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
 
 def run_history(
@@ -61,17 +59,9 @@ def run_history(
         raise InputError(f"{project.path}: the history {spec.name} needs `integration`")
     motion = motion or _motion(project, spec.record)
     factor = scale_factor(project, spec, motion.record)
-    step = project.integration.time_step or motion.record.time_step
     if spec.vertical is not None and spec.vertical.record is not None:
         vertical = vertical or _motion(project, spec.vertical.record)
-    both = ground_motion(
-        project,
-        spec,
-        motion.record,
-        factor,
-        vertical,
-        lambda record, scale, after: input_motion(record, scale, step, after),
-    )
+    both = ground_motion(project, spec, motion.record, factor, vertical)
     ground = both.horizontal
     structure = make_structure(project, dampers=spec.dampers)
     late = LateFeet(spec, structure.frame, both)
@@ -104,78 +94,6 @@ def _motion(project: Project, reference: str) -> Motion:
     """The record made ready for one history alone; those of a suite depend on each other."""
     recordings = find_recordings(project, references(project, record_of(reference)))
     return project_motions(project, recordings, lambda: fundamental_period(project))[reference]
-
-
-def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> float:
-    """Return the factor on a record in a history: to a peak, as given, or that of its hazard level.
-
-    Args:
-        project: the validated project.
-        spec: the history.
-        record: the record made ready.
-    """
-    if spec.pga is not None:
-        return spec.pga / record.pga
-    return level_factor(project, spec.record, spec.level) if spec.scale is None else spec.scale
-
-
-def input_motion(record: Record, factor: float, time_step: float | None, free_vibration: float) -> Record:
-    """Return a record as it is applied: scaled, resampled, and followed by zeros.
-
-    Args:
-        record: the record made ready.
-        factor: on its accelerations.
-        time_step: s; None: that of the record.
-        free_vibration: duration of the zeros after the record, s.
-    """
-    if factor != 1.0:
-        record = record.scaled(factor)
-    if time_step is not None:
-        record = record.resampled(time_step)
-    return record.with_zeros(free_vibration)
-
-
-def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
-    """Check that a record can be applied as a history asks for it, without making the motion.
-
-    Args:
-        project: the validated project.
-        spec: the history.
-        record: the record made ready.
-
-    Raises:
-        InputError: the time step is longer than the record, there are more steps than can be kept, a wave reaches a
-            line after the end, or the record is zero throughout and is to be scaled to a peak; the message names the
-            place in the project file.
-    """
-    step = project.integration.time_step if project.integration is not None else None
-    where = project.where("integration", "time_step" if step is not None else "method")
-    step = record.time_step if step is None else step
-    if step > record.duration:
-        raise InputError(
-            f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} "
-            f"({record.duration:g} s)"
-        )
-    steps = (record.duration + spec.free_vibration) / step
-    if steps > MOST_STEPS:
-        raise InputError(
-            f"{where}: integration.time_step: with {step:g} s the history {spec.name} has {steps:.3g} steps "
-            f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
-            f"{MOST_STEPS} are possible"
-        )
-    if spec.wave_passage is not None:
-        frame = project.frame
-        delays = spec.wave_passage.delays_of(dict(zip(frame.lines, frame.x, strict=True)))
-        last = max(delays, key=lambda line: delays[line])
-        if delays[last] >= record.duration + spec.free_vibration:
-            raise InputError(
-                f"{project.where('analyses')}: the history {spec.name} ends after "
-                f"{record.duration + spec.free_vibration:g} s, and the wave reaches line {last} after "
-                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity"
-            )
-    if spec.pga is not None and record.pga == 0.0:
-        place = project.where("records", spec.record)
-        raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")
 
 
 def integrator(integration: Integration) -> Integrator:

@@ -23,8 +23,8 @@ from edesign.project.study.incremental import (
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
 from edesign.study.analysis.damper_stiffness import damped_modes
-from edesign.study.analysis.history import input_motion
 from edesign.study.analysis.structure import make_structure
+from edesign.study.motions.applied import input_motion
 
 LONGEST = 10.0
 """Up to what period levels are compared where a study leaves it to the frame, s."""

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.frame_model import FrameModel
 from edesign.core import SupportMotion
 from edesign.ground_motion.delayed import delayed_by
+from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.notation import names
+from edesign.study.motions.applied import GroundMotion
 from edesign.study.results.recording import coordinate
 from edesign.study.results.warnings import AnalysisWarning, store_warnings
-
-if TYPE_CHECKING:
-    from edesign.ground_motion.record import Record
-    from edesign.study.motions.applied import GroundMotion
 
 LASTING = 0.01
 """Share of the largest displacement between feet that may be left; more than this rounding of records has is said."""

@@ -23,13 +23,13 @@ from edesign.project.reading.problems import keys_text
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
 from edesign.study.analysis.dampers import device_laws
-from edesign.study.analysis.history import check_motion
 from edesign.study.analysis.intensity import check_hazard_curves
 from edesign.study.analysis.modal import mode_count
 from edesign.study.analysis.structure import frame_alone, make_frame, make_structure
 from edesign.study.check.criteria import check_criteria_inputs
 from edesign.study.check.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
 from edesign.study.design.design import check_sizing
+from edesign.study.motions.applied import check_motion
 from edesign.study.motions.motions import check_fits
 from edesign.study.placement.placement import check_placement
 from edesign.study.plan.plan import Task

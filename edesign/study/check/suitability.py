@@ -11,8 +11,8 @@ from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records.records import Suite, record_of
-from edesign.study.analysis.history import scale_factor
 from edesign.study.analysis.intensity import first_period
+from edesign.study.motions.applied import scale_factor
 from edesign.study.motions.motions import Motion
 from edesign.study.plan.plan import Task
 

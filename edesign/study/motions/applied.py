@@ -1,9 +1,8 @@
-"""The vertical ground motion of a history, beside the horizontal one."""
+"""The ground motion that a history applies: its record scaled, resampled, followed by zeros; and the vertical one."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,8 +14,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.study.motions.motions import Motion, level_factor
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
+MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
 
 @dataclass(frozen=True)
@@ -64,32 +62,31 @@ def ground_motion(
     record: Record,
     factor: float,
     vertical: Motion | None,
-    applied: Callable[[Record, float, float], Record],
 ) -> GroundMotion:
     """Return the ground motion that a history applies.
 
     The shorter of both motions is continued by zeros; the free vibration follows the end of the longer.
 
     Args:
-        project: the validated project.
+        project: the validated project, with its integration.
         spec: the history.
         record: horizontal, before its scaling.
         factor: on it.
         vertical: the other record made ready, if the history has one for its vertical motion.
-        applied: of a record, a factor and a time after its end (s), what the integration sees at its step.
 
     Raises:
         InputError: the vertical record could not be fitted, or is zero throughout and is to be scaled to a peak.
     """
+    assert project.integration is not None, "who runs a history asks for it"
+    step = project.integration.time_step or record.time_step
     given = spec.vertical
     if given is None:
-        return GroundMotion(applied(record, factor, spec.free_vibration))
+        return GroundMotion(input_motion(record, factor, step, spec.free_vibration))
     if given.record is None:
         assert given.ratio is not None
         both = given.ratio * factor
-        return GroundMotion(
-            applied(record, factor, spec.free_vibration), applied(record, both, spec.free_vibration), both
-        )
+        horizontal, upwards = (input_motion(record, scale, step, spec.free_vibration) for scale in (factor, both))
+        return GroundMotion(horizontal, upwards, both)
     assert vertical is not None
     other = vertical.record
     if vertical.match is not None:
@@ -102,11 +99,83 @@ def ground_motion(
     else:
         own = factor if given.scale is None else given.scale
     last = max(record.duration, other.duration) + spec.free_vibration
-    horizontal = applied(record, factor, last - record.duration)
-    upwards = applied(other, own, last - other.duration)
+    horizontal = input_motion(record, factor, step, last - record.duration)
+    upwards = input_motion(other, own, step, last - other.duration)
     missing = horizontal.acceleration.size - upwards.acceleration.size  # of one step, by rounding of durations
     if missing > 0:
         upwards = upwards.with_zeros(missing * upwards.time_step)
     elif missing < 0:
         horizontal = horizontal.with_zeros(-missing * horizontal.time_step)
     return GroundMotion(horizontal, upwards, own)
+
+
+def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> float:
+    """Return the factor on a record in a history: to a peak, as given, or that of its hazard level.
+
+    Args:
+        project: the validated project.
+        spec: the history.
+        record: the record made ready.
+    """
+    if spec.pga is not None:
+        return spec.pga / record.pga
+    return level_factor(project, spec.record, spec.level) if spec.scale is None else spec.scale
+
+
+def input_motion(record: Record, factor: float, time_step: float | None, free_vibration: float) -> Record:
+    """Return a record as it is applied: scaled, resampled, and followed by zeros.
+
+    Args:
+        record: the record made ready.
+        factor: on its accelerations.
+        time_step: s; None: that of the record.
+        free_vibration: duration of the zeros after the record, s.
+    """
+    if factor != 1.0:
+        record = record.scaled(factor)
+    if time_step is not None:
+        record = record.resampled(time_step)
+    return record.with_zeros(free_vibration)
+
+
+def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
+    """Check that a record can be applied as a history asks for it, without making the motion.
+
+    Args:
+        project: the validated project.
+        spec: the history.
+        record: the record made ready.
+
+    Raises:
+        InputError: the time step is longer than the record, there are more steps than can be kept, a wave reaches a
+            line after the end, or the record is zero throughout and is to be scaled to a peak; the message names the
+            place in the project file.
+    """
+    step = project.integration.time_step if project.integration is not None else None
+    where = project.where("integration", "time_step" if step is not None else "method")
+    step = record.time_step if step is None else step
+    if step > record.duration:
+        raise InputError(
+            f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} "
+            f"({record.duration:g} s)"
+        )
+    steps = (record.duration + spec.free_vibration) / step
+    if steps > MOST_STEPS:
+        raise InputError(
+            f"{where}: integration.time_step: with {step:g} s the history {spec.name} has {steps:.3g} steps "
+            f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
+            f"{MOST_STEPS} are possible"
+        )
+    if spec.wave_passage is not None:
+        frame = project.frame
+        delays = spec.wave_passage.delays_of(dict(zip(frame.lines, frame.x, strict=True)))
+        last = max(delays, key=lambda line: delays[line])
+        if delays[last] >= record.duration + spec.free_vibration:
+            raise InputError(
+                f"{project.where('analyses')}: the history {spec.name} ends after "
+                f"{record.duration + spec.free_vibration:g} s, and the wave reaches line {last} after "
+                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity"
+            )
+    if spec.pga is not None and record.pga == 0.0:
+        place = project.where("records", spec.record)
+        raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")

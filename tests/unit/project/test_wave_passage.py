@@ -12,7 +12,7 @@ from edesign.ground_motion.record import Record
 from edesign.project import Problem, parse_project
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.study.analysis.history import check_motion
+from edesign.study.motions.applied import check_motion
 
 Broken = Callable[..., list[Problem]]
 
