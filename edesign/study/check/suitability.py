@@ -1,23 +1,17 @@
-"""Whether the records suit the histories: how much they are scaled, and at which periods they act."""
+"""Whether the records suit the histories: how much they are scaled."""
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING
 
-from edesign.errors import EdesignError
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
-from edesign.project.records.records import Suite, record_of
-from edesign.study.analysis.intensity import first_period
+from edesign.project.records.records import record_of
 from edesign.study.motions.applied import scale_factor
 from edesign.study.motions.motions import Motion
 from edesign.study.plan.plan import Task
-
-if TYPE_CHECKING:  # it loads h5py, which a check does not need
-    from edesign.study.run.state import Prepared, RunState
 
 
 def scale_warnings(
@@ -62,50 +56,3 @@ def scale_warnings(
 
 def _motion(motions: Mapping[str, Motion], name: str, member: str) -> Motion:
     return motions[f"{name}/{member}"] if f"{name}/{member}" in motions else motions[name]
-
-
-def variant_periods(run: RunState, prepared: Prepared) -> dict[str, dict[str, float]]:
-    """Return T1 under gravity of the frames with dampers that each fitted suite acts on.
-
-    The label is the variant, with the temperature of its dampers where the plan gives one, or `with dampers` of a
-    project without variants. Dampers count with their stiffness at the design strain, or else in small vibrations. T1
-    of the bare frame, for which the suite is raised, is not among them.
-
-    Args:
-        run: the state of the run, with its plan.
-        prepared: gives the frame of each task.
-
-    Returns:
-        T1 in s, by suite and label.
-
-    Raises:
-        EdesignError: a period cannot be found.
-    """
-    found: dict[str, dict[str, float]] = defaultdict(dict)
-    known: dict[str, float] = {}
-    for task in run.job.tasks:
-        spec = task.spec
-        if (
-            not isinstance(spec, HistoryAnalysis)
-            or not spec.dampers
-            or not _is_fitted_suite(run.job.project, spec.record)
-        ):
-            continue
-        label = task.variant or "with dampers"
-        if task.temperature_C is not None:
-            label += f" at {task.temperature_C:g} degC"
-        if label not in known:
-            try:
-                frame, _ = prepared(task)
-            except EdesignError:  # its design failed, and so will its histories, with that reason
-                continue
-            if frame.dampers is None or frame.masses is None:
-                continue
-            known[label] = first_period(frame, True, run.job.damper_strains.get(task.variant))
-        found[record_of(spec.record)][label] = known[label]
-    return found
-
-
-def _is_fitted_suite(project: Project, reference: str) -> bool:
-    spec = project.records.get(record_of(reference))
-    return isinstance(spec, Suite) and spec.fitted and project.hazard is not None

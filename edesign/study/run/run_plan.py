@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from functools import cache, partial
 from pathlib import Path
-from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
@@ -14,12 +12,7 @@ from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import EdesignError, Interrupted
-from edesign.optional_stages import optional
 from edesign.stopping import stoppable
-from edesign.study.analysis.modal import fundamental_period
-from edesign.study.check.suitability import scale_warnings, variant_periods
-from edesign.study.motions.motions import Motion, match_options, project_motions
-from edesign.study.motions.record_groups import failed_criteria, project_record_groups
 from edesign.study.plan.plan import Task, waves
 from edesign.study.results.hazard import hazard_groups
 from edesign.study.results.provenance import IDENTITY, circumstances, now
@@ -30,9 +23,8 @@ from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.interrupt import stop_on_signals
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
 from edesign.study.run.progress import Listener, Progress
+from edesign.study.run.records import archive_records, prepare_records
 from edesign.study.run.state import Job, Prepared, RunState
-
-MATCHING = "matching"  # what the progress of the fit of the records is called
 
 
 def run_plan(
@@ -156,13 +148,13 @@ def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> 
 def _run_tasks(run: RunState) -> None:
     for place, group in hazard_groups(run.job.project.hazard):
         run.archive(place, group)
-    run.motions = _prepare_records(run)
+    run.motions = prepare_records(run)
     if run.stopped():
         return
     prepared = run.job.prepare(run)
     if run.stopped():
         return
-    _archive_records(run, prepared)
+    archive_records(run, prepared)
     fallen: dict[str, str] = {}  # why the rest of a chain is skipped
     for wave in waves(run.job.tasks):
         for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):
@@ -192,45 +184,6 @@ def _run_wave(run: RunState, tasks: Sequence[Task], prepared: Prepared) -> None:
     by_name = {task.name: task for task in tasks}
     for result in run.results(calls):
         _archive(run, by_name[result.key], result)
-
-
-def _prepare_records(run: RunState) -> dict[str, Motion]:
-    """Fit the records to the spectrum where the project says so."""
-    started = time.monotonic()
-    project, recordings = run.job.project, run.job.recordings
-    fits = [name for name in recordings if match_options(project, name) is not None]
-    done: list[str] = []
-
-    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
-        if fits:
-            seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
-            run.tell(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
-
-    def each(motion: Motion) -> None:
-        done.append(motion.name)
-        tell("advance")
-
-    tell("start")
-    period = cache(partial(fundamental_period, project))
-    motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
-    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
-    return motions
-
-
-def _archive_records(run: RunState, prepared: Prepared) -> None:
-    """Archive the records with what is doubtful about their use, which the periods of designed frames decide too."""
-    project, motions = run.job.project, run.motions
-    warnings: dict[str, list[str]] = {}
-    with optional("what is doubtful about the records"):
-        warnings = scale_warnings(project, run.job.tasks, motions)
-    for name, texts in warnings.items():
-        for text in texts:
-            run.note(f"warning: records {name}: {text}")
-    period = cache(partial(fundamental_period, project))
-    for place, group in project_record_groups(project, motions, period, variant_periods(run, prepared), warnings):
-        run.archive(place, group)
-        for text in failed_criteria(group.attributes["name"], group):
-            run.note(f"warning: {text}")
 
 
 def _archive(run: RunState, task: Task, result: Result) -> None:

@@ -446,7 +446,7 @@ def test_what_follows_substructure_tests_may_fail(
 @pytest.mark.parametrize(
     ("words", "broken", "stage"),
     [
-        (_project(), "edesign.study.run.run_plan.scale_warnings", "what is doubtful about the records"),
+        (_project(), "edesign.study.run.records.scale_warnings", "what is doubtful about the records"),
         (
             _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),
             *("edesign.study.run.building.building_warnings", "what is doubtful about the building"),

@@ -1,0 +1,114 @@
+"""The records of a run: fitted before its first analysis, and archived with what is doubtful about their use."""
+
+from __future__ import annotations
+
+import time
+from collections import defaultdict
+from functools import cache, partial
+from typing import Literal
+
+from edesign.errors import EdesignError
+from edesign.optional_stages import optional
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.project import Project
+from edesign.project.records.records import Suite, record_of
+from edesign.study.analysis.intensity import first_period
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.check.suitability import scale_warnings
+from edesign.study.motions.motions import Motion, match_options, project_motions
+from edesign.study.motions.record_groups import failed_criteria, project_record_groups
+from edesign.study.run.progress import Progress
+from edesign.study.run.state import Prepared, RunState
+
+MATCHING = "matching"  # what the progress of the fit of the records is called
+
+
+def prepare_records(run: RunState) -> dict[str, Motion]:
+    """Fit the records to the spectrum where the project says so, and return them by reference.
+
+    Args:
+        run: tells the progress; a stop leaves out what is not fitted yet.
+    """
+    started = time.monotonic()
+    project, recordings = run.job.project, run.job.recordings
+    fits = [name for name in recordings if match_options(project, name) is not None]
+    done: list[str] = []
+
+    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
+        if fits:
+            seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
+            run.tell(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
+
+    def each(motion: Motion) -> None:
+        done.append(motion.name)
+        tell("advance")
+
+    tell("start")
+    period = cache(partial(fundamental_period, project))
+    motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
+    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
+    return motions
+
+
+def archive_records(run: RunState, prepared: Prepared) -> None:
+    """Archive the records with what is doubtful about their use, which the periods of designed frames decide too.
+
+    Args:
+        run: with its motions and its archive.
+        prepared: gives the frame of each task.
+
+    Raises:
+        EdesignError: a period that a criterion of the code needs cannot be found.
+    """
+    project, motions = run.job.project, run.motions
+    warnings: dict[str, list[str]] = {}
+    with optional("what is doubtful about the records"):
+        warnings = scale_warnings(project, run.job.tasks, motions)
+    for name, texts in warnings.items():
+        for text in texts:
+            run.note(f"warning: records {name}: {text}")
+    period = cache(partial(fundamental_period, project))
+    for place, group in project_record_groups(project, motions, period, _variant_periods(run, prepared), warnings):
+        run.archive(place, group)
+        for text in failed_criteria(group.attributes["name"], group):
+            run.note(f"warning: {text}")
+
+
+def _variant_periods(run: RunState, prepared: Prepared) -> dict[str, dict[str, float]]:
+    """T1 under gravity of the frames with dampers that each fitted suite acts on, s, by suite and label.
+
+    The label is the variant, with the temperature of its dampers where the plan gives one, or `with dampers` of a
+    project without variants. Dampers count with their stiffness at the design strain, or else in small vibrations. T1
+    of the bare frame, for which the suite is raised, is not among them.
+
+    Raises:
+        EdesignError: a period cannot be found.
+    """
+    found: dict[str, dict[str, float]] = defaultdict(dict)
+    known: dict[str, float] = {}
+    for task in run.job.tasks:
+        spec = task.spec
+        if (
+            not isinstance(spec, HistoryAnalysis)
+            or not spec.dampers
+            or not _is_fitted_suite(run.job.project, spec.record)
+        ):
+            continue
+        label = task.variant or "with dampers"
+        if task.temperature_C is not None:
+            label += f" at {task.temperature_C:g} degC"
+        if label not in known:
+            try:
+                frame, _ = prepared(task)
+            except EdesignError:  # its design failed, and so will its histories, with that reason
+                continue
+            if frame.dampers is None or frame.masses is None:
+                continue
+            known[label] = first_period(frame, True, run.job.damper_strains.get(task.variant))
+        found[record_of(spec.record)][label] = known[label]
+    return found
+
+
+def _is_fitted_suite(project: Project, reference: str) -> bool:
+    spec = project.records.get(record_of(reference))
+    return isinstance(spec, Suite) and spec.fitted and project.hazard is not None
