@@ -23,11 +23,11 @@ import yaml  # noqa: E402
 from edesign.archive.reader import open_archive  # noqa: E402
 from edesign.building.project_file import load_project, load_study  # noqa: E402
 from edesign.ground_motion.project_records import references  # noqa: E402
+from edesign.report.archive_view import all_results  # noqa: E402
 from edesign.report.capacity.incremental_figures import results_figures  # noqa: E402
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental  # noqa: E402
 from edesign.report.capacity.incremental_tables import results_tables  # noqa: E402
 from edesign.report.drawing.style import save  # noqa: E402
-from edesign.report.summary import all_results  # noqa: E402
 from edesign.report.tables.text import plain  # noqa: E402
 from edesign.study.run.run import run_study  # noqa: E402
 

@@ -24,13 +24,13 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.errors import EdesignError, InputError
 from edesign.project.study.reference_loader import load_reference
+from edesign.report.archive.study_tables import study_tables
+from edesign.report.archive_view import all_results, planned, record_entries
 from edesign.report.assessment.measure_columns import MEASURE_ROWS
-from edesign.report.assessment.study_tables import study_tables
 from edesign.report.comparison.cells import Comparison
 from edesign.report.comparison.compare import compare
 from edesign.report.comparison.variants import variant_tables
 from edesign.report.comparison.wide_tables import wide_tables
-from edesign.report.summary import all_results, planned, record_entries
 from edesign.report.tables.table import Table, number
 from edesign.study.results.kinds import ANALYSES, RECORDS
 

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import open_archive
-from edesign.report.archive_figures import all_figures
-from edesign.report.page.inline_svg import inline_svg
+from edesign.report.archive.figures import all_figures
+from edesign.report.html.inline_svg import inline_svg
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -19,7 +19,7 @@ from edesign.optional_stages import earlier, optional
 
 if TYPE_CHECKING:
     from edesign.calibration.search.settings import SearchSettings
-    from edesign.report.page.render import Page
+    from edesign.report.html.render import Page
     from edesign.report.pdf.paper import PrintOptions
     from edesign.report.tables.table import Table
 
@@ -99,7 +99,7 @@ def calibrate(
 
 def _reports(report: Page, folder: Path, page: bool, pdf: PrintOptions | None) -> list[Path]:
     """Write a report as a page, a PDF or both, of which one does without the other."""
-    from edesign.report.page.document import write_html
+    from edesign.report.archive.document import write_html
     from edesign.report.pdf.document import write_page_as_pdf
 
     written = []

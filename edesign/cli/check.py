@@ -99,7 +99,7 @@ def _drawn(model: Drawable, target: Path | None) -> Drawable:
     """Draw a model before it is checked: what is wrong with it may be seen there first."""
     if target is not None:
         from edesign.errors import InputError
-        from edesign.report.model.drawings import draw_model
+        from edesign.report.model_drawings import draw_model
 
         with optional("the drawing of the model", passing=(InputError,)):  # which the check would tell of too
             for path in draw_model(model, target):

@@ -41,13 +41,13 @@ def export(
     from edesign.archive.files import check_folder
     from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
     from edesign.errors import InputError
+    from edesign.report.archive.document import check_page_path
     from edesign.report.export.catalogue import archive_tables, choose
     from edesign.report.export.export_table import ExportTable
     from edesign.report.export.facts import provenance_facts
     from edesign.report.export.files import write_csv_folder, write_parquet_folder
     from edesign.report.export.value_tables import history_tables
     from edesign.report.export.workbook import write_workbook
-    from edesign.report.page.document import check_page_path
     from edesign.report.tables.table import Table, whole
     from edesign.report.tables.text import print_tables
 

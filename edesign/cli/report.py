@@ -38,7 +38,7 @@ def report(
 
         written = write_pdf(archive, output, tell, options)
     else:
-        from edesign.report.page.document import write_page
+        from edesign.report.archive.document import write_page
 
         written = write_page(archive, output, tell)
     print(f"report: {written} ({written.stat().st_size / 1e6:.1f} MB)")

@@ -50,9 +50,9 @@ def sheet(
     from edesign.archive.files import check_csv_name, check_file
     from edesign.damper.testing.acceptance import judge
     from edesign.damper.testing.device_cycles import runs_of
+    from edesign.report.archive.document import check_page_path, write_html
     from edesign.report.check.damper_files import force_doubts
     from edesign.report.damper import sheet_tables as tables
-    from edesign.report.page.document import check_page_path, write_html
     from edesign.report.tables.text import print_tables
 
     options = print_options(pdf is not None, paper, appendix=False)

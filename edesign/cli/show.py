@@ -49,10 +49,10 @@ def show(
     """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
     from edesign.archive.files import check_csv_name, check_folder
     from edesign.archive.reader import DamagedArchive, read_archive, refuse_calibration
-    from edesign.report.archive_tables import details, overview
+    from edesign.report.archive.short_tables import short_tables
+    from edesign.report.archive.tables import details, overview
+    from edesign.report.archive_view import summarise
     from edesign.report.drawing.style import check_format
-    from edesign.report.short_tables import short_tables
-    from edesign.report.summary import summarise
     from edesign.report.tables.text import PAPER, print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
@@ -89,7 +89,7 @@ def show(
     tell, damage = read_archive(archive, read)
     tell()
     if figures is not None:
-        from edesign.report.archive_figures import draw_figures
+        from edesign.report.archive.figures import draw_figures
 
         drawn: tuple[Path, ...] | None = None
         with optional("the figures", "what the archive holds is printed above"):

@@ -17,9 +17,9 @@ from edesign.archive.reader import open_archive
 from edesign.assess.criteria import Verdict
 from edesign.building.project_file import load_study
 from edesign.cli.main import main
-from edesign.report.assessment.study_tables import study_tables
+from edesign.report.archive.document import write_page
+from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts
-from edesign.report.page.document import write_page
 from edesign.report.tables.text import PAPER, print_tables
 from edesign.study.run.run import run_study
 

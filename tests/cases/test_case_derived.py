@@ -12,9 +12,9 @@ from cases.conftest import copied_study
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
-from edesign.report.assessment.study_tables import study_tables
+from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts
-from edesign.report.page.section import Picture
+from edesign.report.html.section import Picture
 from edesign.report.page.sections.derived import derived
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table

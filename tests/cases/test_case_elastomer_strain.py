@@ -14,8 +14,8 @@ from edesign import summarise
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
-from edesign.report.assessment.study_tables import study_tables
-from edesign.report.page.document import page_text
+from edesign.report.archive.document import page_text
+from edesign.report.archive.study_tables import study_tables
 from edesign.report.tables.text import print_tables
 from edesign.study.check.summary import check_study
 from edesign.study.run.run import run_study

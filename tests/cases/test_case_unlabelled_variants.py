@@ -9,11 +9,11 @@ from report_project import write_report_project
 
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_project
+from edesign.report.archive_view import results
 from edesign.report.inputs.damper_schedule import schedule_tables
 from edesign.report.page.sections.response import response
 from edesign.report.page.sections.summary import summary
 from edesign.report.page.source import Source
-from edesign.report.summary import results
 from edesign.study.run.run import run_project
 
 

@@ -16,8 +16,8 @@ from edesign.building.project_file import load_study
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.designs import HystereticDesign
-from edesign.report.assessment.study_tables import study_tables
-from edesign.report.page.document import page_text
+from edesign.report.archive.document import page_text
+from edesign.report.archive.study_tables import study_tables
 from edesign.study.design.hysteretic.designer import HystereticDesigner
 from edesign.study.motions.motions import Motion
 from edesign.study.run.analyses import run_analysis

@@ -20,7 +20,7 @@ from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.errors import AnalysisError, Interrupted
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.assessment.study_tables import plan_table, study_tables
+from edesign.report.archive.study_tables import plan_table, study_tables
 from edesign.report.capacity.incremental_figures import incremental_figures
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.study.run import analyses

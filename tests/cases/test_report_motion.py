@@ -17,8 +17,8 @@ from report_project import write_report_project
 
 from edesign.archive.reader import open_archive
 from edesign.project import load_project
+from edesign.report.html.render import Cover, render
 from edesign.report.motion.encoding import STEPS
-from edesign.report.page.render import Cover, render
 from edesign.report.page.sections.motion import motion
 from edesign.report.page.source import Source
 from edesign.study.results.motion import FINENESS

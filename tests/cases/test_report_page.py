@@ -21,7 +21,7 @@ from unit.archive.archive_samples import archived_groups
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.project import load_project
-from edesign.report.page.document import page_text
+from edesign.report.archive.document import page_text
 from edesign.study.run.run import run_project
 
 BROWSERS = ("chromium", "google-chrome", "chromium-browser")

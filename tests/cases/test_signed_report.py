@@ -14,13 +14,13 @@ from cases.conftest import copied_study
 
 from edesign.archive.reader import open_archive
 from edesign.project.study.study_loader import load_study
+from edesign.report.archive.document import page_text
+from edesign.report.archive_view import results
 from edesign.report.inputs.damper_schedule import schedule_tables
 from edesign.report.inputs.law_parameters import law_tables
 from edesign.report.inputs.mass_table import mass_tables
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.page.document import page_text
 from edesign.report.page.source import Source
-from edesign.report.summary import results
 from edesign.report.tables.table import Table
 from edesign.study.run.run import run_study
 

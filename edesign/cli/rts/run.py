@@ -28,7 +28,7 @@ def run(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
-    from edesign.report.archive_tables import overview
+    from edesign.report.archive.tables import overview
     from edesign.report.tables.text import print_tables
     from edesign.report.tables.visible import visible_line
     from edesign.substructure.run import run_tests

@@ -92,7 +92,7 @@ def _analyses(file: Path) -> Iterable[str]:
 
 def _archived(file: Path) -> Iterable[str]:
     from edesign.archive.reader import open_archive
-    from edesign.report.summary import planned
+    from edesign.report.archive_view import planned
 
     with open_archive(file) as archive:
         return planned(archive)

@@ -13,11 +13,11 @@ from edesign.assess.sets import DAMAGED, NOT_RUN, TARGET, HistorySet, history_se
 from edesign.project.criteria.criteria import Criterion, Objectives
 from edesign.project.project import Project
 from edesign.project.study.study import Study
+from edesign.report.archive_view import all_results
 from edesign.report.archived import archived_project, archived_study, is_study_archive
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
-from edesign.report.summary import all_results
 from edesign.report.tables.table import Table
 
 

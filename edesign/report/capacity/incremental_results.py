@@ -15,7 +15,7 @@ from edesign.assess.life_cycle import Exceedance, HazardCurve, Loss, exceedance,
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
 from edesign.errors import InputError
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.summary import all_results
+from edesign.report.archive_view import all_results
 from edesign.study.results.kinds import INCREMENTAL
 
 DRIFT = "interstorey_drift"

@@ -136,7 +136,7 @@ def archive_summary(path: Path) -> dict[str, str]:
         ArchiveError: it cannot be read.
     """
     from edesign.archive.reader import open_archive
-    from edesign.report.summary import input_warnings, planned
+    from edesign.report.archive_view import input_warnings, planned
     from edesign.study.results.kinds import ANALYSES
 
     with open_archive(path) as archive:

@@ -17,7 +17,7 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.project.criteria.measures import SHORT_NAMES
 from edesign.project.study.checks_reference import PROFILES
 from edesign.project.study.reference import ResponseRow
-from edesign.report.summary import planned
+from edesign.report.archive_view import planned
 from edesign.study.results.kinds import ANALYSES
 
 

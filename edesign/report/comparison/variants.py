@@ -8,10 +8,10 @@ from edesign.archive.reader import Archive
 from edesign.errors import InputError
 from edesign.project.reading.problems import unknown_name
 from edesign.project.study.reference import Reference, ResponseTable
+from edesign.report.archive_view import planned, results
 from edesign.report.comparison.cells import ComparedCell
 from edesign.report.comparison.compare import compare
 from edesign.report.comparison.tables import found, per_cent, printed, with_unit
-from edesign.report.summary import planned, results
 from edesign.report.tables.table import Table
 
 

@@ -10,13 +10,13 @@ from edesign.archive.reader import Archive
 from edesign.errors import InputError
 from edesign.optional_stages import optional
 from edesign.project.reading.problems import did_you_mean, listed
-from edesign.report.archive_tables import details, overview
+from edesign.report.archive.document import page_of
+from edesign.report.archive.tables import details, overview
 from edesign.report.export.export_table import ExportTable, as_one, export_table
 from edesign.report.export.names import table_names, unique_names
 from edesign.report.export.value_tables import value_tables
-from edesign.report.page.document import page_of
-from edesign.report.page.render import Page
-from edesign.report.page.section import Facts, Folded, Heading, Part, Warnings
+from edesign.report.html.render import Page
+from edesign.report.html.section import Facts, Folded, Heading, Part, Warnings
 from edesign.report.tables.table import Table
 
 NAMED = 12  # tables that an error names

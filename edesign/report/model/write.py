@@ -99,8 +99,8 @@ def _figures(drawings: Iterable[Named]) -> Iterator[Figure]:
 
 
 def _page(drawings: Iterable[Named], path: Path, title: str, about: str) -> None:
-    from edesign.report.page.render import Cover, render
-    from edesign.report.page.section import Section
+    from edesign.report.html.render import Cover, render
+    from edesign.report.html.section import Section
     from edesign.report.page.source import picture_of
 
     pictures = tuple(picture_of(name, caption, figure) for name, caption, figure in drawings)

@@ -1,1 +1,1 @@
-"""The report of an archive as one HTML page that needs nothing beside it."""
+"""The sections of reports, each made from an archive or a calibration."""

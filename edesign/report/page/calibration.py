@@ -8,9 +8,9 @@ from edesign._version import __version__
 from edesign.calibration.results.result import Calibration
 from edesign.project.document import Document
 from edesign.report.calibration.view import View
+from edesign.report.html.render import Cover, Page
+from edesign.report.html.section import made
 from edesign.report.page.cover_facts import cover_lines
-from edesign.report.page.render import Cover, Page
-from edesign.report.page.section import made
 from edesign.report.page.sections.calibration import SECTIONS
 
 NO_DOCUMENT = Document()

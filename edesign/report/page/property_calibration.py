@@ -15,9 +15,9 @@ from edesign.report.calibration.properties import (
 from edesign.report.calibration.tables import law_table
 from edesign.report.calibration.verdict import verdict_paragraphs
 from edesign.report.calibration.words import searched
+from edesign.report.html.render import Cover, Page
+from edesign.report.html.section import Part, Section, made
 from edesign.report.page.cover_facts import cover_lines
-from edesign.report.page.render import Cover, Page
-from edesign.report.page.section import Part, Section, made
 from edesign.report.page.source import drawn
 
 

@@ -11,9 +11,9 @@ from edesign.damper.testing.measured_histories import DamperTest
 from edesign.project.document import Document
 from edesign.report.damper.sheet_figures import run_figure
 from edesign.report.damper.sheet_tables import acceptance_table, cycles_table, name_of, tests_table, verdict_text
+from edesign.report.html.render import Cover, Page
+from edesign.report.html.section import Part, Section, made
 from edesign.report.page.cover_facts import cover_lines
-from edesign.report.page.render import Cover, Page
-from edesign.report.page.section import Part, Section, made
 from edesign.report.page.source import drawn
 
 NO_DOCUMENT = Document()

@@ -19,14 +19,14 @@ from edesign.project.building.building import Building
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.project import Project
 from edesign.project.study.study import Study
+from edesign.report.archive_view import entry, planned, results
 from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
 from edesign.report.drawing.captions import UniqueNames, file_name
+from edesign.report.html.section import Heading, Part, Picture, Warnings
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.page.section import Heading, Part, Picture, Warnings
 from edesign.report.page.words import words_of
-from edesign.report.summary import entry, planned, results
 from edesign.study.results.kinds import RECORDS
 
 if TYPE_CHECKING:
@@ -60,12 +60,12 @@ class Source:
 
     @cached_property
     def groups(self) -> dict[str, Group]:
-        """Results of every analysis of the plan by name, without histories; see `report.summary.results`."""
+        """Results of every analysis of the plan by name, without histories; see `archive_view.results`."""
         return {name: results(self.archive, name).without(*ALONG_TIME) for name in planned(self.archive)}
 
     @cached_property
     def entries(self) -> list[dict[str, Any]]:
-        """Labels, status, measures and statistics of every analysis; see `report.summary.entry`."""
+        """Labels, status, measures and statistics of every analysis; see `archive_view.entry`."""
         return [entry(name, group) for name, group in self.groups.items()]
 
     @cached_property
@@ -264,7 +264,7 @@ def picture_of(name: str, caption: str, figure: Figure) -> Picture:
         caption: a title, and what else is to be said.
         figure: the figure.
     """
-    from edesign.report.page.inline_svg import inline_svg
+    from edesign.report.html.inline_svg import inline_svg
 
     anchor = f"figure-{name}"
     title, _, description = caption.partition(". ")

@@ -10,7 +10,7 @@ from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.report.drawing.captions import record_label
-from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Viewer, Warnings
+from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Viewer, Warnings
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER
 

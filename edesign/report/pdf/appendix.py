@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from edesign.report.page.section import Folded, Heading, Part, Section
+from edesign.report.html.section import Folded, Heading, Part, Section
 
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 

@@ -12,8 +12,8 @@ from typing import Any
 from edesign.archive.files import write_whole
 from edesign.archive.reader import DamagedArchive, read_archive
 from edesign.errors import InputError
-from edesign.report.page.document import check_page_path, default_page_path, page_of
-from edesign.report.page.render import Page, fill_template
+from edesign.report.archive.document import check_page_path, default_page_path, page_of
+from edesign.report.html.render import Page, fill_template
 from edesign.report.pdf.appendix import appendix_number, printed
 from edesign.report.pdf.fit import begins_wide, fit_table, picture_size
 from edesign.report.pdf.fonts import font_faces, fonts_folder

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from edesign.report.page.render import alignments, state
-from edesign.report.page.section import Heading, Part, Picture
+from edesign.report.html.render import alignments, state
+from edesign.report.html.section import Heading, Part, Picture
 from edesign.report.pdf.fonts import fonts_folder
 from edesign.report.pdf.paper import Paper
 from edesign.report.tables.table import Table

@@ -37,7 +37,7 @@ from edesign.archive.tree import EXPANSION
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import ArchiveError, EdesignError
 from edesign.project.study.reference_loader import load_reference
-from edesign.report.archive_tables import overview
+from edesign.report.archive.tables import overview
 from edesign.report.comparison.compare import compare
 from edesign.report.comparison.tables import block_tables
 

@@ -80,7 +80,7 @@ def test_pages_that_cannot_be_written(
 ) -> None:
     """Told before the archive is read."""
     monkeypatch.setattr(
-        "edesign.report.page.document.read_archive", lambda *_: pytest.fail("made before it was refused")
+        "edesign.report.archive.document.read_archive", lambda *_: pytest.fail("made before it was refused")
     )
     assert main(["report", "--quiet", str(whole), "--output", str(tmp_path / f"{name}.html")]) == 4
     assert "cannot be written: the name is too long" in said(capsys)

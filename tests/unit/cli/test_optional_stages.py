@@ -139,9 +139,9 @@ FIT = ("fit", "c/campaign.yaml", "--starts", "1", "--output", "out")
 CALIBRATE = ("calibrate", "c/campaign.yaml", "--workers", "1", "--output", "out")
 CALIBRATED = ("out/calibration.json", "out/law.yaml", "out/calibration.h5")
 CASES = {
-    "run report": Case(_project("--report"), "edesign.report.page.document.write_page", "the report", ("out.h5",)),
-    "run tables": Case(_project(), "edesign.report.short_tables.short_tables", "the tables", ("out.h5",)),
-    "run all tables": Case(_project("--all"), "edesign.report.archive_tables.overview", "the tables", ("out.h5",)),
+    "run report": Case(_project("--report"), "edesign.report.archive.document.write_page", "the report", ("out.h5",)),
+    "run tables": Case(_project(), "edesign.report.archive.short_tables.short_tables", "the tables", ("out.h5",)),
+    "run all tables": Case(_project("--all"), "edesign.report.archive.tables.overview", "the tables", ("out.h5",)),
     "run building": Case(
         _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),
         *("edesign.report.building.tables.short_building_tables", "the tables", ("out.h5",)),
@@ -194,14 +194,14 @@ CASES = {
         *("edesign.report.page.sheet.sheet_page", "the report", ("out.csv",)),
     ),
     "match figures": Case(
-        _suite, "edesign.report.archive_figures.draw_figures", "the figures", ("out.h5", "csv/a.csv")
+        _suite, "edesign.report.archive.figures.draw_figures", "the figures", ("out.h5", "csv/a.csv")
     ),
     "match tables": Case(
         *(_suite, "edesign.report.ground_motion.record_tables.record_tables", "the tables", ("out.h5", "csv/b.csv")),
     ),
     "rts run": Case(
         _text("r.yaml", MINIMAL, "rts", "run", "r.yaml", "--archive", "out.h5"),
-        *("edesign.report.archive_tables.overview", "the tables", ("out.h5",)),
+        *("edesign.report.archive.tables.overview", "the tables", ("out.h5",)),
     ),
     "spectrum": Case(
         lambda: ["spectrum", "--ground", "C", "--a-gr", "0.36g", "--csv", "out.csv", "--figure", "s.png"],
@@ -209,7 +209,7 @@ CASES = {
     ),
     "show": Case(
         _archive("show", "small.h5", "--figures", "figures"),
-        *("edesign.report.archive_figures.draw_figures", "the figures", ("small.h5",)),
+        *("edesign.report.archive.figures.draw_figures", "the figures", ("small.h5",)),
     ),
     "report section": Case(
         _archive("report", "small.h5", "--output", "out.html"),
@@ -233,7 +233,7 @@ CASES = {
     ),
     "check": Case(
         _text("b.yaml", SMALL, "check", "b.yaml", "out.svg", "--figure"),
-        *("edesign.report.model.drawings.draw_model", "the drawing of the model"),
+        *("edesign.report.model_drawings.draw_model", "the drawing of the model"),
         alone=False,
     ),
 }

@@ -11,13 +11,13 @@ from building_examples import SMALL
 
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
+from edesign.report.archive.document import page_text
+from edesign.report.archive_view import summarise
 from edesign.report.archived import archived_building
 from edesign.report.building.facts import design_rows
 from edesign.report.building.results import BuildingResults
 from edesign.report.export.facts import provenance_facts
 from edesign.report.export.workbook import _origin
-from edesign.report.page.document import page_text
-from edesign.report.summary import summarise
 from edesign.study.run.building import run_building
 
 EVEN = SMALL.replace("x: [6 m, 4 m]", "x: [5 m, 5 m]")

@@ -15,7 +15,8 @@ from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.building.building_file import load_building
-from edesign.report.archive_figures import all_figures
+from edesign.report.archive.document import page_text
+from edesign.report.archive.figures import all_figures
 from edesign.report.building.basis_tables import floors_table, joints_table, overstrength_table
 from edesign.report.building.checks import member_tables, written_table, written_worst
 from edesign.report.building.curves import mode_shapes
@@ -23,8 +24,7 @@ from edesign.report.building.other_tables import other_tables
 from edesign.report.building.plans import _different_storeys, _runs
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import remarks
-from edesign.report.page.document import page_text
-from edesign.report.page.render import formula
+from edesign.report.html.render import formula
 from edesign.space.elastic_design import ElasticDesign
 from edesign.study.run.building import run_building
 

@@ -35,8 +35,8 @@ from edesign.report.calibration.units import interval_text, percent, plus_minus,
 from edesign.report.calibration.verdict import verdict_text
 from edesign.report.calibration.view import View, outline
 from edesign.report.calibration.words import searched
+from edesign.report.html.render import render
 from edesign.report.page.calibration import calibration_page
-from edesign.report.page.render import render
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import plain
 

@@ -12,7 +12,7 @@ from unit.report.figure_archive import small_archive
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.report.archive_figures import all_figures, draw_figures
+from edesign.report.archive.figures import all_figures, draw_figures
 from edesign.report.design.figures import design_figures
 from edesign.report.drawing.style import svg_text
 from edesign.study.results.recording import coordinate

@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 
 from edesign.report.drawing.light_axes import LightAxes
 from edesign.report.drawing.style import new_figure, styled, svg_text
-from edesign.report.page.inline_svg import TOLERANCE, UNITS, inline_svg
-from edesign.report.page.shared_styles import share_styles
+from edesign.report.html.inline_svg import TOLERANCE, UNITS, inline_svg
+from edesign.report.html.shared_styles import share_styles
 
 PIXELS_PER_POINT = 1.24  # as the style sheet shows figures; 34rem on a phone is less
 

@@ -23,11 +23,11 @@ from edesign.project.reading.file_model import FileModel
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.inputs.designed_dampers import designed_dampers
 from edesign.report.model.boxes import Boxes, Spot, corners_of
-from edesign.report.model.drawings import drawings_of
 from edesign.report.model.loads import loads_of
 from edesign.report.model.sheet import Sheet, on_sheet
 from edesign.report.model.study import study_figures
 from edesign.report.model.words import law_words
+from edesign.report.model_drawings import drawings_of
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("projects/*/*.yaml"), *ROOT.glob("tests/cases/*/*.yaml")])

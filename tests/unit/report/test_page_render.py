@@ -6,8 +6,8 @@ import re
 
 import pytest
 
-from edesign.report.page.render import Cover, alignments, render, state, typeset
-from edesign.report.page.section import Section
+from edesign.report.html.render import Cover, alignments, render, state, typeset
+from edesign.report.html.section import Section
 from edesign.report.tables.table import Table
 
 HOSTILE = "<img src=x onerror=alert(1)> & \"quotes\" 'too' -> T_B"

@@ -15,12 +15,12 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.assess.criteria import Verdict, judge
 from edesign.assess.sets import history_sets
+from edesign.report.archive.short_tables import SCREEN, short_tables
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.measure_tables import DIFFERENCE, statistics_tables
 from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.verdict_tables import verdicts_tables
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
-from edesign.report.short_tables import SCREEN, short_tables
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER, fitted, plain, print_tables
 

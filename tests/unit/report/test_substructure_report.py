@@ -18,10 +18,10 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.project.substructure import load_rts_file
-from edesign.report.archive_figures import all_figures, draw_figures
-from edesign.report.archive_tables import overview
+from edesign.report.archive.document import page_text
+from edesign.report.archive.figures import all_figures, draw_figures
+from edesign.report.archive.tables import overview
 from edesign.report.drawing.captions import plain
-from edesign.report.page.document import page_text
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.curves import TOLERANCE, _fewer, window
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, undetermined_table

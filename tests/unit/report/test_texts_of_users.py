@@ -15,12 +15,12 @@ from unit.report.figure_archive import RECORDS, history, small_archive
 from edesign.archive.reader import Archive, open_archive
 from edesign.damper.testing.property_table import PropertyTable
 from edesign.optional_stages import noting_failures
-from edesign.report import archive_figures
-from edesign.report.archive_figures import all_figures, draw_figures
+from edesign.report.archive import figures as archive_figures
+from edesign.report.archive.document import page_text
+from edesign.report.archive.figures import all_figures, draw_figures
 from edesign.report.damper.measured_figures import properties_figure
 from edesign.report.drawing.captions import LONGEST, UniqueNames, file_name
 from edesign.report.drawing.style import new_figure, styled, svg_text
-from edesign.report.page.document import page_text
 from edesign.report.page.sections import response
 
 VARIANTS = (

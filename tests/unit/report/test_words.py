@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.report.page.section import Facts, Folded, Section, Warnings
+from edesign.report.html.section import Facts, Folded, Section, Warnings
 from edesign.report.page.words import KEPT, analysis_words, in_words, words_of
 from edesign.report.tables.table import Table
 

@@ -14,7 +14,7 @@ from edesign.building.sections.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.codes.ec3 import lateral_torsional
 from edesign.errors import InputError
-from edesign.report.page.document import page_text
+from edesign.report.archive.document import page_text
 from edesign.space.structure.model import space_model
 
 TABLE = moment_frames() + NO_TORSION

@@ -24,7 +24,7 @@ from edesign.project import ProjectError
 from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
 from edesign.project.study.study_loader import StudyError
-from edesign.report.summary import all_results
+from edesign.report.archive_view import all_results
 from edesign.study.results.warnings import warnings_of
 from edesign.study.run.analyses import run_analysis
 from edesign.study.run.run import run_study

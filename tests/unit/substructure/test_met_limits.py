@@ -10,8 +10,8 @@ import pytest
 from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.project.substructure import load_rts_file
-from edesign.report.archive_tables import overview
-from edesign.report.page.document import page_text
+from edesign.report.archive.document import page_text
+from edesign.report.archive.tables import overview
 from edesign.report.substructure.tables import runs, substructure_summary
 from edesign.substructure.run import run_tests
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from edesign.report.html.section import Facts, Section
 from edesign.report.inputs.assumptions import assumption_rows
-from edesign.report.page.section import Facts, Section
 from edesign.report.page.source import Source
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.page.section import Part, Section
+from edesign.report.html.section import Part, Section
 from edesign.report.page.source import Source
 from edesign.report.response.brace_figures import brace_figures
 from edesign.report.response.brace_table import brace_table

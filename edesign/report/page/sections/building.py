@@ -40,8 +40,8 @@ from edesign.report.building.tables import (
     worst_of_groups,
 )
 from edesign.report.drawing.captions import plain
+from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.project_facts import hazard_rows
-from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table, formatted

@@ -33,7 +33,7 @@ from edesign.report.calibration.units import percent, scale_of
 from edesign.report.calibration.verdict import no_next_test, verdict_paragraphs
 from edesign.report.calibration.view import View
 from edesign.report.calibration.words import name_of, searched
-from edesign.report.page.section import Facts, Headline, Headlines, Part, Section
+from edesign.report.html.section import Facts, Headline, Headlines, Part, Section
 from edesign.report.page.source import drawn
 from edesign.report.tables.table import Table, formatted, number, whole
 

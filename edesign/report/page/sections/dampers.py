@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.page.section import Folded, Section
+from edesign.report.html.section import Folded, Section
 from edesign.report.page.source import Source, headed
 from edesign.report.response.damper_loops import damper_figures
 from edesign.report.response.damper_results import dampers_table

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.vary_figures import vary_figures
-from edesign.report.page.section import Section
+from edesign.report.html.section import Section
 from edesign.report.page.source import Source
 
 

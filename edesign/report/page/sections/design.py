@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.report.assessment.study_tables import designs_tables
+from edesign.report.archive.study_tables import designs_tables
 from edesign.report.design.figures import design_figures
-from edesign.report.page.section import Section
+from edesign.report.html.section import Section
 from edesign.report.page.source import Source
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from edesign.report.ground_motion.hazard_figures import hazard_figures
 from edesign.report.ground_motion.record_figures import record_figures
 from edesign.report.ground_motion.record_tables import tables_of
+from edesign.report.html.section import Facts, Folded, Part, Section
 from edesign.report.page.project_facts import hazard_rows
-from edesign.report.page.section import Facts, Folded, Part, Section
 from edesign.report.page.source import Source
 from edesign.study.results.kinds import RECORDS
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.page.section import Section
+from edesign.report.html.section import Section
 from edesign.report.page.source import Source, headed
 from edesign.report.response.axial_figures import axial_figures
 from edesign.report.response.frame_figures import frame_figures

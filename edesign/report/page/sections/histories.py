@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.drawing.captions import file_name
-from edesign.report.page.section import Folded, Part, Picture, Section
+from edesign.report.html.section import Folded, Part, Picture, Section
 from edesign.report.page.source import Source, by_level, level_heading
 from edesign.report.response.energy_figures import energy_figures
 from edesign.report.response.response_figures import response_figures

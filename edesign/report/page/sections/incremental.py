@@ -12,7 +12,7 @@ from edesign.report.capacity.incremental_figures import results_figures
 from edesign.report.capacity.incremental_results import DRIFT, UNITS, IncrementalResults
 from edesign.report.capacity.incremental_tables import results_tables
 from edesign.report.drawing.captions import plain
-from edesign.report.page.section import Heading, Headline, Part, Section
+from edesign.report.html.section import Heading, Headline, Part, Section
 from edesign.report.page.source import Source
 
 if TYPE_CHECKING:

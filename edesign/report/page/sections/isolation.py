@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
-from edesign.report.page.section import Folded, Section
+from edesign.report.html.section import Folded, Section
 from edesign.report.page.sections.dampers import MANY
 from edesign.report.page.source import Source
 

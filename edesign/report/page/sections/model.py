@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
+from edesign.report.html.section import Section
 from edesign.report.model.archived import model_drawings
-from edesign.report.page.section import Section
 from edesign.report.page.source import Source
 
 if TYPE_CHECKING:

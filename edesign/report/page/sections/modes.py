@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.report.archive_tables import periods_table
-from edesign.report.page.section import Folded, Section
+from edesign.report.archive.tables import periods_table
+from edesign.report.html.section import Folded, Section
 from edesign.report.page.source import Source
 from edesign.report.response.damper_results import damper_stiffness_table
 from edesign.report.response.mode_figures import mode_figures

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.page.section import Section
+from edesign.report.html.section import Section
 from edesign.report.page.source import Source, headed
 from edesign.report.response.moment_rotation_figures import moment_rotation_figures
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import file_name
-from edesign.report.page.section import Heading, Part, Section, Viewer
+from edesign.report.html.section import Heading, Part, Section, Viewer
 from edesign.report.page.source import Source
 
 if TYPE_CHECKING:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.report.archive_tables import fallbacks_table, statistics_table
+from edesign.report.archive.tables import fallbacks_table, statistics_table
 from edesign.report.drawing.captions import plain
-from edesign.report.page.section import Facts, Folded, Part, Section, Warnings
+from edesign.report.html.section import Facts, Folded, Part, Section, Warnings
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.report.capacity.pushover_figures import hinge_figures, pushover_figures
 from edesign.report.capacity.pushover_tables import events_table, target_tables
-from edesign.report.page.section import Folded, Part, Section
+from edesign.report.html.section import Folded, Part, Section
 from edesign.report.page.source import Source
 
 

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 from edesign.archive.reader import Archive
 from edesign.damper.laws import LAWS
 from edesign.errors import ArchiveError
+from edesign.report.archive_view import input_warnings
 from edesign.report.drawing.captions import plain
-from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
+from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.source import Source
 from edesign.report.page.words import in_words
 from edesign.report.response.energy_figures import energy_figures
@@ -31,7 +32,6 @@ from edesign.report.substructure.results import NONE, SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
 from edesign.report.substructure.tables import Run, substructure_tables
 from edesign.report.substructure.tracking_figures import synchronisation_figures, tracking_figures
-from edesign.report.summary import input_warnings
 from edesign.report.tables.table import Table
 from edesign.substructure.archived import INDICATORS
 

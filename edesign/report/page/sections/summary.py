@@ -12,7 +12,7 @@ from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.drawing.captions import at_level, plain, record_label
-from edesign.report.page.section import Headline, Headlines, Part, Section, Warnings
+from edesign.report.html.section import Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
 from edesign.report.page.sections.verdicts import verdict_tiles
 from edesign.report.page.sections.warnings import warning_table

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.page.section import Section
+from edesign.report.html.section import Section
 from edesign.report.page.source import Source
 from edesign.report.response.temperature_figures import temperature_figures
 

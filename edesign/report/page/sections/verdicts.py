@@ -7,7 +7,7 @@ from edesign.assess.members import VariantMembers
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.verdict_tables import REMARKS, objectives_table, performance_tables, verdicts_tables
-from edesign.report.page.section import Folded, Headline, Part, Section
+from edesign.report.html.section import Folded, Headline, Part, Section
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table
 

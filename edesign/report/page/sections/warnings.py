@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterable
 
 from edesign.archive.reader import Archive
+from edesign.report.archive_view import design_warnings, input_warnings
 from edesign.report.archived import is_building_archive
-from edesign.report.page.section import Facts, Section
+from edesign.report.html.section import Facts, Section
 from edesign.report.page.source import Source
-from edesign.report.summary import design_warnings, input_warnings
 from edesign.report.tables.table import Table
 from edesign.study.results.kinds import RECORDS
 from edesign.study.results.warnings import grouped_warnings

@@ -18,12 +18,14 @@ from edesign.assess.sets import history_sets
 from edesign.errors import EdesignError
 from edesign.project.project import Project
 from edesign.project.study.study import Study
-from edesign.report.archive_tables import (
+from edesign.report.archive.study_tables import designs_tables
+from edesign.report.archive.tables import (
     KINDS,
     heading,
     overview,
     periods_table,
 )
+from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings
 from edesign.report.archived import (
     archived_project,
     archived_study,
@@ -37,7 +39,6 @@ from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.measure_columns import MEASURE_ROWS, ROUNDING
 from edesign.report.assessment.measure_tables import MAIN
 from edesign.report.assessment.response_in_short import response_in_short
-from edesign.report.assessment.study_tables import designs_tables
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
@@ -46,7 +47,6 @@ from edesign.report.design.isolation_tables import isolation_estimate_table, iso
 from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
-from edesign.report.summary import all_results, design_warnings, ending, entry, input_warnings
 from edesign.report.tables.table import Table, number
 from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.kinds import ANALYSES

@@ -14,8 +14,8 @@ from markupsafe import Markup, escape
 
 from edesign._version import __version__
 from edesign.report.drawing.symbols import GREEK, in_parts, with_indices_of_laws
-from edesign.report.page.section import Part, Section, Viewer
-from edesign.report.page.shared_styles import share_styles
+from edesign.report.html.section import Part, Section, Viewer
+from edesign.report.html.shared_styles import share_styles
 from edesign.report.tables.table import Table
 from edesign.report.tables.visible import visible
 
@@ -87,7 +87,7 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
         cover: title and what stands around the sections.
         sections: those that have content, in their order.
     """
-    css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
+    css = resources.files("edesign.report.html").joinpath("page.css").read_text(encoding="utf-8")
     return share_styles(visible(fill_template(cover, sections, css))) + "\n"
 
 
@@ -107,7 +107,7 @@ def fill_template(
     """
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
-    loader = PackageLoader("edesign.report.page", ".")
+    loader = PackageLoader("edesign.report.html", ".")
     environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True)
     environment.filters |= {
         "typeset": typeset,
@@ -125,7 +125,7 @@ def fill_template(
 
 def _viewer() -> dict[str, str]:
     """The one program of a page, and its checksum, which is all that the page's security policy lets run."""
-    text = resources.files("edesign.report.page").joinpath("viewer.js").read_text(encoding="utf-8")
+    text = resources.files("edesign.report.html").joinpath("viewer.js").read_text(encoding="utf-8")
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
     return {"text": text, "policy": f"; script-src 'sha256-{digest}'"}
 

@@ -13,9 +13,9 @@ from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_a
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import input_checksum, is_building_archive, is_substructure_archive
+from edesign.report.html.render import Cover, Page, render
+from edesign.report.html.section import Section, made
 from edesign.report.page.cover_facts import cover_lines
-from edesign.report.page.render import Cover, Page, render
-from edesign.report.page.section import Section, made
 from edesign.report.page.sections.assumptions import assumptions
 from edesign.report.page.sections.braces import braces
 from edesign.report.page.sections.building import building_sections

@@ -12,6 +12,7 @@ from edesign.assess.members import VariantMembers
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
+from edesign.report.archive_view import all_results, ending, statistics
 from edesign.report.archived import archived_study
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.derived_results import not_swept
@@ -24,7 +25,6 @@ from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.design.tables import design_tables
 from edesign.report.response.ground_tables import ground_tables
-from edesign.report.summary import all_results, ending, statistics
 from edesign.report.tables.table import Table, number, seconds, whole
 from edesign.study.plan.variants import bound_of
 from edesign.study.results.kinds import DESIGNS, INCREMENTAL

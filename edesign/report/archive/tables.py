@@ -10,9 +10,10 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
+from edesign.report.archive.study_tables import study_tables
+from edesign.report.archive_view import all_results, entry, find, input_warnings, results
 from edesign.report.archived import archived_project, is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.assessment.measure_columns import BRACE_COLUMNS, FRAME_COLUMNS, ROUNDING
-from edesign.report.assessment.study_tables import study_tables
 from edesign.report.capacity.pushover_tables import events_table, target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_table
 from edesign.report.ground_motion.record_tables import tables_of
@@ -24,7 +25,6 @@ from edesign.report.response.damper_results import (
 )
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
-from edesign.report.summary import all_results, entry, find, input_warnings, results
 from edesign.report.tables.table import Table, formatted, number, seconds, whole
 from edesign.study.results.warnings import warning_lines, warnings_of
 

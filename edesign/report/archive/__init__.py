@@ -1,0 +1,1 @@
+"""Archives as a whole: their tables, figures, summary and report."""
