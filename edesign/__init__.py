@@ -54,7 +54,7 @@ _PLACES = {
     "run_building": "edesign.study.run.building",
     "run_project": "edesign.study.run.run",
     "run_study": "edesign.study.run.run",
-    "summarise": "edesign.report.archive_view",
+    "summarise": "edesign.report.archive.summary",
 }
 
 

@@ -142,8 +142,7 @@ def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How,
 def _end(archive: Path, took: str, end: _End) -> None:
     """Write the report if it is asked for, then print the tables in short and where the files are."""
     from edesign.archive.reader import open_archive
-    from edesign.report.archive.short_tables import short_tables
-    from edesign.report.archive.tables import overview
+    from edesign.report.archive.tables import overview, short_tables
     from edesign.report.tables.text import PAPER, print_tables
 
     page, kept = None, f"the results are in {archive}"

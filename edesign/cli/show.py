@@ -49,9 +49,8 @@ def show(
     """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
     from edesign.archive.files import check_csv_name, check_folder
     from edesign.archive.reader import DamagedArchive, read_archive, refuse_calibration
-    from edesign.report.archive.short_tables import short_tables
-    from edesign.report.archive.tables import details, overview
-    from edesign.report.archive_view import summarise
+    from edesign.report.archive.summary import summarise
+    from edesign.report.archive.tables import details, overview, short_tables
     from edesign.report.drawing.style import check_format
     from edesign.report.tables.text import PAPER, print_tables
 

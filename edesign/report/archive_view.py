@@ -1,83 +1,22 @@
-"""The content of an archive as plain data: what `edesign show --json` prints."""
+"""An archive as tables, figures and pages read it: analyses of the plan, their results, warnings and statistics."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any
 
 from edesign.archive.dataset import Group
-from edesign.archive.reader import Archive, open_archive
+from edesign.archive.reader import Archive
 from edesign.assess.measures import response_measures
 from edesign.assess.sets import DAMAGED, NOT_RUN
-from edesign.errors import EdesignError, InputError
+from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
-from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.tables.table import finite
 from edesign.study.motions.record_groups import failed_criteria
 from edesign.study.results.kinds import ANALYSES, DESIGNS, RECORDS
 from edesign.study.results.warnings import ATTRIBUTE, warnings_of
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
-OF_KINDS = ("study_file", "building_file", "building_checksum", "rts_file", "rts_checksum")
-"""Of archives of one kind alone."""
-ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
-
-
-def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = None) -> dict[str, Any]:
-    """Summarise an archive in SI units, ready for JSON; None stands for "not applicable" and for "not finite".
-
-    Args:
-        archive: path of the archive, complete or partial, or the open archive.
-        analysis: name of one analysis; all if None.
-
-    Returns:
-        {"archive": {title, status, complete, versions, warnings ...}, "records": [...], "analyses": [{"name", "kind",
-        "variant", "record", "level", "status", "reason", "warnings": [...], "measures": {...}, "statistics": {...}}]}.
-        Of a study also "criteria": [{"criterion", "variant", "level", "verdict", "statistic", "value", "limit", ...}].
-        Analyses that were planned and have no result have the status "not run". Warnings are sentences; those of the
-        archive are doubts about the input and about designs. Records have the attributes of their groups, and those of
-        suites stand under "records" of their suite; they are left out when one analysis is asked for.
-
-    Raises:
-        ArchiveError: the archive cannot be read.
-        InputError: there is no such analysis.
-    """
-    if not isinstance(archive, Archive):
-        with open_archive(archive) as opened:
-            return summarise(opened, analysis)
-    names = planned(archive) if analysis is None else [find(archive, analysis)]
-    about = {name: archive.attributes.get(name) for name in ROOT} | {"complete": archive.complete}
-    about |= {name: archive.attributes[name] for name in OF_KINDS if name in archive.attributes}
-    about[ATTRIBUTE] = [*input_warnings(archive), *design_warnings(archive)]
-    damage = {"damage": archive.damage} if archive.damage_in_short() else {}
-    if is_building_archive(archive):
-        from edesign.report.building.summary import building_summary
-
-        return {"archive": finite(about | damage), "building": building_summary(archive)}
-    if is_substructure_archive(archive):
-        from edesign.report.substructure.tables import substructure_summary
-
-        tests = {"tests": substructure_summary(archive)} if analysis is None else {}
-        buildings = [entry(name, results(archive, name)) for name in names]
-        return {"archive": finite(about | damage), **tests, "analyses": buildings}
-    found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
-    if analysis is not None:
-        return found
-    if is_study_archive(archive):
-        found["criteria"], failure = _criteria(archive)
-        found["archive"][ATTRIBUTE] += [f"criteria are not judged: {failure}"] if failure else []
-    return {**found, "records": finite(record_entries(archive, RECORDS))}
-
-
-def _criteria(archive: Archive) -> tuple[list[dict[str, Any]], str]:
-    """The verdicts on the criteria of a study, and why there are none if it is damaged or of another version."""
-    from edesign.report.assessment.verdict_data import study_verdicts, verdict_entry
-
-    try:
-        return finite([verdict_entry(verdict) for verdict in study_verdicts(archive)]), ""
-    except EdesignError as error:
-        return [], str(error)
 
 
 def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:

@@ -16,7 +16,7 @@ from edesign.project.project import Project
 from edesign.project.reading.file_model import FileModel
 from edesign.project.study.study import Study
 from edesign.project.study.study_loader import parse_study
-from edesign.study.results.kinds import BUILDING, STUDY, SUBSTRUCTURE
+from edesign.study.results.kinds import STUDY
 
 if TYPE_CHECKING:
     from edesign.project.building import Building
@@ -32,21 +32,6 @@ def input_checksum(about: Mapping[str, object]) -> str:
         about: attributes of the root of the archive.
     """
     return str(next((about[name] for name in _CHECKSUMS if about.get(name)), "unknown"))
-
-
-def is_study_archive(archive: Archive) -> bool:
-    """Return whether an archive is that of a study."""
-    return archive.attributes.get("kind") == STUDY
-
-
-def is_building_archive(archive: Archive) -> bool:
-    """Return whether an archive is that of the elastic design of a building."""
-    return archive.attributes.get("kind") == BUILDING
-
-
-def is_substructure_archive(archive: Archive) -> bool:
-    """Return whether an archive is that of virtual substructure tests."""
-    return archive.attributes.get("kind") == SUBSTRUCTURE
 
 
 def archived_project(archive: Archive) -> Project | None:
@@ -135,7 +120,7 @@ def archived_study(archive: Archive) -> Study | None:
         ArchiveError: there is no such text.
     """
     base = archived_project(archive)
-    if base is None or not is_study_archive(archive):
+    if base is None or archive.attributes.get("kind") != STUDY:
         return None
     text = archive.view().variables.get("study_text")
     if text is None:

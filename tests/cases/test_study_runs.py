@@ -26,7 +26,7 @@ from edesign.cli.main import main
 from edesign.errors import AnalysisError, InputError, Interrupted
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.response_spectrum import psa
-from edesign.report.archive_view import summarise
+from edesign.report.archive.summary import summarise
 from edesign.study.run import run as runs
 from edesign.study.run import study_designs
 from edesign.study.run.backends.call import Call, Control, Result, Results

@@ -14,7 +14,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.report.archive.document import page_text
-from edesign.report.archive.study_tables import property_factors_of, study_tables
+from edesign.report.archive.study_tables import study_tables
+from edesign.report.design.designs_tables import property_factors_of
 from edesign.study.run.run import run_study
 
 CASE = HERE / "viscous_dampers"

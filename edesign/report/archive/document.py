@@ -4,69 +4,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from functools import partial
 from pathlib import Path
 
 from edesign._version import __version__
 from edesign.archive.files import check_file, write_text
 from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive, refuse_calibration
-from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
-from edesign.report.archived import input_checksum, is_building_archive, is_substructure_archive
+from edesign.report.archive.kinds import kind_of
+from edesign.report.archived import input_checksum
 from edesign.report.html.render import Cover, Page, render
-from edesign.report.html.section import Section, made
 from edesign.report.page.cover_facts import cover_lines
-from edesign.report.page.sections.assumptions import assumptions
-from edesign.report.page.sections.braces import braces
-from edesign.report.page.sections.building import building_sections
-from edesign.report.page.sections.dampers import dampers
-from edesign.report.page.sections.derived import derived
-from edesign.report.page.sections.design import design
-from edesign.report.page.sections.ground_motion import ground_motion
-from edesign.report.page.sections.hinges import hinges
-from edesign.report.page.sections.histories import histories
-from edesign.report.page.sections.incremental import incremental
-from edesign.report.page.sections.inputs import inputs
-from edesign.report.page.sections.isolation import isolation
-from edesign.report.page.sections.model import model
-from edesign.report.page.sections.modes import modes
-from edesign.report.page.sections.moment_rotation import moment_rotation
-from edesign.report.page.sections.motion import motion
-from edesign.report.page.sections.provenance import provenance
-from edesign.report.page.sections.pushover import pushover
-from edesign.report.page.sections.response import response
-from edesign.report.page.sections.summary import summary
-from edesign.report.page.sections.temperature import temperature
-from edesign.report.page.sections.verdicts import checks
-from edesign.report.page.sections.warnings import warnings
 from edesign.report.page.source import Source
 from edesign.report.page.words import in_words
 
-SECTIONS: tuple[Callable[[Source], Section], ...] = (
-    summary,
-    model,
-    assumptions,
-    warnings,
-    inputs,
-    ground_motion,
-    modes,
-    isolation,
-    design,
-    pushover,
-    response,
-    motion,
-    hinges,
-    braces,
-    moment_rotation,
-    histories,
-    dampers,
-    temperature,
-    derived,
-    incremental,
-    checks,
-    provenance,
-)
-"""In the order of the page; those without content are left out."""
 PAGE_SUFFIXES = (".html", ".htm")
 
 
@@ -176,42 +126,22 @@ def page_of(
     if not tables_only:
         refuse_calibration(archive)  # its own report has the name that this one would take
     source = Source(archive, tell, figures=not tables_only)
-    own, others = building_sections(source), SECTIONS
-    if is_building_archive(archive):
-        others = (provenance,)
-    elif is_substructure_archive(archive):
-        from edesign.report.page.sections.substructure import substructure_sections
-
-        own, others = substructure_sections(source), (provenance,)
-    shown = [*own, *(section for make in others if (section := made(make.__name__, partial(make, source))))]
+    shown = kind_of(archive).sections(source)
     if not tables_only:
         shown = [in_words(section, source.words) for section in shown]
     return Page(_cover(source), tuple(shown))
 
 
-def _kind(source: Source) -> str:
-    if is_building_archive(source.archive):
-        return "Design report"
-    if is_substructure_archive(source.archive):
-        return "Substructure test report"
-    return "Study report" if source.text("study_text") else "Analysis report"
-
-
 def _cover(source: Source) -> Cover:
-    about = source.attributes
+    about, kind = source.attributes, kind_of(source.archive)
     date = str(source.provenance.get("created", ""))[:10]
     who = f"edesign {about.get('edesign_version', '')}"
     told = [source.archive.damage_in_short()]
-    if is_substructure_archive(source.archive) and not source.archive.complete:
-        told.append("The run goes on or was interrupted: indicators and verdicts come at its end.")
-    elif not source.archive.complete:
-        missing = [item["name"] for item in source.entries if item["status"] == NOT_RUN]
-        told.append(
-            f"The run goes on or was interrupted: {len(missing)} of {len(source.entries)} analyses have no result yet."
-        )
+    if not source.archive.complete:
+        told.append(f"The run goes on or was interrupted: {kind.unfinished(source)}")
     return Cover(
         title=str(about.get("title") or source.archive.path.stem),
-        kind=_kind(source),
+        kind=kind.report,
         about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
         origin=" · ".join(part for part in (who, date) if part),
         created=str(source.provenance.get("created", "")),

@@ -1,11 +1,7 @@
-"""The tables that a run ends with, and that `edesign show` prints without `--all`: verdicts, means, what governs.
-
-They take one screen: `SCREEN` lines of 80 characters.
-"""
+"""The tables that the run of a project or study ends with, and that `edesign show` prints without `--all`."""
 
 from __future__ import annotations
 
-import shlex
 from collections import Counter
 from collections.abc import Sequence
 from textwrap import shorten
@@ -18,21 +14,8 @@ from edesign.assess.sets import history_sets
 from edesign.errors import EdesignError
 from edesign.project.project import Project
 from edesign.project.study.study import Study
-from edesign.report.archive.study_tables import designs_tables
-from edesign.report.archive.tables import (
-    KINDS,
-    heading,
-    overview,
-    periods_table,
-)
 from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings
-from edesign.report.archived import (
-    archived_project,
-    archived_study,
-    is_building_archive,
-    is_study_archive,
-    is_substructure_archive,
-)
+from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
@@ -43,12 +26,14 @@ from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
+from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
 from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
+from edesign.report.response.analysis_tables import KINDS, periods_table
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.tables.table import Table, number
-from edesign.report.tables.text import PAPER, fitted, plain
+from edesign.report.tables.text import PAPER
 from edesign.study.results.kinds import ANALYSES
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COMPLETED
@@ -57,9 +42,6 @@ WARNINGS_SHOWN = 3
 FAILED_SHOWN = 5
 PERIODS_SHOWN = 3
 ANALYSES_SHOWN = 4
-SCREEN = 40  # lines
-LAST = 2  # of them for the line that tells where the rest is
-LEAST = 5  # tables, however long they are
 TARGET_COLUMNS = {  # of the table of the response at target displacements, with names for little room
     "target": "target",
     "roof drift [%]": "roof drift %",
@@ -70,47 +52,48 @@ TARGET_COLUMNS = {  # of the table of the response at target displacements, with
 }
 
 
-def short_tables(archive: Archive) -> list[Table]:
-    """Return the main tables of an archive: verdicts, means of the main measures, and governing histories.
+def short_project_tables(archive: Archive, top: Table) -> list[Table]:
+    """Return the main tables of a project: periods, means of the main measures; of matched records their criteria.
 
-    Of a damaged study whose text cannot be read, they are the tables of its analyses.
+    Args:
+        archive: the open archive.
+        top: the heading, which says then how many analyses were completed.
 
     Raises:
         ArchiveError: the archive cannot be read.
     """
-    top = heading(archive)
-    if is_substructure_archive(archive):
-        tables = overview(archive)[1:]
-    elif is_building_archive(archive):
-        from edesign.report.building.tables import short_building_tables
-
-        tables = short_building_tables(archive)
-    else:
-        groups = all_results(archive)
-        try:
-            study = archived_study(archive) if is_study_archive(archive) else None
-        except EdesignError:
-            if not archive.damage:
-                raise
-            study = None
-        of_kind = _of_project(archive, groups) if study is None else _of_study(archive, study, groups)
-        _add_ends(top, groups, [place for place in archive.damage if place.startswith(ANALYSES)])
-        tables = [_warnings(archive, groups), *of_kind]
-    tables = [top, *(table for table in tables if table.rows or table.notes)]
-    shown = _on_a_screen(tables)
-    return [*shown, _more(archive, len(tables) - len(shown))]
+    groups = all_results(archive)
+    return _with_ends(archive, top, groups, _of_project(archive, groups))
 
 
-def _on_a_screen(tables: list[Table]) -> list[Table]:
-    """The first tables: as many as a screen has lines for, a few at least."""
-    lines = 0
-    shown: list[Table] = []
-    for table in tables:
-        lines += sum(len(plain(part).splitlines()) + 1 for part in fitted(table, PAPER))
-        if lines > SCREEN - LAST and len(shown) >= LEAST:
-            break
-        shown.append(table)
-    return shown
+def short_study_tables(archive: Archive, top: Table) -> list[Table]:
+    """Return the main tables of a study: verdicts, means of the main measures, and governing histories.
+
+    Of a damaged study whose text cannot be read, they are the tables of its analyses.
+
+    Args:
+        archive: the open archive.
+        top: the heading, which says then how many analyses were completed.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+        InputError: the study that it holds is not one of this version.
+    """
+    groups = all_results(archive)
+    try:
+        study = archived_study(archive)
+    except EdesignError:
+        if not archive.damage:
+            raise
+        study = None
+    of_kind = _of_project(archive, groups) if study is None else _of_study(archive, study, groups)
+    return _with_ends(archive, top, groups, of_kind)
+
+
+def _with_ends(archive: Archive, top: Table, groups: dict[str, Group], tables: list[Table]) -> list[Table]:
+    """The tables below the warnings; the ends of analyses are added to the heading."""
+    _add_ends(top, groups, [place for place in archive.damage if place.startswith(ANALYSES)])
+    return [_warnings(archive, groups), *tables]
 
 
 def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[Table]:
@@ -206,11 +189,3 @@ def _add_ends(top: Table, groups: dict[str, Group], damaged: Sequence[str]) -> N
     failed = [f"{name}: {end['status']}: {end['reason']}" for name, end in ends.items() if end["status"] == "failed"]
     top.notes += failed[:FAILED_SHOWN]
     top.notes += [f"and {len(failed) - FAILED_SHOWN} more"] if len(failed) > FAILED_SHOWN else []
-
-
-def _more(archive: Archive, left_out: int) -> Table:
-    """Where everything is, and for how many tables of what is asked first there was no room."""
-    notes = [f"All tables: edesign show {shlex.quote(str(archive.path))} --all"]
-    if left_out:
-        notes.append(f"{left_out} of them had no room here." if left_out > 1 else "One of them had no room here.")
-    return Table("", notes=notes)

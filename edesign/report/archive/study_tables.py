@@ -9,9 +9,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import VariantMembers
-from edesign.assess.sets import HistorySet, history_sets
-from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.study.study import Study
+from edesign.assess.sets import history_sets
 from edesign.report.archive_view import all_results, ending, statistics
 from edesign.report.archived import archived_study
 from edesign.report.assessment.change_tables import changes_table
@@ -22,12 +20,11 @@ from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
+from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
-from edesign.report.design.tables import design_tables
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.tables.table import Table, number, seconds, whole
-from edesign.study.plan.variants import bound_of
-from edesign.study.results.kinds import DESIGNS, INCREMENTAL
+from edesign.study.results.kinds import INCREMENTAL
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, SKIPPED
 
@@ -102,41 +99,6 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
         table.notes += [f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()]
         table.notes += [f"{title}: {line}" if len(found) > 1 else line for line in warning_lines(found)]
     return table
-
-
-def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
-    """Return the tables of each design: size of the dampers of each storey, and the damping that they add.
-
-    Args:
-        archive: of a study.
-        study: that it holds; None: it cannot be read.
-        sets: its histories by variant and level.
-    """
-    tables = []
-    for name in archive.names(DESIGNS):
-        factors = {} if study is None else property_factors_of(study, name)
-        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
-    return tables
-
-
-def property_factors_of(study: Study, design: str) -> dict[str, float]:
-    """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
-
-    Of a placement that of the law is left out, as its dampers may have several laws.
-
-    Args:
-        study: the study.
-        design: name of the design.
-    """
-    dampers, spec = study.base.dampers, study.designs[design]
-    own = 1.0
-    if dampers is not None and not isinstance(spec, PlacementDesign):
-        own = dampers.laws[spec.law].property_factor
-    return {
-        key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
-        for key, variant in study.variants.items()
-        if variant.design == design
-    }
 
 
 def _stripe_entries(archive: Archive) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from edesign.project.criteria.criteria import Criterion, Objectives
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results
-from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
@@ -49,7 +49,7 @@ def assessment_tables(
     if not histories:
         return []
     project = project or archived_project(archive)
-    study = archived_study(archive) if is_study_archive(archive) else None
+    study = archived_study(archive)
     return tables_of_histories(histories, project, criteria, objectives, study) if project is not None else []
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.reader import Archive
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics
-from edesign.report.archived import archived_study, is_study_archive
+from edesign.report.archived import archived_study
 from edesign.report.assessment.derived_results import Sweep, sweeps
 from edesign.report.assessment.measure_columns import measure_title
 from edesign.report.assessment.tables import read_histories
@@ -25,7 +25,7 @@ def vary_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     Yields:
         Name of the file, caption and figure.
     """
-    study = archived_study(archive) if is_study_archive(archive) else None
+    study = archived_study(archive)
     if study is None or not study.vary:
         return
     for sweep in sweeps(study, history_sets(read_histories(archive))):

@@ -9,8 +9,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError, InputError
-from edesign.report.archived import is_building_archive
 from edesign.space.archived import PLACE
+from edesign.study.results.kinds import BUILDING
 
 UNITS = {
     "N": ("kN", 1e3),
@@ -115,7 +115,7 @@ def building_results(archive: Archive) -> BuildingResults:
     Raises:
         InputError: the archive is not that of a building.
     """
-    if not is_building_archive(archive):
+    if archive.attributes.get("kind") != BUILDING:
         raise InputError(f"{archive.path}: this is not the archive of a building, and has no members to show")
     return BuildingResults(archive)
 

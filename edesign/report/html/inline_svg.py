@@ -18,6 +18,7 @@ from matplotlib.transforms import Affine2D, Bbox
 from edesign.report.drawing.style import in_style_of_figures
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.drawing.thin_out import thin_out_all
+from edesign.report.html.section import Picture
 from edesign.report.tables.visible import visible_line
 
 if TYPE_CHECKING:
@@ -33,6 +34,20 @@ MANY = 12  # vertices, from which a curve is thinned out
 _LETTERS = {Path.MOVETO: ("M", 1), Path.LINETO: ("L", 1), Path.CURVE3: ("Q", 2), Path.CURVE4: ("C", 3)}
 _LONG = re.compile("\0(\\d+)\0")  # no text of users has such a sign
 _ANCHORS = {"center": "middle", "right": "end"}
+
+
+def picture_of(name: str, caption: str, figure: Figure) -> Picture:
+    """Return a figure as a picture of the page, with its caption as title and description.
+
+    Args:
+        name: name of the file of the figure, unique on the page.
+        caption: a title, and what else is to be said.
+        figure: the figure.
+    """
+    anchor = f"figure-{name}"
+    title, _, description = caption.partition(". ")
+    svg, width = inline_svg(figure, anchor, title.rstrip("."), description)
+    return Picture(anchor, caption, svg, width)
 
 
 def inline_svg(figure: Figure, name: str, title: str, description: str = "") -> tuple[str, float]:

@@ -7,16 +7,14 @@ from collections.abc import Iterator
 from edesign.archive.reader import Archive
 from edesign.project.project import Project
 from edesign.project.study.study import Study
-from edesign.report.archived import archived_project, archived_study, is_building_archive, is_substructure_archive
+from edesign.report.archived import archived_project, archived_study
 from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.report.model.figures import Named, project_figures
 from edesign.report.model.study import study_figures
 
 
 def model_figures(archive: Archive) -> Iterator[Named]:
-    """Yield the drawings of the model whose analyses an archive has; none of other archives."""
-    if is_building_archive(archive) or is_substructure_archive(archive):
-        return
+    """Yield the drawings of the model whose analyses an archive has; none without its project."""
     project = archived_project(archive)
     if project is not None:
         yield from model_drawings(archive, project, archived_study(archive))

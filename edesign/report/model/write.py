@@ -99,9 +99,9 @@ def _figures(drawings: Iterable[Named]) -> Iterator[Figure]:
 
 
 def _page(drawings: Iterable[Named], path: Path, title: str, about: str) -> None:
+    from edesign.report.html.inline_svg import picture_of
     from edesign.report.html.render import Cover, render
     from edesign.report.html.section import Section
-    from edesign.report.page.source import picture_of
 
     pictures = tuple(picture_of(name, caption, figure) for name, caption, figure in drawings)
     section = Section("model", "The model", (), pictures)

@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
-from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.archived import archived_project, archived_study
 from edesign.report.motion.geometry import moving_frame
 from edesign.report.motion.moving import Moving, nearest, read_moving
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, End, Scale, plastic_rotations
@@ -80,7 +80,7 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
     project = archived_project(archive)
     if project is None:
         return
-    study = archived_study(archive) if is_study_archive(archive) else None
+    study = archived_study(archive)
     colors, of = variant_colors(archive), VariantMembers(project, study)
     for level, variants in by_level(histories(archive)).items():
         found = {

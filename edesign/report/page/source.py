@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
@@ -24,7 +24,7 @@ from edesign.report.archived import archived_building, archived_project, archive
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
 from edesign.report.drawing.captions import UniqueNames, file_name
-from edesign.report.html.section import Heading, Part, Picture, Warnings
+from edesign.report.html.section import Heading, Part, Picture, Section, Warnings, made
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.page.words import words_of
 from edesign.study.results.kinds import RECORDS
@@ -179,6 +179,7 @@ class Source:
         if not self._figures:
             return ()
         from edesign.report.drawing.style import garbage_between_figures
+        from edesign.report.html.inline_svg import picture_of
 
         found = []
         with garbage_between_figures() as collect:
@@ -208,6 +209,8 @@ def drawn(name: str, figures: Callable[[], Iterable[tuple[str, str, Figure]]]) -
         name: of them, for people.
         figures: gives name, caption and figure.
     """
+    from edesign.report.html.inline_svg import picture_of
+
     found, words = list[Part](), name.strip("_").replace("_", " ")
     with optional(words) as attempt:
         found.extend(picture_of(*item) for item in figures())
@@ -256,17 +259,11 @@ def headed(pictures: Iterable[Picture], levels: Collection[str]) -> list[Part]:
     return parts
 
 
-def picture_of(name: str, caption: str, figure: Figure) -> Picture:
-    """Return a figure as a picture of the page, with its caption as title and description.
+def made_of(source: Source, makers: Iterable[Callable[[Source], Section]]) -> list[Section]:
+    """Return the sections that have content; one that cannot be made says why.
 
     Args:
-        name: name of the file of the figure, unique on the page.
-        caption: a title, and what else is to be said.
-        figure: the figure.
+        source: the archive.
+        makers: a function for each section, whose name is told where it fails.
     """
-    from edesign.report.html.inline_svg import inline_svg
-
-    anchor = f"figure-{name}"
-    title, _, description = caption.partition(". ")
-    svg, width = inline_svg(figure, anchor, title.rstrip("."), description)
-    return Picture(anchor, caption, svg, width)
+    return [section for make in makers if (section := made(make.__name__, partial(make, source)))]

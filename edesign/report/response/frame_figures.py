@@ -16,7 +16,7 @@ from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compression
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.frame.frame import Frame
 from edesign.project.project import Project
-from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.frame_drawing import draw_frame, member_lines
@@ -77,7 +77,7 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         Name of the file, caption and figure.
     """
     project = archived_project(archive)
-    study = archived_study(archive) if is_study_archive(archive) else None
+    study = archived_study(archive)
     for level, variants in by_level(histories(archive)).items():
         found = {
             variant: groups

@@ -14,7 +14,7 @@ import pytest
 from cases.small_frame import edesign
 
 from edesign.archive.reader import open_archive
-from edesign.report.archive_view import summarise
+from edesign.report.archive.summary import summarise
 
 OLD = Path(__file__).parent / "layout_2"
 

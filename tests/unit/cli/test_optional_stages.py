@@ -140,7 +140,7 @@ CALIBRATE = ("calibrate", "c/campaign.yaml", "--workers", "1", "--output", "out"
 CALIBRATED = ("out/calibration.json", "out/law.yaml", "out/calibration.h5")
 CASES = {
     "run report": Case(_project("--report"), "edesign.report.archive.document.write_page", "the report", ("out.h5",)),
-    "run tables": Case(_project(), "edesign.report.archive.short_tables.short_tables", "the tables", ("out.h5",)),
+    "run tables": Case(_project(), "edesign.report.archive.tables.short_tables", "the tables", ("out.h5",)),
     "run all tables": Case(_project("--all"), "edesign.report.archive.tables.overview", "the tables", ("out.h5",)),
     "run building": Case(
         _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),

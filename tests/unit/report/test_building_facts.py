@@ -12,7 +12,7 @@ from building_examples import SMALL
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
 from edesign.report.archive.document import page_text
-from edesign.report.archive_view import summarise
+from edesign.report.archive.summary import summarise
 from edesign.report.archived import archived_building
 from edesign.report.building.facts import design_rows
 from edesign.report.building.results import BuildingResults

@@ -13,9 +13,9 @@ from matplotlib.figure import Figure
 from matplotlib.textpath import TextPath
 
 from edesign.errors import ArchiveError, InputError
+from edesign.report.html.inline_svg import picture_of
 from edesign.report.html.render import Cover, Page
 from edesign.report.html.section import Facts, Folded, Heading, Part, Picture, Section
-from edesign.report.page.source import picture_of
 from edesign.report.pdf.appendix import appendix_number, printed
 from edesign.report.pdf.document import check_pdf_engine, print_text, write_page_as_pdf
 from edesign.report.pdf.fit import fit_table, picture_size, text_width

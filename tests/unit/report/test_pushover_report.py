@@ -10,8 +10,8 @@ from edesign import load_study, run_study
 from edesign.archive.reader import open_archive
 from edesign.report.archive.document import page_text
 from edesign.report.archive.figures import all_figures
+from edesign.report.archive.summary import summarise
 from edesign.report.archive.tables import details, overview
-from edesign.report.archive_view import summarise
 
 PROJECT = """\
 edesign: 1

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group, Variable
-from edesign.report.archive.tables import fallbacks_table
+from edesign.report.response.analysis_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
 from edesign.report.tables.table import Table, number, seconds
 from edesign.report.tables.text import filled, folded, in_facts, print_tables, told

@@ -15,13 +15,14 @@ from unit.report.figure_archive import RECORDS, history, small_archive
 from edesign.archive.reader import Archive, open_archive
 from edesign.damper.testing.property_table import PropertyTable
 from edesign.optional_stages import noting_failures
-from edesign.report.archive import figures as archive_figures
+from edesign.report.archive import analysis_figures
 from edesign.report.archive.document import page_text
 from edesign.report.archive.figures import all_figures, draw_figures
 from edesign.report.damper.measured_figures import properties_figure
 from edesign.report.drawing.captions import LONGEST, UniqueNames, file_name
 from edesign.report.drawing.style import new_figure, styled, svg_text
 from edesign.report.page.sections import response
+from edesign.report.response.response_figures import response_figures
 
 VARIANTS = (
     "$^$",  # mathtext that cannot be parsed
@@ -66,7 +67,7 @@ def test_every_figure_is_drawn_and_says_the_names(tmp_path: Path) -> None:
 @pytest.mark.parametrize("level", ["\u5927", "../" + "v" * 300])
 def test_files_of_figures(level: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each has its own file, which any file system takes, and is XML."""
-    monkeypatch.setattr(archive_figures, "FIGURES", (archive_figures.response_figures,))
+    monkeypatch.setattr(analysis_figures, "FIGURES", (response_figures,))
     path = archive_with(tmp_path, ("\x1b[31m",), level)
     with open_archive(path) as archive:
         names = [name for name, _, _ in all_figures(archive)]

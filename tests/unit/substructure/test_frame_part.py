@@ -16,7 +16,7 @@ from edesign.core.substructure import SubstructureLoop
 from edesign.errors import InputError
 from edesign.project import parse_project
 from edesign.project.substructure import load_rts_file, parse_rts_file
-from edesign.report.archive_view import summarise
+from edesign.report.archive.summary import summarise
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.substructure.building_tables import building_tables
 from edesign.stopping import Stopped, stoppable

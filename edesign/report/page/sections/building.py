@@ -8,7 +8,6 @@ from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.archived import is_building_archive
 from edesign.report.building.assumptions import building_assumption_rows
 from edesign.report.building.basis_tables import (
     floors_table,
@@ -51,9 +50,7 @@ Parts = Callable[[Source, BuildingResults], Iterable[Part]]
 
 
 def building_sections(source: Source) -> list[Section]:
-    """Return the sections of a building; none for other archives. What cannot be read of it is named in the first."""
-    if not is_building_archive(source.archive):
-        return []
+    """Return the sections of a building. What cannot be read of it is named in the first."""
     results = BuildingResults(source.archive)
     results.group()
     missing = Table("Missing", name="missing")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.archive.study_tables import designs_tables
+from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.figures import design_figures
 from edesign.report.html.section import Section
 from edesign.report.page.source import Source

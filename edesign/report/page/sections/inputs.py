@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from edesign.report.archive.tables import analyses_table
 from edesign.report.archive_view import results
 from edesign.report.html.section import Facts, Folded, Heading, Part, Section
 from edesign.report.inputs.damper_schedule import schedule_tables
@@ -16,6 +15,7 @@ from edesign.report.inputs.variants_table import variants_table
 from edesign.report.page.project_facts import project_rows
 from edesign.report.page.source import Source
 from edesign.report.page.words import KEPT
+from edesign.report.response.analysis_tables import analyses_table
 from edesign.report.tables.table import Table
 
 NAMES = (

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.report.archive.tables import periods_table
 from edesign.report.html.section import Folded, Section
 from edesign.report.page.source import Source
+from edesign.report.response.analysis_tables import periods_table
 from edesign.report.response.damper_results import damper_stiffness_table
 from edesign.report.response.mode_figures import mode_figures
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.report.archive.tables import fallbacks_table, statistics_table
 from edesign.report.drawing.captions import plain
 from edesign.report.html.section import Facts, Folded, Part, Section, Warnings
 from edesign.report.page.source import Source
+from edesign.report.response.analysis_tables import fallbacks_table, statistics_table
 from edesign.report.tables.table import Table
 
 ROOT = (

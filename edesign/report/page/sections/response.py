@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from edesign.report.archive.tables import measures_table
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
 from edesign.report.html.section import Folded, Part, Section
 from edesign.report.page.source import Source, by_level, level_heading
+from edesign.report.response.analysis_tables import measures_table
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 

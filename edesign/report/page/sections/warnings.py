@@ -7,7 +7,6 @@ from collections.abc import Iterable
 
 from edesign.archive.reader import Archive
 from edesign.report.archive_view import design_warnings, input_warnings
-from edesign.report.archived import is_building_archive
 from edesign.report.html.section import Facts, Section
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table
@@ -25,8 +24,7 @@ def warnings(source: Source) -> Section:
     found = warning_table(source)
     if found.rows:
         return Section("warnings", "Warnings", (), (found,))
-    told = source.entries or is_building_archive(source.archive)
-    return Section("warnings", "Warnings", (), (Facts((("Warnings", NONE),)),) if told else ())
+    return Section("warnings", "Warnings", (), (Facts((("Warnings", NONE),)),) if source.entries else ())
 
 
 def warning_table(source: Source) -> Table:

@@ -1,0 +1,77 @@
+"""What is shown of the archive of the elastic design of a building."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from typing import TYPE_CHECKING, Any
+
+from edesign.archive.reader import Archive
+from edesign.report.archive.kind import ArchiveKind, Figures
+from edesign.report.archive.project import missing_analyses
+from edesign.report.tables.table import Table
+from edesign.study.results.kinds import BUILDING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from edesign.report.html.section import Section
+    from edesign.report.page.source import Source
+
+
+def _tables(archive: Archive) -> list[Table]:
+    from edesign.report.building.tables import building_tables
+
+    return building_tables(archive)
+
+
+def _short_tables(archive: Archive, top: Table) -> list[Table]:
+    from edesign.report.building.tables import short_building_tables
+
+    return short_building_tables(archive)
+
+
+def _figures() -> Sequence[Figures]:
+    from edesign.report.archive.analysis_figures import FIGURES
+
+    return (building_drawings, *FIGURES)
+
+
+def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Yield all figures of a building.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
+    from edesign.report.building.curves import mode_shapes, spectra, storey_curves
+    from edesign.report.building.elevations import elevations
+    from edesign.report.building.model_figures import archived_building_model
+
+    drawn = (archived_building_model, spectra, mode_shapes, storey_curves, elevations)
+    yield from chain.from_iterable(figures(archive) for figures in drawn)
+
+
+def _sections(source: Source) -> list[Section]:
+    from edesign.report.page.sections.building import building_sections
+    from edesign.report.page.sections.provenance import provenance
+    from edesign.report.page.source import made_of
+
+    return [*building_sections(source), *made_of(source, (provenance,))]
+
+
+def _summary(archive: Archive, names: Sequence[str], whole: bool) -> tuple[dict[str, Any], list[str]]:
+    from edesign.report.building.summary import building_summary
+
+    return {"building": building_summary(archive)}, []
+
+
+BUILDING_KIND = ArchiveKind(
+    name=BUILDING,
+    report="Design report",
+    tables=_tables,
+    short_tables=_short_tables,
+    figures=_figures,
+    sections=_sections,
+    unfinished=missing_analyses,
+    summary=_summary,
+)

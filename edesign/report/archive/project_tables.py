@@ -1,0 +1,49 @@
+"""The tables of a project's analyses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.report.archive_view import all_results, entry, input_warnings
+from edesign.report.archived import archived_project
+from edesign.report.capacity.pushover_tables import target_tables
+from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_table
+from edesign.report.ground_motion.record_tables import tables_of
+from edesign.report.response.analysis_tables import analyses_table, measures_table, periods_table, statistics_table
+from edesign.report.response.damper_results import dampers_table
+from edesign.report.response.ground_tables import ground_tables
+from edesign.report.response.restrained_braces import restrained_tables
+from edesign.report.tables.table import Table
+from edesign.study.check.warnings import warning_lines
+
+
+def project_tables(archive: Archive) -> list[Table]:
+    """Return the tables of all analyses of an archive: ends, periods, response measures, statistics.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+        InputError: the project that it holds is not one of this version.
+    """
+    groups = all_results(archive)
+    entries = [entry(name, group) for name, group in groups.items()]
+    kinds = {item["kind"] for item in entries}
+    tables = [warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
+    tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
+    tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
+    tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
+    tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
+    tables += ground_tables(groups)
+    tables.append(statistics_table(entries))
+    return [table for table in tables if table.rows or table.notes]
+
+
+def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
+    """Return the doubts about the input and about results of the given analyses, as a table without columns.
+
+    Args:
+        archive: the open archive.
+        groups: results of analyses by name, whose warnings the table has too; None: none.
+    """
+    return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})], name="warnings")

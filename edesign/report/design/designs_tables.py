@@ -1,0 +1,49 @@
+"""The tables of all designs of a study."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from edesign.archive.reader import Archive
+from edesign.assess.sets import HistorySet
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.study.study import Study
+from edesign.report.design.tables import design_tables
+from edesign.report.tables.table import Table
+from edesign.study.results.kinds import DESIGNS
+from edesign.study.variants import bound_of
+
+
+def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
+    """Return the tables of each design: size of the dampers of each storey, and the damping that they add.
+
+    Args:
+        archive: of a study.
+        study: that it holds; None: it cannot be read.
+        sets: its histories by variant and level.
+    """
+    tables = []
+    for name in archive.names(DESIGNS):
+        factors = {} if study is None else property_factors_of(study, name)
+        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
+    return tables
+
+
+def property_factors_of(study: Study, design: str) -> dict[str, float]:
+    """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
+
+    Of a placement that of the law is left out, as its dampers may have several laws.
+
+    Args:
+        study: the study.
+        design: name of the design.
+    """
+    dampers, spec = study.base.dampers, study.designs[design]
+    own = 1.0
+    if dampers is not None and not isinstance(spec, PlacementDesign):
+        own = dampers.laws[spec.law].property_factor
+    return {
+        key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
+        for key, variant in study.variants.items()
+        if variant.design == design
+    }
