@@ -16,7 +16,7 @@ from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.tables.table import Table
-from edesign.study.check.warnings import warning_lines
+from edesign.study.results.warnings import warning_lines
 
 
 def project_tables(archive: Archive) -> list[Table]:

@@ -9,7 +9,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.report.archive.kinds import kind_of
 from edesign.report.archive_view import design_warnings, find, input_warnings, planned
 from edesign.report.tables.table import finite
-from edesign.study.check.warnings import ATTRIBUTE
+from edesign.study.results.warnings import ATTRIBUTE
 
 OF_KINDS = ("study_file", "building_file", "building_checksum", "rts_file", "rts_checksum")
 """Of archives of one kind alone."""

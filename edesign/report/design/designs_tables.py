@@ -11,7 +11,7 @@ from edesign.project.study.study import Study
 from edesign.report.design.tables import design_tables
 from edesign.report.tables.table import Table
 from edesign.study.results.kinds import DESIGNS
-from edesign.study.variants import bound_of
+from edesign.study.plan.variants import bound_of
 
 
 def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
