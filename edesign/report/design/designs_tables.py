@@ -10,8 +10,8 @@ from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
 from edesign.report.design.tables import design_tables
 from edesign.report.tables.table import Table
-from edesign.study.results.kinds import DESIGNS
 from edesign.study.plan.variants import bound_of
+from edesign.study.results.kinds import DESIGNS
 
 
 def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
