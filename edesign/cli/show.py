@@ -66,12 +66,12 @@ def show(
             text = json.dumps(found, indent=2, allow_nan=False, ensure_ascii=False)
             return lambda: print(text)
         if member is not None:
-            tables = member_tables(of_building, member)
-        else:
-            if analysis is None and not whole:
-                short = short_tables(opened)
-                return lambda: print_tables(short, widest=PAPER)
-            tables = details(opened, analysis) if analysis is not None else overview(opened)
+            written_out = member_tables(of_building, member)
+            return lambda: print_tables(written_out)
+        if analysis is None and not whole:
+            short = short_tables(opened)
+            return lambda: print_tables(short, widest=PAPER)
+        tables = details(opened, analysis) if analysis is not None else overview(opened)
         return lambda: print_tables(tables)
 
     check_format(figure_format)

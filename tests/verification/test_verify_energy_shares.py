@@ -86,7 +86,7 @@ def test_the_dampers_take_their_share_of_what_the_motion_puts_in(tmp_path: Path)
     asked = QuantityCriterion(name="share", quantity="energy_share", term="dampers", most=0.8)
     found = located_quantity(group, asked, one)
     assert found is not None and found.value == pytest.approx(share, rel=1e-5)
-    assert dampers_table({"shake": group}).rows[0][-1] == "75.00"
+    assert dampers_table({"shake": group}).texts[0][-1] == "75.00"
     over_time = energies(group)
     assert over_time is not None
     assert "dampers 75 %" in _numbers({"": (group.coords["time"].values, over_time)})

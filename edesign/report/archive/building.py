@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from edesign.archive.reader import Archive
 from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive.project import missing_analyses
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import AnyTable, Table
 from edesign.study.results.kinds import BUILDING
 
 if TYPE_CHECKING:
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
     from edesign.report.page.source import Source
 
 
-def _tables(archive: Archive) -> list[Table]:
+def _tables(archive: Archive) -> list[AnyTable]:
     from edesign.report.building.tables import building_tables
 
-    return building_tables(archive)
+    return [*building_tables(archive)]
 
 
-def _short_tables(archive: Archive, top: Table) -> list[Table]:
+def _short_tables(archive: Archive, top: Table) -> list[AnyTable]:
     from edesign.report.building.tables import short_building_tables
 
-    return short_building_tables(archive)
+    return [*short_building_tables(archive)]
 
 
 def _figures() -> Sequence[Figures]:

@@ -32,7 +32,7 @@ from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
 from edesign.report.response.analysis_tables import KINDS, periods_table
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import AnyTable, Table, number
 from edesign.report.tables.text import PAPER
 from edesign.study.results.kinds import ANALYSES
 from edesign.study.results.warnings import warning_lines
@@ -52,7 +52,7 @@ TARGET_COLUMNS = {  # of the table of the response at target displacements, with
 }
 
 
-def short_project_tables(archive: Archive, top: Table) -> list[Table]:
+def short_project_tables(archive: Archive, top: Table) -> list[AnyTable]:
     """Return the main tables of a project: periods, means of the main measures; of matched records their criteria.
 
     Args:
@@ -66,7 +66,7 @@ def short_project_tables(archive: Archive, top: Table) -> list[Table]:
     return _with_ends(archive, top, groups, _of_project(archive, groups))
 
 
-def short_study_tables(archive: Archive, top: Table) -> list[Table]:
+def short_study_tables(archive: Archive, top: Table) -> list[AnyTable]:
     """Return the main tables of a study: verdicts, means of the main measures, and governing histories.
 
     Of a damaged study whose text cannot be read, they are the tables of its analyses.
@@ -90,37 +90,38 @@ def short_study_tables(archive: Archive, top: Table) -> list[Table]:
     return _with_ends(archive, top, groups, of_kind)
 
 
-def _with_ends(archive: Archive, top: Table, groups: dict[str, Group], tables: list[Table]) -> list[Table]:
+def _with_ends(archive: Archive, top: Table, groups: dict[str, Group], tables: list[AnyTable]) -> list[AnyTable]:
     """The tables below the warnings; the ends of analyses are added to the heading."""
     _add_ends(top, groups, [place for place in archive.damage if place.startswith(ANALYSES)])
     return [_warnings(archive, groups), *tables]
 
 
-def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[Table]:
+def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[AnyTable]:
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables: list[Table] = []
-    governing: list[Table] = []
+    tables: list[AnyTable] = []
+    governing: list[AnyTable] = []
     if not sets:
         tables += designs_tables(archive, study, sets)
     if study.criteria or study.objectives:
         judged = read_judged(archive, groups)
         found = judge(study.criteria, study.objectives, judged, study.base, study)
-        verdicts, *governing = verdicts_in_short(found, study.base.hazard)
+        verdicts, *others = verdicts_in_short(found, study.base.hazard)
         tables.append(verdicts)
+        governing += others
     tables += [response_in_short(not_swept(study, sets)), changes_in_short(not_swept(study, sets)), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables += _targets(study.base, groups, study)
     return tables + incremental_tables(archive, groups)
 
 
-def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
+def _of_project(archive: Archive, groups: dict[str, Group]) -> list[AnyTable]:
     if not groups:  # of `edesign match`, whose verdicts are the criteria of its sets
         return sorted(tables_of(archive), key=lambda table: table.name != CRITERIA)
     entries = [entry(name, group) for name, group in groups.items()]
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)
-    tables = [_periods(groups)]
+    tables: list[AnyTable] = [_periods(groups)]
     tables += _targets(archived_project(archive) if targets else None, groups)
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
     tables.append(changes_in_short(sets))
@@ -142,7 +143,7 @@ def _periods(groups: dict[str, Group]) -> Table:
     return table
 
 
-def _targets(project: Project | None, groups: dict[str, Group], study: Study | None = None) -> list[Table]:
+def _targets(project: Project | None, groups: dict[str, Group], study: Study | None = None) -> list[AnyTable]:
     """The response at target displacements without rotations of members and what the displacements follow from."""
     found = target_tables(project, groups, study)
     if not found:

@@ -23,7 +23,7 @@ from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.response.ground_tables import ground_tables
-from edesign.report.tables.table import Table, number, seconds, whole
+from edesign.report.tables.table import AnyTable, Table, number, seconds, whole
 from edesign.study.results.kinds import INCREMENTAL
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, SKIPPED
@@ -31,7 +31,7 @@ from edesign.study.run.outcome import COLLAPSED, COMPLETED, SKIPPED
 EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
 
 
-def study_tables(archive: Archive) -> list[Table]:
+def study_tables(archive: Archive) -> list[AnyTable]:
     """Return the tables of a study, without those of single histories.
 
     Raises:
@@ -44,7 +44,7 @@ def study_tables(archive: Archive) -> list[Table]:
     groups = all_results(archive)
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables = [
+    tables: list[AnyTable] = [
         plan_table(archive, groups),
         *designs_tables(archive, study, sets),
         *(isolation_estimate_table(name, group) for name, group in groups.items()),

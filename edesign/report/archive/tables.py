@@ -21,7 +21,7 @@ from edesign.report.response.analysis_tables import (
 from edesign.report.response.damper_results import damper_stiffness_table, each_damper_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import AnyTable, Table
 from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.warnings import warnings_of
 
@@ -30,7 +30,7 @@ LAST = 2  # of them for the line that tells where the rest is
 LEAST = 5  # tables, however long they are
 
 
-def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
+def overview(archive: str | os.PathLike[str] | Archive) -> list[AnyTable]:
     """Return the tables of a whole archive: a heading, and the tables of its kind, as those of a study's results.
 
     Raises:
@@ -42,7 +42,7 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     return [heading(archive), *kind_of(archive).tables(archive)]
 
 
-def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]:
+def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[AnyTable]:
     """Return all tables of one analysis: those of the overview, its storey profile and its fallbacks.
 
     Args:
@@ -58,7 +58,7 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
             return details(opened, name)
     group = results(archive, find(archive, name))
     entries = [entry(name, group)]
-    tables = [
+    tables: list[AnyTable] = [
         analyses_table(entries),
         Table("Warnings", notes=[warning.text for warning in warnings_of(group)], name="warnings"),
         periods_table(name, group),
@@ -95,7 +95,7 @@ def heading(archive: Archive) -> Table:
     return Table(str(about.get("title", "")), (), rows, left=2)
 
 
-def short_tables(archive: Archive) -> list[Table]:
+def short_tables(archive: Archive) -> list[AnyTable]:
     """Return the main tables of an archive: of a study verdicts, means of the main measures, and governing histories.
 
     They take one screen: `SCREEN` lines of 80 characters.
@@ -110,10 +110,10 @@ def short_tables(archive: Archive) -> list[Table]:
     return [*shown, _more(archive, len(tables) - len(shown))]
 
 
-def _on_a_screen(tables: list[Table]) -> list[Table]:
+def _on_a_screen(tables: list[AnyTable]) -> list[AnyTable]:
     """The first tables: as many as a screen has lines for, a few at least."""
     lines = 0
-    shown: list[Table] = []
+    shown: list[AnyTable] = []
     for table in tables:
         lines += sum(len(plain(part).splitlines()) + 1 for part in fitted(table, PAPER))
         if lines > SCREEN - LAST and len(shown) >= LEAST:

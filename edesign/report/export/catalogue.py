@@ -5,6 +5,7 @@ from __future__ import annotations
 import fnmatch
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from operator import itemgetter
 
 from edesign.archive.reader import Archive
 from edesign.errors import InputError
@@ -17,9 +18,16 @@ from edesign.report.export.names import table_names, unique_names
 from edesign.report.export.value_tables import value_tables
 from edesign.report.html.render import Page
 from edesign.report.html.section import Facts, Folded, Heading, Part, Warnings
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import AnyTable, typed
+from edesign.report.tables.table import Table as TextTable
 
 NAMED = 12  # tables that an error names
+FACTS = TableSpec[tuple[str, str]](
+    "facts", "", (text("what", itemgetter(0)), text("value", itemgetter(1))), keys=2, headed=False, named_by_title=True
+)
+WARNINGS = TableSpec[str]("warnings", "{title}", (text("warning", str),), named_by_title=True)
 
 
 def archive_tables(archive: Archive, analysis: str | None = None) -> list[ExportTable]:
@@ -41,7 +49,9 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     have = [_content(table) for _, table in found]
     shown: list[Table] = []
     with optional("the tables of `edesign show`"):
-        shown = overview(archive)[1:]  # the first tells of the archive itself, as the provenance does
+        shown = [
+            typed(table) for table in overview(archive)[1:]
+        ]  # the first tells of the archive itself, as the provenance does
     found += [(table.title, table) for table in shown if table.rows and _content(table) not in have]
     values: list[ExportTable] = []
     with optional("the tables of the archive's variables"):
@@ -51,12 +61,13 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     return [replace(table, name=name) for table, name in zip(tables, names, strict=True)]
 
 
-def named_tables(titled: Sequence[tuple[str, Table]]) -> list[ExportTable]:
+def named_tables(given: Sequence[tuple[str, AnyTable]]) -> list[ExportTable]:
     """Return tables with their names; those that each analysis or member has one of are one table.
 
     Tables without a name have one that is made of their title. Where two have the same one, as those of several
     designs, what their titles say further is added.
     """
+    titled = [(title, typed(table)) for title, table in given]
     alike: dict[str, list[tuple[str, Table]]] = {}
     for _, table in titled:
         if table.each is not None:
@@ -83,15 +94,15 @@ def _page_tables(page: Page) -> Iterator[tuple[str, Table]]:
 
 
 def _part_tables(part: Part, above: str) -> Iterator[tuple[str, Table]]:
-    if isinstance(part, Table) and (part.rows or part.notes):
-        yield part.title or above, part
+    if isinstance(part, (Table, TextTable)) and (part.rows or part.notes):
+        yield part.title or above, typed(part)
     elif isinstance(part, Folded):
         for inner in part.parts:
             yield from _part_tables(inner, part.summary)
     elif isinstance(part, Facts) and part.rows:
-        yield above, Table("", (), [list(row) for row in part.rows], left=2)
+        yield above, FACTS.of(part.rows)
     elif isinstance(part, Warnings):
-        yield part.title, Table(part.title, ("warning",), [[text] for text in part.items])
+        yield part.title, WARNINGS.of(part.items, title=part.title)
 
 
 def choose(tables: Sequence[ExportTable], patterns: Sequence[str], where: str) -> list[ExportTable]:
@@ -114,5 +125,5 @@ def choose(tables: Sequence[ExportTable], patterns: Sequence[str], where: str) -
     return [table for table in tables if any(fnmatch.fnmatchcase(table.name, pattern) for pattern in patterns)]
 
 
-def _content(table: Table) -> tuple[tuple[str, ...], list[list[str]]]:
-    return tuple(table.columns), table.rows
+def _content(table: Table) -> tuple[list[str], list[list[str]]]:
+    return table.headers, table.texts

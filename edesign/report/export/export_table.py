@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from edesign.report.export.names import unique_names
-from edesign.report.tables.table import NumberText, Table
+from edesign.report.tables.cell import Cell
+from edesign.report.tables.cell import Plain as Value
+from edesign.report.tables.column import NO_VALUE, text
+from edesign.report.tables.spec import Table
+from edesign.report.tables.table import AnyTable, typed
 
-Value = str | float | int | bool | None
-
-_UNIT = re.compile(r"\s*\[([^\[\]]+)\]")
-_BARE_UNIT = re.compile(r"\s+(%|ms|mm|kN|kJ|J|Hz)$")
-_MISSING = ("-", "")
 _FIRST = "what"
 """The header of a first column without one."""
 
@@ -73,7 +71,7 @@ class ExportTable:
         return len(self.columns[0].values) if self.columns else 0
 
 
-def export_table(name: str, table: Table, title: str = "") -> ExportTable:
+def export_table(name: str, table: AnyTable, title: str = "") -> ExportTable:
     """Return a table of `edesign show` or of the report with its numbers.
 
     Args:
@@ -81,58 +79,43 @@ def export_table(name: str, table: Table, title: str = "") -> ExportTable:
         table: one without rows has its notes as rows.
         title: where the table has none.
     """
+    table = typed(table)
     if not table.rows:
         return ExportTable(name, table.title or title, (ExportColumn("text", "", list(table.notes)),))
-    width = len(table.rows[0])
-    headers = list(table.columns) or [_FIRST, "value", *(f"value {i}" for i in range(2, width))][:width]
-    parts = [_name_and_unit(header) for header in headers]
-    names = unique_names([part or _FIRST for part, _ in parts], " ")
+    names = unique_names([column.in_files or _FIRST for column in table.columns], " ")
+    printed = list(zip(*table.texts, strict=True))
     columns = []
-    for i, (_, unit) in enumerate(parts):
+    for i, column in enumerate(table.columns):
         cells = [row[i] for row in table.rows]
-        numbers = any(isinstance(cell, NumberText) for cell in cells)
-        said = table.units[i] if table.units else ""
-        own = [cell.unit if isinstance(cell, NumberText) else "" for cell in cells]
-        several = len({of for of, cell in zip(own, cells, strict=True) if cell not in _MISSING}) > 1
-        if not unit and not several:
-            said = said or next(filter(None, own), "")
-        columns.append(ExportColumn(names[i], unit or said, [_value(cell) for cell in cells], cells if numbers else ()))
-        if not unit and several:
+        values = [column.data(cell) for cell in cells]
+        own = [cell.own_unit() if isinstance(cell, Cell) else "" for cell in cells]
+        several = len({of for of, shown in zip(own, printed[i], strict=True) if shown not in NO_VALUE}) > 1
+        unit = column.unit_in_files or ("" if several else next(filter(None, own), ""))
+        shown = printed[i] if any(_is_number(value) for value in values) else ()
+        columns.append(ExportColumn(names[i], unit, values, shown))
+        if several and not column.unit_in_files:
             columns.append(ExportColumn(f"unit of {names[i]}", "", [of or None for of in own]))
-    return ExportTable(name, table.title or title, tuple(columns), tuple(table.notes), table.left)
+    return ExportTable(name, table.title or title, tuple(columns), tuple(table.notes), table.keys)
 
 
-def as_one(common: str, tables: Sequence[tuple[str, Table]]) -> Table:
+def as_one(common: str, given: Sequence[tuple[str, AnyTable]]) -> Table:
     """Return one table for those that several analyses or members have, with the name of each in the first column.
 
     Args:
         common: title of all.
-        tables: each with the name whose it is; columns that a table lacks are empty.
+        given: each with the name whose it is; columns that a table lacks are empty.
     """
-    columns = list(dict.fromkeys(column for _, table in tables for column in table.columns))
-    made = Table(common, ("of", *columns), left=1 + tables[0][1].left, name=tables[0][1].name)
+    tables = [(of, typed(table)) for of, table in given]
+    columns = {column.head: column for _, table in reversed(tables) for column in reversed(table.columns)}
+    heads = list(dict.fromkeys(column.head for _, table in tables for column in table.columns))
+    first = tables[0][1]
+    made = Table(common, (text("of", ""), *(columns[head] for head in heads)), keys=1 + first.keys, name=first.name)
     for of, table in tables:
         for row in table.rows:
-            cells = dict(zip(table.columns, row, strict=True))
-            made.rows.append([of, *(cells.get(column, "") for column in columns)])
-    notes = dict.fromkeys(note for _, table in tables for note in table.notes)
-    made.notes = list(notes)
+            cells = {column.head: cell for column, cell in zip(table.columns, row, strict=True)}
+            made.rows.append([of, *(cells.get(head) for head in heads)])
+    made.notes = list(dict.fromkeys(note for _, table in tables for note in table.notes))
     return made
-
-
-def _name_and_unit(header: str) -> tuple[str, str]:
-    """The parts of `drift [%]`, and of `root %`, as tables with many columns have it; `[-]` is no unit."""
-    match = _UNIT.search(header) or _BARE_UNIT.search(header)
-    if match is None:
-        return header.strip(), ""
-    unit = match[1].strip()
-    return (header[: match.start()] + header[match.end() :]).strip(), "" if unit == "-" else unit
-
-
-def _value(cell: str) -> Value:
-    if isinstance(cell, NumberText):
-        return cell.value
-    return None if cell in _MISSING else str(cell)
 
 
 def _is_number(value: Value) -> bool:

@@ -16,16 +16,13 @@ from edesign._version import __version__
 from edesign.report.drawing.symbols import GREEK, in_parts, with_indices_of_laws
 from edesign.report.html.section import Part, Section, Viewer
 from edesign.report.html.shared_styles import share_styles
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table, state_of
+from edesign.report.tables.table import typed
 from edesign.report.tables.visible import visible
 
-GOOD = {"met", "passed", "satisfied", "completed", "achieved", "yes"}
-BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "no"}
-OPEN = {"not run", "interrupted", "open", "undecided", "not decided", "not applicable", "running"}
 LONG = 34  # characters, from which a cell is broken into lines
 
 _BRACKETED = re.compile(r"(\[[^\[\]]*\])$")  # the unit at the end of a head
-_NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
 _SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"), ("N*s", "N·s"), ("N*(", "N·("))
 _OPERATORS = (("+- ", "± "), ("+-", "±"), ("&lt;=", "≤"), ("&gt;=", "≥"), (" - ", " \N{MINUS SIGN} "))
 _ROOT = re.compile(r"\bsqrt(?=\()")
@@ -114,7 +111,8 @@ def fill_template(
         "formula": formula,
         "head": _head,
         "alignments": alignments,
-        "state": state,
+        "cells": cells,
+        "typed": typed,
         "runs": runs,
     }
     page = environment.get_template("page.html")
@@ -181,25 +179,24 @@ def _indexed(found: re.Match[str]) -> str:
     return f"{name}<sub>{index}</sub>" if index else name
 
 
-def state(cell: str) -> str:
-    """Return whether a cell is a verdict: "good", "bad", "open", or "" for any other cell."""
-    word = cell.strip().lower()
-    return "good" if word in GOOD else "bad" if word in BAD else "open" if word in OPEN else ""
+def cells(table: Table) -> list[list[tuple[str, str, bool]]]:
+    """Return the cells of a table, each its text, the state of its verdict, "" without, and whether it is a formula."""
+    symbols = [column.symbols for column in table.columns]
+    return [
+        [(text, state_of(value), of) for text, value, of in zip(texts, row, symbols, strict=True)]
+        for texts, row in zip(table.texts, table.rows, strict=True)
+    ]
 
 
 def alignments(table: Table) -> list[str]:
-    """Return the alignment of each column: numbers to the right, words to the left, sentences in lines."""
-    width = max((len(row) for row in (table.columns, *table.rows)), default=0)
+    """Return the alignment of each column: numbers to the right, words to the left, long texts in lines."""
     found = []
-    for i in range(width):
-        cells = [row[i] for row in table.rows if i < len(row)]
-        if any(len(cell) > LONG and " " in cell for cell in cells):
+    for i, (column, texts) in enumerate(zip(table.columns, zip(*table.texts, strict=True), strict=True)):
+        if any(len(text) > LONG and " " in text for text in texts):
             found.append("long")
-        elif i < table.left or not all(_NUMERIC.fullmatch(cell) for cell in cells):
-            found.append("text")
         else:
-            found.append("right")
-    return found
+            found.append("right" if column.numeric and i >= table.keys else "text")
+    return found or ["right" if column.numeric else "text" for column in table.columns]
 
 
 def runs(parts: Iterable[Part]) -> list[tuple[str, list[Part]]]:

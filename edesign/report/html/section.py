@@ -6,7 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from edesign.optional_stages import optional
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table as TextTable
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class Folded:
     """
 
     summary: str
-    parts: tuple[Table | Picture, ...] = ()
+    parts: tuple[Table | TextTable | Picture, ...] = ()
     text: str = ""
 
 
@@ -99,7 +100,7 @@ class Viewer:
     data: str
 
 
-Part = Table | Picture | Folded | Facts | Warnings | Headlines | Heading | Viewer
+Part = Table | TextTable | Picture | Folded | Facts | Warnings | Headlines | Heading | Viewer
 
 
 @dataclass(frozen=True)

@@ -7,11 +7,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from edesign.report.html.render import alignments, state
+from edesign.report.html.render import alignments
 from edesign.report.html.section import Heading, Part, Picture
 from edesign.report.pdf.fonts import fonts_folder
 from edesign.report.pdf.paper import Paper
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table, state_of
+from edesign.report.tables.table import Table as TextTable
+from edesign.report.tables.table import typed
 
 SIZES = (7.5, 7.0, 6.5, 6.0, 5.5)
 """Type of tables, points, largest first."""
@@ -44,14 +46,14 @@ class TableFit:
     wide: bool = False
 
 
-def fit_table(table: Table, paper: Paper) -> TableFit:
+def fit_table(table: Table | TextTable, paper: Paper) -> TableFit:
     """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns.
 
     Args:
         table: the table.
         paper: the sheet.
     """
-    columns = _columns(table)
+    columns = _columns(typed(table))
     needed = sum(column.fair for column in columns)
     for size in SIZES:
         if needed * size <= paper.line:
@@ -73,7 +75,7 @@ def begins_wide(parts: Iterable[Part], paper: Paper) -> bool:
         paper: the sheet.
     """
     first = next((part for part in parts if not isinstance(part, Heading)), None)
-    return isinstance(first, Table) and fit_table(first, paper).wide
+    return isinstance(first, (Table, TextTable)) and fit_table(first, paper).wide
 
 
 def picture_size(picture: Picture, paper: Paper) -> tuple[float, float]:
@@ -102,15 +104,21 @@ class _Column:
 
 def _columns(table: Table) -> list[_Column]:
     found = []
+    texts = table.texts
     for i, kind in enumerate(alignments(table)):
-        cells = [row[i] for row in table.rows if i < len(row)]
-        head = table.columns[i] if i < len(table.columns) else ""
+        cells = [row[i] for row in texts]
+        badges = [bool(state_of(row[i])) for row in table.rows]
+        head = table.headers[i] if table.headed else ""
         words = [text_width(word, bold=True) for word in head.split()]
         if kind in LINES:
             words += [text_width(word) for cell in cells for word in cell.split()]
         least = min(max(words, default=0.0), LONG_WORD)
         whole = max(
-            (text_width(cell, bold=True) + BADGE if state(cell) else text_width(cell) for cell in cells), default=0
+            (
+                text_width(cell, bold=True) + BADGE if badge else text_width(cell)
+                for cell, badge in zip(cells, badges, strict=True)
+            ),
+            default=0,
         )
         title = text_width(head, bold=True)
         fair = max(least, whole / LINES.get(kind, 1.0) if whole > LONG_WORD else whole)

@@ -2,22 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.report.response.histories import names_of
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.column import col, text
+from edesign.report.tables.places import Place, at
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, MM, ONE, Unit
 
-COLUMNS = (  # header, variable, sign with which its largest value is shown, unit in SI
-    ("compression [kN]", "brace_axial_force_min", -1.0, 1e3),
-    ("tension [kN]", "brace_axial_force_max", 1.0, 1e3),
-    ("shortening / yield", "brace_ductility_min", -1.0, 1.0),
-    ("elongation / yield", "brace_ductility_max", 1.0, 1.0),
-    ("deflection [mm]", "brace_deflection_max", 1.0, 1e-3),
-    ("damage", "brace_damage_final", 1.0, 1.0),
-    ("broken [% of the section]", "brace_broken_share_final", 1.0, 0.01),
+
+def _extreme(variable: str, sign: float = 1.0) -> Callable[[Place], float | None]:
+    """An extreme, as a positive number; 0 if it is of the other sign: never in tension, or in compression."""
+
+    def of(brace: Place) -> float | None:
+        value = brace.value(variable)
+        return None if value is None else max(sign * value, 0.0)
+
+    return of
+
+
+BUCKLING_BRACES = TableSpec[Place](
+    "buckling_braces",
+    "Braces that buckle",
+    (
+        text("analysis", "analysis"),
+        text("brace", "name"),
+        col("compression", KN, _extreme("brace_axial_force_min", -1.0), optional=True),
+        col("tension", KN, _extreme("brace_axial_force_max"), optional=True),
+        col("shortening / yield", ONE, _extreme("brace_ductility_min", -1.0), optional=True),
+        col("elongation / yield", ONE, _extreme("brace_ductility_max"), optional=True),
+        col("deflection", MM, _extreme("brace_deflection_max"), optional=True),
+        col("damage", ONE, at("brace_damage_final"), optional=True),
+        col("broken", Unit("% of the section", 0.01), at("brace_broken_share_final"), optional=True),
+    ),
+    notes=("The brace of each analysis that shortened most, and those of which fibres have broken. Yield: f_y L / E.",),
+    keys=2,
 )
 
 
@@ -27,29 +48,12 @@ def brace_table(groups: Mapping[str, Group]) -> Table:
     Args:
         groups: results of analyses by name; those without braces that buckle are left out.
     """
-    found = {name: group for name, group in groups.items() if "brace_ductility_min" in group.variables}
-    shown = [column for column in COLUMNS if any(column[1] in group.variables for group in found.values())]
-    table = Table(
-        "Braces that buckle", ("analysis", "brace", *(column[0] for column in shown)), left=2, name="buckling_braces"
+    return BUCKLING_BRACES.of(
+        Place(analysis, group, "buckling_brace", number)
+        for analysis, group in groups.items()
+        if "brace_ductility_min" in group.variables
+        for number in dict.fromkeys((int(np.argmin(group.variables["brace_ductility_min"].values)), *_broken(group)))
     )
-    for name, group in found.items():
-        braces, every = names_of(group, "buckling_brace"), names_of(group, "brace")
-        worst = int(np.argmin(group.variables["brace_ductility_min"].values))
-        for at in dict.fromkeys((worst, *_broken(group))):
-            cells = []
-            for _, variable, sign, unit in shown:
-                stored = group.variables.get(variable)
-                names = braces if stored is not None and stored.dims[0] == "buckling_brace" else every
-                value = None
-                if stored is not None:  # an extreme of the other sign: it was never in tension, or in compression
-                    value = max(sign * float(stored.values[names.index(braces[at])]), 0.0)
-                cells.append(number(value, scale=unit))
-            table.rows.append([name, braces[at], *cells])
-    if table.rows:
-        table.notes.append(
-            "The brace of each analysis that shortened most, and those of which fibres have broken. Yield: f_y L / E."
-        )
-    return table
 
 
 def _broken(group: Group) -> list[int]:

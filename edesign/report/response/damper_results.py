@@ -9,12 +9,58 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.energy import final_energies, share_of_input
 from edesign.assess.envelopes import peak
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.places import Analysis, Place, at, largest, overall, places
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KJ, KN, KN_MM, MM, ONE, PERCENT
 
-COLUMNS = (
-    ("strain [%]", "damper_strain", 0.01),
-    ("u [mm]", "damper_deformation", 1e-3),
-    ("F [kN]", "damper_force", 1e3),
+
+def _most_deformed(analysis: Analysis) -> str | None:
+    deformation = peak(analysis.group, "damper_deformation")
+    return None if deformation is None else str(analysis.group.coords["damper"].values[int(np.argmax(deformation))])
+
+
+def _work(analysis: Analysis) -> float | None:
+    work = analysis.group.variables.get("damper_work_final")
+    return None if work is None else float(np.sum(work.values))
+
+
+DAMPERS = TableSpec[Analysis](
+    "dampers",
+    "Dampers (largest absolute values, and the one with the largest deformation)",
+    (
+        text("analysis", "name"),
+        col("strain", PERCENT, overall("damper_strain"), optional=True),
+        col("u", MM, overall("damper_deformation"), optional=True),
+        col("F", KN, overall("damper_force"), optional=True),
+        text("damper", _most_deformed),
+        col("work", KJ, _work),
+        col("of the input", PERCENT, lambda one: share_of_input(final_energies(one.group), _work(one))),
+    ),
+)
+EACH_DAMPER = TableSpec[Place](
+    "each_damper",
+    "{whose}: dampers (largest absolute values)",
+    (
+        text("damper", "name"),
+        count("storey", lambda damper: damper.value("damper_storey") or None),
+        col("strain", PERCENT, largest("damper_strain"), optional=True),
+        col("u", MM, largest("damper_deformation"), optional=True),
+        col("F", KN, largest("damper_force"), optional=True),
+        col("work", KJ, at("damper_work_final")),
+    ),
+    each="Each damper (largest absolute values)",
+)
+DAMPER_STIFFNESS = TableSpec[Place](
+    "damper_stiffness",
+    "{whose}: dampers",
+    (
+        text("damper", "name"),
+        col("k'", KN_MM, at("damper_storage_stiffness")),
+        col("loss factor", ONE, at("damper_loss_factor")),
+        col("amplitude", MM, at("damper_amplitude")),
+    ),
+    each="Stiffness and loss factor of dampers",
 )
 
 
@@ -23,19 +69,9 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
 
     The energy term `dampers` has dashpots of footings and tuned masses too, which are none of these.
     """
-    rows = {name: group for name, group in groups.items() if peak(group, "damper_force") is not None}
-    shown = [column for column in COLUMNS if any(peak(group, column[1]) is not None for group in rows.values())]
-    header = ("analysis", *(title for title, _, _ in shown), "damper", "work [kJ]", "of the input [%]")
-    table = Table("Dampers (largest absolute values, and the one with the largest deformation)", header, name="dampers")
-    for name, group in rows.items():
-        cells = [_largest(peak(group, key), unit) for _, key, unit in shown]
-        deformation = peak(group, "damper_deformation")
-        worst = str(group.coords["damper"].values[int(np.argmax(deformation))]) if deformation is not None else "-"
-        work = group.variables.get("damper_work_final")
-        total = float(np.sum(work.values)) if work is not None else None
-        share = share_of_input(final_energies(group), total)
-        table.rows.append([name, *cells, worst, number(total, scale=1e3), number(share, scale=0.01)])
-    return table
+    return DAMPERS.of(
+        Analysis(name, group) for name, group in groups.items() if peak(group, "damper_force") is not None
+    )
 
 
 def each_damper_table(name: str, group: Group) -> Table:
@@ -45,21 +81,7 @@ def each_damper_table(name: str, group: Group) -> Table:
         name: name of the analysis.
         group: results of the analysis.
     """
-    columns = [(title, unit, values) for title, key, unit in COLUMNS if (values := peak(group, key)) is not None]
-    work = group.variables.get("damper_work_final")
-    table = Table(
-        f"{name}: dampers (largest absolute values)",
-        ("damper", "storey", *(title for title, _, _ in columns), "work [kJ]"),
-        each=("Each damper (largest absolute values)", name),
-        name="each_damper",
-    )
-    if not columns or work is None:
-        return table
-    storeys = group.variables["damper_storey"].values
-    for i, damper in enumerate(group.coords["damper"].values):
-        cells = [number(float(values[i]), scale=unit) for _, unit, values in columns]
-        table.rows.append([str(damper), whole(storeys[i] or None), *cells, number(float(work.values[i]), scale=1e3)])
-    return table
+    return EACH_DAMPER.of(places({name: group}, "damper", "damper_force_max", "damper_work_final"), whose=name)
 
 
 def damper_stiffness_table(name: str, group: Group) -> Table:
@@ -69,20 +91,11 @@ def damper_stiffness_table(name: str, group: Group) -> Table:
         name: name of the analysis.
         group: results of the modal analysis.
     """
-    table = Table(f"{name}: dampers", ("damper", "k' [kN/mm]", "loss factor", "amplitude [mm]"))
-    table.each = ("Stiffness and loss factor of dampers", name)
-    table.name = "damper_stiffness"
-    keys = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")
-    if any(key not in group.variables for key in keys):
-        return table
-    columns = (group.variables[key].values for key in keys)
-    for damper, k, n, u in zip(group.coords["damper"].values, *columns, strict=True):
-        cells = [number(float(k), scale=1e6), number(float(n)), number(float(u), scale=1e-3)]
-        table.rows.append([str(damper), *cells])
-    table.notes.append(
-        f"in steady vibration at {float(group.attributes['damper_frequency_Hz']):.4g} Hz, braces included"
-    )
-    return table
+    needed = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")
+    found = list(places({name: group}, "damper", *needed))
+    frequency = float(group.attributes["damper_frequency_Hz"]) if found else 0.0
+    notes = [f"in steady vibration at {frequency:.4g} Hz, braces included"] if found else []
+    return DAMPER_STIFFNESS.of(found, whose=name, notes=notes)
 
 
 def amplitude_notes(group: Group) -> list[str]:
@@ -99,7 +112,3 @@ def amplitude_notes(group: Group) -> list[str]:
         ),
     }
     return [f"{count} of {amplitude.values.size} dampers {how}" for how, count in said.items() if count]
-
-
-def _largest(values: np.ndarray | None, unit: float) -> str:
-    return number(float(np.max(values)) if values is not None else None, scale=unit)

@@ -1,17 +1,32 @@
-"""A table as data: what it says, not how it looks. Cells that show numbers keep them."""
+"""Tables of texts, until all tables are declared (`spec.py`), and `typed`, which lets them pass through to renderers.
+
+This file goes with the last of them; nothing new is built on it.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
 from edesign.notebook import table_html
+from edesign.report.tables import spec
+from edesign.report.tables.cell import Cell, Plain, State, Value, Verdict
+from edesign.report.tables.column import Column
+from edesign.report.tables.number import SCIENTIFIC as SCIENTIFIC
+from edesign.report.tables.number import finite as finite
+from edesign.report.tables.number import significant
+from edesign.report.tables.unit import Unit
 
-SCIENTIFIC = 1e7  # from here on a number is no measure of a building, only a sign that something went wrong
+_GOOD = {"met", "passed", "satisfied", "completed", "achieved", "yes"}
+_BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "no"}
+_OPEN = {"not run", "interrupted", "open", "undecided", "not decided", "not applicable", "running"}
+_UNIT = re.compile(r"\s*\[([^\[\]]+)\]")
+_BARE_UNIT = re.compile(r"\s+(%|ms|mm|kN|kJ|J|Hz)$")
+_NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
 
 
 class NumberText(str):
@@ -79,6 +94,9 @@ class Table:
         return (self.sentences,) if isinstance(self.sentences, int) else self.sentences
 
 
+AnyTable = Table | spec.Table
+
+
 def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible: float = 0.0) -> str:
     """Return a number with significant digits, "-" for None.
 
@@ -93,10 +111,7 @@ def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible:
     if abs(value) < negligible:
         return NumberText("0", 0.0)
     shown = value / scale
-    if abs(shown) >= SCIENTIFIC:
-        return NumberText(f"{shown:.{digits - 1}e}", float(shown))
-    text = f"{shown:.0f}" if abs(shown) >= 10**digits else f"{shown:#.{digits}g}".rstrip(".")
-    return NumberText(text, float(shown))
+    return NumberText(significant(shown, digits), float(shown))
 
 
 def formatted(value: float | None, form: str) -> str:
@@ -145,12 +160,84 @@ def seconds(value: float | None) -> str:
     return formatted(value, ".3f")
 
 
-def finite(value: Any) -> Any:
-    """Return `value` with None in place of every number that is not finite, which JSON cannot hold."""
-    if isinstance(value, Mapping):
-        return {key: finite(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [finite(item) for item in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+@dataclass(frozen=True)
+class _Shown(Cell):
+    """The number of a table of texts: as it is printed, and its value in the unit that is printed."""
+
+    shown: str
+    value: float
+    unit: str
+
+    def text(self, column: Column) -> str:
+        """Return the text."""
+        return self.shown
+
+    def data(self, column: Column) -> Plain:
+        """Return the number."""
+        return self.value
+
+    def own_unit(self) -> str:
+        """Return the unit that the text ends in."""
+        return self.unit
+
+
+def typed(table: Table | spec.Table) -> spec.Table:
+    """Return a table of texts as one of values: units are found in headers, verdicts by their words."""
+    if isinstance(table, spec.Table):
+        return table
+    width = max((len(row) for row in (table.columns, *table.rows)), default=0)
+    headers = list(table.columns) or ["what", "value", *(f"value {i}" for i in range(2, width))][:width]
+    columns = tuple(_column(table, i, header) for i, header in enumerate(headers))
+    rows = [[_cell(cell) for cell in row] for row in table.rows]
+    return spec.Table(
+        title=table.title,
+        columns=columns,
+        rows=rows,
+        notes=table.notes,
+        keys=table.left,
+        headings=table.headings,
+        each=table.each,
+        name=table.name,
+        headed=bool(table.columns),
+        formulas=table.formulas is not None,
+        names_kept=bool(table.columns) and table.columns[0] == "name of the analysis",
+    )
+
+
+def _column(table: Table, number: int, header: str) -> Column:
+    name, unit = _name_and_unit(header)
+    cells = [row[number] for row in table.rows]
+    right = number >= table.left and all(_NUMERIC.fullmatch(cell) for cell in cells)
+    said = table.units[number] if table.units else ""
+    order = table.sentence_columns
+    return Column(
+        header,
+        kind="number" if right else "text",
+        unit=Unit(unit or said),
+        name=name,
+        broken=order.index(number) + 1 if number in order else 0,
+        joined=number in table.joined,
+        silent=True,
+        symbols=number in (table.formulas or ()),
+    )
+
+
+def _cell(cell: str) -> Value:
+    if isinstance(cell, NumberText):
+        return _Shown(str(cell), cell.value, cell.unit)
+    state = _state(cell)
+    return Verdict(cell, state) if state else cell
+
+
+def _state(cell: str) -> State:
+    word = cell.rstrip("0123456789.<> ").strip().lower()  # of cells as `not met 1.20` too
+    return "good" if word in _GOOD else "bad" if word in _BAD else "open" if word in _OPEN else ""
+
+
+def _name_and_unit(header: str) -> tuple[str, str]:
+    """The parts of `drift [%]`, and of `root %`, as tables with many columns have it; `[-]` is no unit."""
+    match = _UNIT.search(header) or _BARE_UNIT.search(header)
+    if match is None:
+        return header.strip(), ""
+    unit = match[1].strip()
+    return (header[: match.start()] + header[match.end() :]).strip(), "" if unit == "-" else unit

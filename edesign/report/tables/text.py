@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import sys
 import textwrap
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import zip_longest
 from shutil import get_terminal_size
 from typing import TextIO
 
-from edesign.report.tables.table import Table
+from edesign.report.tables import table as texts
+from edesign.report.tables.spec import Table, state_of
 from edesign.report.tables.visible import visible, visible_line
 
 PAPER = 80  # characters of a line of text, and of what is printed in short
@@ -19,17 +20,62 @@ WIDEST = 120  # characters of a line in files and pipes that no table passes
 NARROWEST = 20  # characters of a line that a table is laid out for at least
 _GAP = 2  # between columns
 _LEAST = 12  # characters of a line inside a cell
-_COLOURS = {
-    "completed": "green",
-    "failed": "red",
-    "not run": "yellow",
-    "met": "green",
-    "not met": "red",
-    "open": "yellow",
-}  # of cells, on a terminal
+_COLOURS = {"good": "green", "bad": "red", "open": "yellow", "": ""}  # of verdicts, on a terminal
 
 
-def print_tables(tables: Iterable[Table], stream: TextIO | None = None, widest: int = WIDEST) -> None:
+@dataclass(frozen=True)
+class Printed:
+    """A table as texts, or a part of one that fits a line.
+
+    Attributes:
+        title: one line above.
+        columns: headers; () without.
+        rows: texts.
+        notes: lines below.
+        left: number of columns, from the first, that are aligned left.
+        sentences: numbers of the columns that may be broken into lines, the first of them first.
+        joined: numbers of the columns that stay beside the one before them.
+        headings: lines across the table, by the number of the row below.
+        colours: of the texts of verdicts, for each column.
+    """
+
+    title: str
+    columns: Sequence[str] = ()
+    rows: list[list[str]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    left: int = 1
+    sentences: tuple[int, ...] = ()
+    joined: tuple[int, ...] = ()
+    headings: dict[int, str] = field(default_factory=dict)
+    colours: Sequence[Mapping[str, str]] = ()
+
+
+def printed(table: Table | texts.Table | Printed) -> Printed:
+    """Return a table as texts, with control characters written out, so that columns are as wide as they look."""
+    if isinstance(table, Printed):
+        return table
+    table = texts.typed(table)
+    broken_ = sorted((column.broken, i) for i, column in enumerate(table.columns) if column.broken)
+    colours: list[dict[str, str]] = [{} for _ in table.columns]
+    rows = [[visible_line(text) for text in row] for row in table.texts]
+    for row, shown in zip(table.rows, rows, strict=True):
+        for value, text, of in zip(row, shown, colours, strict=True):
+            if state := state_of(value):
+                of[text] = _COLOURS[state]
+    return Printed(
+        title=visible_line(table.title),
+        columns=[visible_line(header) for header in table.headers],
+        rows=rows,
+        notes=[visible(note) for note in table.notes],
+        left=table.keys,
+        sentences=tuple(i for _, i in broken_),
+        joined=tuple(i for i, column in enumerate(table.columns) if column.joined),
+        headings={row: visible_line(heading) for row, heading in table.headings.items()},
+        colours=colours,
+    )
+
+
+def print_tables(tables: Iterable[Table | texts.Table], stream: TextIO | None = None, widest: int = WIDEST) -> None:
     """Print tables, none wider than the terminal: with rich where the stream is one, as plain aligned text elsewhere.
 
     Args:
@@ -38,7 +84,7 @@ def print_tables(tables: Iterable[Table], stream: TextIO | None = None, widest: 
         widest: characters of a line where the stream is no terminal; less if the variable COLUMNS says so.
     """
     stream = sys.stdout if stream is None else stream
-    shown = [_visible(table) for table in tables]
+    shown = [printed(table) for table in tables]
     if stream.isatty():
         _print_rich(shown, stream)
     else:
@@ -104,7 +150,7 @@ def in_facts(label: str, text: str, indent: int, width: int) -> list[str]:
     return lines
 
 
-def fitted(table: Table, width: int) -> list[Table]:
+def fitted(table: Table | texts.Table | Printed, width: int) -> list[Printed]:
     """Return a table as one or more tables below each other that are no wider than a line.
 
     Columns of sentences are broken into lines first; what is still too wide is cut between columns; what is too wide
@@ -114,13 +160,13 @@ def fitted(table: Table, width: int) -> list[Table]:
         table: the table.
         width: characters of a line.
     """
-    table = _noted(table, width)
-    if not table.columns:
-        return [_facts_in_lines(table, width)]
-    return [_forced(_without_gaps(part), width) for part in folded(broken(table, width), width)]
+    shown = _noted(printed(table), width)
+    if not shown.columns:
+        return [_facts_in_lines(shown, width)]
+    return [_forced(_without_gaps(part), width) for part in folded(broken(shown, width), width)]
 
 
-def _facts_in_lines(table: Table, width: int) -> Table:
+def _facts_in_lines(table: Printed, width: int) -> Printed:
     """The table without headers with its last column broken into lines; paths in it stay whole."""
     if not table.rows:
         return table
@@ -128,23 +174,14 @@ def _facts_in_lines(table: Table, width: int) -> Table:
     return _in_lines(table, {len(table.rows[0]) - 1: max(width - before, _LEAST)}, _whole_words)
 
 
-def _without_gaps(table: Table) -> Table:
+def _without_gaps(table: Printed) -> Printed:
     """The table without rows that are empty in this part of it."""
     kept = [number for number, row in enumerate(table.rows) if any(row)]
     headings = {kept.index(number): heading for number, heading in table.headings.items()}
     return replace(table, rows=[table.rows[number] for number in kept], headings=headings)
 
 
-def _visible(table: Table) -> Table:
-    """The table with the control characters of its texts written out, so that columns are as wide as they look."""
-    rows = [[visible_line(cell) for cell in row] for row in table.rows]
-    columns = [visible_line(header) for header in table.columns]
-    notes = [visible(note) for note in table.notes]
-    headings = {row: visible_line(heading) for row, heading in table.headings.items()}
-    return replace(table, title=visible_line(table.title), columns=columns, rows=rows, notes=notes, headings=headings)
-
-
-def _noted(table: Table, width: int) -> Table:
+def _noted(table: Printed, width: int) -> Printed:
     """The table with its notes broken into lines; names and paths stay whole."""
     notes = [line for note in table.notes for line in _whole_words(note, width) or [""]]
     headings = {row: "\n    ".join(_whole_words(text, width - 4)) for row, text in table.headings.items()}
@@ -156,16 +193,16 @@ def _whole_words(text: str, width: int) -> list[str]:
     return textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False)
 
 
-def _indent(table: Table) -> int:
+def _indent(table: Printed) -> int:
     """Characters before the rows, which stand below headings of their own."""
     return 2 if table.headings else 0
 
 
-def _widths(table: Table) -> list[int]:
+def _widths(table: Printed) -> list[int]:
     return [max(len(row[i]) for row in (table.columns, *table.rows)) for i in range(len(table.columns))]
 
 
-def broken(table: Table, width: int) -> Table:
+def broken(table: Printed, width: int) -> Printed:
     """Return a table whose columns of sentences are broken into lines, rows of their own, so that it fits.
 
     No column becomes narrower than its longest word, so that names can be copied.
@@ -179,7 +216,7 @@ def broken(table: Table, width: int) -> Table:
     widths = _widths(table)
     over = _indent(table) + sum(widths) + _GAP * (len(widths) - 1) - width
     rooms: dict[int, int] = {}
-    for column in table.sentence_columns:
+    for column in table.sentences:
         if over > 0:
             word = max((len(word) for row in table.rows for word in row[column].split()), default=0)
             least = max(len(table.columns[column]), min(_LEAST, widths[column]), word)
@@ -188,7 +225,7 @@ def broken(table: Table, width: int) -> Table:
     return _in_lines(table, rooms, _whole_words) if rooms else table
 
 
-def _in_lines(table: Table, rooms: dict[int, int], wrap: Callable[[str, int], list[str]]) -> Table:
+def _in_lines(table: Printed, rooms: dict[int, int], wrap: Callable[[str, int], list[str]]) -> Printed:
     """The table with the cells of some columns broken into lines, each a row of its own."""
     rows: list[list[str]] = []
     headings = {}
@@ -200,14 +237,15 @@ def _in_lines(table: Table, rooms: dict[int, int], wrap: Callable[[str, int], li
     return replace(table, rows=rows, headings=headings)
 
 
-def plain(table: Table) -> str:
+def plain(table: Table | texts.Table | Printed) -> str:
     """Return a table as aligned text without colours."""
-    lines = [table.title] if table.title else []
-    lines += ["".join(text for text, _ in line).rstrip() for line in _lines(table)]
-    return "\n".join([*lines, *table.notes])
+    shown = printed(table)
+    lines = [shown.title] if shown.title else []
+    lines += ["".join(text for text, _ in line).rstrip() for line in _lines(shown)]
+    return "\n".join([*lines, *shown.notes])
 
 
-def _lines(table: Table) -> Iterator[list[tuple[str, str]]]:
+def _lines(table: Printed) -> Iterator[list[tuple[str, str]]]:
     """Headers, a rule below them, and rows with their headings: pieces of text, each with its style on a terminal."""
     if not table.rows and not table.columns:
         return
@@ -222,21 +260,21 @@ def _lines(table: Table) -> Iterator[list[tuple[str, str]]]:
             yield [(table.headings[number], "bold")]
         pieces = [(before, "")]
         for i, cell in enumerate(row):
-            answer = cell.rstrip("0123456789.<> ")  # of cells as `not met 1.20`
-            pieces.append((_aligned(table, i, cell, widths[i]), _COLOURS.get(answer, "")))
+            colour = table.colours[i].get(cell, "") if table.colours else ""
+            pieces.append((_aligned(table, i, cell, widths[i]), colour))
             pieces.append((" " * _GAP, ""))
         yield pieces[:-1]
 
 
-def _joined(table: Table, row: list[str], widths: list[int]) -> str:
+def _joined(table: Printed, row: list[str], widths: list[int]) -> str:
     return (" " * _GAP).join(_aligned(table, i, cell, widths[i]) for i, cell in enumerate(row))
 
 
-def _aligned(table: Table, column: int, cell: str, width: int) -> str:
-    return cell.ljust(width) if column < table.left or column in table.sentence_columns else cell.rjust(width)
+def _aligned(table: Printed, column: int, cell: str, width: int) -> str:
+    return cell.ljust(width) if column < table.left or column in table.sentences else cell.rjust(width)
 
 
-def folded(table: Table, width: int) -> list[Table]:
+def folded(table: Printed, width: int) -> list[Printed]:
     """Cut a table that is wider than `width` characters into tables below each other that repeat its first column.
 
     Where rows are alike there, the next columns of its left are repeated too, as far as they take half a line.
@@ -273,15 +311,15 @@ def folded(table: Table, width: int) -> list[Table]:
                 rows=[[row[i] for i in part] for row in table.rows],
                 notes=table.notes if number == len(parts) else [],
                 left=sum(i < table.left for i in part),
-                sentences=tuple(part.index(i) for i in table.sentence_columns if i in part),
+                sentences=tuple(part.index(i) for i in table.sentences if i in part),
                 joined=tuple(part.index(i) for i in table.joined if i in part),
-                formulas=None,
+                colours=[table.colours[i] for i in part] if table.colours else (),
             )
         )
     return tables
 
 
-def _telling_apart(table: Table, widths: list[int], room: int) -> list[int]:
+def _telling_apart(table: Printed, widths: list[int], room: int) -> list[int]:
     """The first columns, of those at the left, by which no two rows are alike; the first where that takes much room."""
     for count in range(1, max(1, table.left) + 1):
         alike = len({tuple(row[:count]) for row in table.rows}) < len(table.rows)
@@ -290,7 +328,7 @@ def _telling_apart(table: Table, widths: list[int], room: int) -> list[int]:
     return [0]
 
 
-def _forced(table: Table, width: int) -> Table:
+def _forced(table: Printed, width: int) -> Printed:
     """The table with its widest columns broken inside of words where it does not fit otherwise."""
     widths = _widths(table)
     over = _indent(table) + sum(widths) + _GAP * (len(widths) - 1) - width
@@ -308,7 +346,7 @@ def _forced(table: Table, width: int) -> Table:
     return replace(cut, columns=head, rows=[*more, *cut.rows], headings=headings)
 
 
-def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
+def _print_rich(tables: Iterable[Printed], stream: TextIO) -> None:
     from rich.console import Console
     from rich.text import Text  # in which brackets and colons are no markup
 

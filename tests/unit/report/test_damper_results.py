@@ -37,13 +37,13 @@ def group() -> Group:
 
 def test_the_table_of_analyses_has_the_largest_of_all_dampers(group):
     table = dampers_table({"damped": group, "bare": Group()})
-    assert table.rows == [["damped", "9.000", "9.000", "60.00", "V_1_2", "30.00", "75.00"]]
+    assert table.texts == [["damped", "9.000", "9.000", "60.00", "V_1_2", "30.00", "75.00"]]
 
 
 def test_every_damper_has_its_row(group):
     table = each_damper_table("damped", group)
-    assert table.rows[0] == ["V_1_1", "1", "2.000", "2.000", "60.00", "10.00"]
-    assert table.rows[1][:2] == ["V_1_2", "2"]
+    assert table.texts[0] == ["V_1_1", "1", "2.000", "2.000", "60.00", "10.00"]
+    assert table.texts[1][:2] == ["V_1_2", "2"]
 
 
 def test_frames_without_dampers_have_no_tables():
@@ -67,7 +67,7 @@ def test_stiffness_in_modes():
     found.add("damper_loss_factor", ("damper",), [0.35], "1", "loss factor")
     found.add("damper_amplitude", ("damper",), [0.02], "m", "amplitude")
     table = damper_stiffness_table("modes", found)
-    assert table.rows == [["V_1_1", "7.100", "0.3500", "20.00"]]
+    assert table.texts == [["V_1_1", "7.100", "0.3500", "20.00"]]
     assert "2 Hz" in table.notes[0] and amplitude_notes(found) == []
     found.attributes["dampers_in_small_vibrations"] = ["V_1_1"]
     assert amplitude_notes(found) == ["1 of 1 dampers count in small vibrations: no `design_deformation` is given"]

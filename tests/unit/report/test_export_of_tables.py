@@ -78,8 +78,8 @@ def test_tables_that_each_analysis_has_are_one() -> None:
     one = Table("a: periods", ("mode", "T [s]"), [["1", "2.0"]], ["a note"], left=0)
     other = Table("b: periods", ("mode", "f [Hz]"), [["1", "0.5"]], ["a note"], left=0)
     made = as_one("Periods", [("a", one), ("b", other)])
-    assert made.columns == ("of", "mode", "T [s]", "f [Hz]") and made.left == 1 and made.notes == ["a note"]
-    assert made.rows == [["a", "1", "2.0", ""], ["b", "1", "", "0.5"]]
+    assert made.headers == ["of", "mode", "T [s]", "f [Hz]"] and made.keys == 1 and made.notes == ["a note"]
+    assert made.rows == [["a", "1", "2.0", None], ["b", "1", None, "0.5"]]
 
 
 def test_names_of_tables_and_sheets_differ() -> None:

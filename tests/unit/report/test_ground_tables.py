@@ -34,7 +34,7 @@ def on_footings(modulus: float, work: dict[str, float]) -> Group:
 def test_footings_of_every_variant_are_told() -> None:
     groups = {"bare": on_footings(60e6, {"A0": 1e3}), "soft": on_footings(30e6, {"A0": 2e3})}
     soils = [table for table in ground_tables(groups) if table.title.startswith("Footings")]
-    assert [(table.title, table.rows[0][2]) for table in soils] == [
+    assert [(table.title, table.texts[0][2]) for table in soils] == [
         ("Footings (bare)", "60.0"),
         ("Footings (soft)", "30.0"),
     ]
@@ -45,8 +45,8 @@ def test_work_stands_under_the_footing_that_does_it() -> None:
     """Frames of two variants stand on other footings."""
     groups = {"first": on_footings(60e6, {"A0": 1e3, "B0": 2e3}), "second": on_footings(60e6, {"B0": 3e3})}
     work = ground_tables(groups)[-1]
-    assert list(work.columns) == ["analysis", "A0", "B0"]
-    assert work.rows == [["first", "1.000", "2.000"], ["second", "-", "3.000"]]
+    assert work.headers == ["analysis", "A0", "B0"]
+    assert work.texts == [["first", "1.000", "2.000"], ["second", "-", "3.000"]]
 
 
 def test_a_page_of_histories_is_shown() -> None:

@@ -29,16 +29,16 @@ def hinged(rotation: float, left: float, sway: float) -> Group:
 def test_every_row_is_of_one_analysis() -> None:
     """The push turns the hinge most, the shaking weakens it most: a row of each, with the values of that analysis."""
     hinges, supports = hinge_tables({"push": hinged(0.03, 1.0, 0.001), "shake": hinged(0.01, 0.8, 0.002)})
-    assert hinges.rows == [
+    assert hinges.texts == [
         ["B_1_1:end", "400.0", "20.00", "30.00", "150", "100.0", "push"],
         ["B_1_1:end", "400.0", "20.00", "10.00", "50.0", "80.00", "shake"],
     ]
-    assert supports.rows == [["A0", "sway [mm]", "2.000", "shake"]]
+    assert supports.texts == [["A0", "sway [mm]", "2.000", "shake"]]
 
 
 def test_one_row_where_one_analysis_governs() -> None:
     hinges, _ = hinge_tables({"push": hinged(0.03, 0.5, 0.001), "shake": hinged(0.01, 0.8, 0.002)})
-    assert [row[-1] for row in hinges.rows] == ["push"]
+    assert [row[-1] for row in hinges.texts] == ["push"]
 
 
 def sprung(moment: float, distortion: float, rotation: float) -> Group:
@@ -70,5 +70,5 @@ def sprung(moment: float, distortion: float, rotation: float) -> Group:
 def test_panel_zones_and_joints_are_of_the_analysis_that_strained_them_most() -> None:
     """8 mrad are twice 400 kN m / 100 MN m/rad; a joint without a resistance has none."""
     joints, panels = hinge_tables({"push": sprung(500e3, 0.008, 0.002), "shake": sprung(300e3, 0.003, 0.005)})
-    assert panels.rows == [["B1", "400.0", "500.0", "4.000", "8.000", "2.00", "push"]]
-    assert joints.rows == [["B_1_1:end", "90.00", "12.0", "semi-rigid", "-", "450.0", "5.000", "shake"]]
+    assert panels.texts == [["B1", "400.0", "500.0", "4.000", "8.000", "2.00", "push"]]
+    assert joints.texts == [["B_1_1:end", "90.00", "12.0", "semi-rigid", "-", "450.0", "5.000", "shake"]]

@@ -6,9 +6,10 @@ import re
 
 import pytest
 
-from edesign.report.html.render import Cover, alignments, render, state, typeset
+from edesign.report.html.render import Cover, alignments, render, typeset
 from edesign.report.html.section import Section
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import state_of
+from edesign.report.tables.table import Table, typed
 
 HOSTILE = "<img src=x onerror=alert(1)> & \"quotes\" 'too' -> T_B"
 
@@ -36,7 +37,7 @@ def test_numbers_stand_right_words_left_sentences_in_lines() -> None:
         ["b", "-", "+12.5", "-3", "-", "short"],
     ]
     table = Table("t", ("name", "x", "pair", "count", "verdict", "text"), rows)
-    assert alignments(table) == ["text", "right", "right", "right", "text", "long"]
+    assert alignments(typed(table)) == ["text", "right", "right", "right", "text", "long"]
 
 
 @pytest.mark.parametrize(
@@ -44,7 +45,7 @@ def test_numbers_stand_right_words_left_sentences_in_lines() -> None:
     [("met", "good"), ("NOT MET", "bad"), ("failed", "bad"), ("open", "open"), ("metal", ""), ("-", "")],
 )
 def test_verdicts(cell: str, found: str) -> None:
-    assert state(cell) == found
+    assert state_of(typed(Table("t", ("verdict",), [[cell]])).rows[0][0]) == found
 
 
 def test_signs_of_print_and_escaping() -> None:

@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.report.response.analysis_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
 from edesign.report.tables.table import Table, number, seconds
-from edesign.report.tables.text import filled, folded, in_facts, print_tables, told
+from edesign.report.tables.text import filled, folded, in_facts, print_tables, printed, told
 
 
 @pytest.mark.parametrize(
@@ -46,8 +46,9 @@ WIDE = Table(
 
 
 def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
-    assert folded(WIDE, 200) == [WIDE]
-    parts = folded(WIDE, 34)
+    wide = printed(WIDE)
+    assert folded(wide, 200) == [wide]
+    parts = folded(wide, 34)
     assert [list(part.columns) for part in parts] == [["analysis", "roof u [m]"], ["analysis", "base shear [kN]"]] + [
         ["analysis", "status"]
     ]
@@ -62,16 +63,16 @@ def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
 def test_columns_that_tell_rows_apart_are_repeated() -> None:
     """The third cycle of a test and the mean of all have one name."""
     rows = [["sine", "3", "1.2", "8.8"], ["sine", "1-18", "1.2", "8.9"]]
-    parts = folded(Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), rows, left=2), 28)
+    parts = folded(printed(Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), rows, left=2)), 28)
     assert [list(part.columns) for part in parts] == [["test", "cycle", "x0 [mm]"], ["test", "cycle", "k' [kN/mm]"]]
     assert [part.left for part in parts] == [2, 2]
     much = Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), [[10 * "x", *row[1:]] for row in rows], left=2)
-    assert [list(part.columns)[0:2] for part in folded(much, 28)][-1] == ["test", "k' [kN/mm]"]
+    assert [list(part.columns)[0:2] for part in folded(printed(much), 28)][-1] == ["test", "k' [kN/mm]"]
 
 
 def test_a_column_that_is_wider_than_the_terminal_stands_alone() -> None:
-    assert [len(part.columns) for part in folded(WIDE, 10)] == [2, 2, 2]
-    heading = Table("t", (), [["archive", "x" * 100]], left=2)
+    assert [len(part.columns) for part in folded(printed(WIDE), 10)] == [2, 2, 2]
+    heading = printed(Table("t", (), [["archive", "x" * 100]], left=2))
     assert folded(heading, 10) == [heading]
 
 
@@ -159,7 +160,7 @@ def test_a_brace_that_was_never_in_tension_has_none() -> None:
         dim = "brace" if kind == "axial_force" else "buckling_brace"
         group.add(f"brace_{kind}_min", (dim,), [low], "1", "least")
         group.add(f"brace_{kind}_max", (dim,), [high], "1", "largest")
-    (row,) = brace_table({"push": group}).rows
+    (row,) = brace_table({"push": group}).texts
     assert row[2].startswith("200") and [float(row[3]), float(row[5])] == [0.0, 0.0]
 
 

@@ -152,22 +152,22 @@ def test_criteria_take_their_quantities(shaken: tuple[Project, Group]) -> None:
 def test_tables(shaken: tuple[Project, Group]) -> None:
     _, group = shaken
     demand, strength, beams, columns = restrained_tables({"shake": group, "other": Group()})
-    assert [row[0] for row in demand.rows] == [str(name) for name in group.coords["damper"].values]
+    assert [row[0] for row in demand.texts] == [str(name) for name in group.coords["damper"].values]
     force = float(group.variables["damper_force_max"].values[0])
-    assert float(demand.rows[0][1]) == pytest.approx(force / 1e3, rel=1e-3)
-    assert float(demand.rows[0][2]) == pytest.approx(force / (1.1 * 1.46 * 1.7 * 262e3), rel=1e-2)
+    assert float(demand.texts[0][1]) == pytest.approx(force / 1e3, rel=1e-3)
+    assert float(demand.texts[0][2]) == pytest.approx(force / (1.1 * 1.46 * 1.7 * 262e3), rel=1e-2)
     # by hand: P = 262 kN, T = 1.1 1.46 P, C = 1.12 T; (C - T) sin, (C + T) cos at 4 m over 3.5 m
     tension, length = 1.1 * 1.46 * 262.0, np.hypot(3.5, 4.0)
-    row = strength.rows[3]
+    row = strength.texts[3]
     assert [float(cell) for cell in row[1:]] == pytest.approx(
         [length, 262.0, 262e3 / (1.35 * 200e9 * 1e-3 / length) * 1e3, tension, 1.12 * tension], rel=1e-3
     )
     up, along = 0.12 * tension * 4.0 / length, 2.12 * tension * 3.5 / length
-    assert beams.rows[0][0] == "B_3_1"
-    assert [float(cell) for cell in beams.rows[0][1:]] == pytest.approx([up, along, up * 7.0 / 4.0], rel=1e-3)
+    assert beams.texts[0][0] == "B_3_1"
+    assert [float(cell) for cell in beams.texts[0][1:]] == pytest.approx([up, along, up * 7.0 / 4.0], rel=1e-3)
     # diagonals from A up to B at 4 and 3.5 m over 6 m; sway to the right pulls them, to the left presses them
     each = {1: 1.7 * 4.0 / np.hypot(6.0, 4.0), 2: 1.4 * 3.5 / np.hypot(6.0, 3.5), 3: 0.8 * 3.5 / np.hypot(6.0, 3.5)}
-    found = {row[0]: [float(cell) for cell in row[1:]] for row in columns.rows}
+    found = {row[0]: [float(cell) for cell in row[1:]] for row in columns.texts}
     for storey in (1, 2, 3):
         above = sum(share for at, share in each.items() if at >= storey)
         assert found[f"C_B_{storey}"] == pytest.approx([above * tension, 1.12 * above * tension], rel=1e-3)

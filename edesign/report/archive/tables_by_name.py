@@ -1,0 +1,25 @@
+"""All declared tables by name: what each has, with units, in the order in which it is printed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from edesign.report.export import catalogue
+from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
+from edesign.report.tables.spec import TableSpec
+
+MODULES = (
+    brace_table,
+    catalogue,
+    damper_results,
+    ground_tables,
+    hinge_tables,
+    restrained_braces,
+)
+"""Modules that declare tables; a test finds those that are missing."""
+
+
+def tables_by_name() -> dict[str, TableSpec[Any]]:
+    """Return every declared table by its name, in the order of the names."""
+    found = [spec for module in MODULES for spec in vars(module).values() if isinstance(spec, TableSpec)]
+    return {spec.name: spec for spec in sorted(found, key=lambda spec: spec.name)}

@@ -1,0 +1,188 @@
+"""Tables as data: a declaration of columns, and the values of rows. How they look is the matter of whoever prints them.
+
+PERIODS = TableSpec(
+    "periods",
+    "{analysis}: periods",
+    (count("mode", "number"), col("T", S, "period", form=".4f"), col("effective mass", PERCENT, "mass", form=".2f")),
+    each="Periods",
+)
+table = PERIODS.of(modes, analysis=name)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Generic
+
+from edesign.notebook import table_html
+from edesign.report.tables.cell import Cell, State, Value
+from edesign.report.tables.column import Column, Item
+from edesign.report.tables.unit import Unit
+
+
+@dataclass
+class Table:
+    """A table of values under typed columns.
+
+    Attributes:
+        title: one line above.
+        columns: what the values of a row are.
+        rows: values in SI, as many as columns in each row.
+        notes: lines below.
+        keys: number of columns, from the first, that name the rows.
+        headings: lines across the whole table, each by the number of the row that it stands above.
+        each: of a table that each analysis or member has one of: what such tables have in common, and whose this is. In
+            files they are one table.
+        name: of the table in files; "": it is made of the title.
+        headed: whether its headers are printed.
+        formulas: whether headers and notes have symbols of formulas.
+        names_kept: whether names of analyses stay as they are, where a page says others in words.
+    """
+
+    title: str
+    columns: tuple[Column[Any], ...] = ()
+    rows: list[list[Value]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    keys: int = 1
+    headings: dict[int, str] = field(default_factory=dict)
+    each: tuple[str, str] | None = None
+    name: str = ""
+    headed: bool = True
+    formulas: bool = False
+    names_kept: bool = False
+
+    @property
+    def headers(self) -> list[str]:
+        """The headers with units, as printed; [] where they are not."""
+        return [column.head for column in self.columns] if self.headed else []
+
+    @property
+    def texts(self) -> list[list[str]]:
+        """The rows as people read them."""
+        return [[c.text(value) for c, value in zip(self.columns, row, strict=True)] for row in self.rows]
+
+    def column(self, name: str) -> list[Value]:
+        """Return the values of a column by its name in files."""
+        at = [column.in_files for column in self.columns].index(name)
+        return [row[at] for row in self.rows]
+
+    def in_words(self, say: Callable[[str], str]) -> Table:
+        """Return the table with its texts said in another way; numbers stay."""
+        return replace(
+            self,
+            title=say(self.title),
+            columns=tuple(replace(column, header=say(column.header)) for column in self.columns),
+            rows=[[_said(value, say) for value in row] for row in self.rows],
+            notes=[say(note) for note in self.notes],
+        )
+
+    def _repr_html_(self) -> str:
+        return table_html(self.title, self.headers, self.texts, self.notes, self.keys)
+
+
+def state_of(value: Value) -> State:
+    """Return whether a value is a good, bad or open verdict, "" for any other value."""
+    return value.state if isinstance(value, Cell) else ""
+
+
+def _said(value: Value, say: Callable[[str], str]) -> Value:
+    if isinstance(value, str):
+        return say(value)
+    return value.in_words(say) if isinstance(value, Cell) else value
+
+
+@dataclass(frozen=True)
+class TableSpec(Generic[Item]):
+    """What a table is: its name, its title, its columns.
+
+    Attributes:
+        name: by which the table is known, and of its file.
+        title: one line; it may have words in braces that `of` is given, as may headers and notes: `{whose}: periods`.
+        columns: in the order in which they are printed.
+        notes: lines below, where there are rows.
+        keys: number of columns, from the first, that name the rows.
+        each: title of the one table that files have where each analysis or member has one.
+        formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
+        headed: whether headers are printed.
+        named_by_title: whether files are named by the title, as it tells studies apart.
+        names_kept: see `Table`.
+        most: rows that are printed; 0: all.
+        cut: note of a table with more rows: `The first {shown} of {all} feet.`
+    """
+
+    name: str
+    title: str
+    columns: tuple[Column[Item], ...]
+    notes: tuple[str, ...] = ()
+    keys: int = 1
+    each: str = ""
+    formulas: bool = False
+    headed: bool = True
+    named_by_title: bool = False
+    names_kept: bool = False
+    most: int = 0
+    cut: str = ""
+
+    def of(
+        self,
+        items: Iterable[Item],
+        *,
+        more: Sequence[Column[Item]] = (),
+        without: Collection[str] = (),
+        notes: Iterable[str] = (),
+        units: Mapping[str, Unit] | None = None,
+        heading: Callable[[Item], str] | None = None,
+        whose: str = "",
+        **words: object,
+    ) -> Table:
+        """Return the table of some items.
+
+        Args:
+            items: a row each.
+            more: columns at the end that only this table has.
+            without: names of columns that it has not.
+            notes: lines below those of the declaration.
+            units: of columns that leave them open, by their key.
+            heading: of an item; where it changes, it stands across the table.
+            whose: the analysis or member whose table it is, where each has one; `{whose}` in the title.
+            **words: for what is in braces in title, headers and notes.
+        """
+        words = {"whose": whose, **words}
+        made = [column for column in (*self.columns, *more) if column.in_files not in without]
+        chosen = list(items)
+        shown = chosen[: self.most] if self.most else chosen
+        rows = [[column.of(item) for column in made] for item in shown]
+        kept = [i for i, c in enumerate(made) if not c.optional or any(row[i] is not None for row in rows)]
+        lines = [note.format(**words) for note in self.notes] if rows else []
+        if len(shown) < len(chosen):
+            lines.append(self.cut.format(shown=len(shown), all=len(chosen), **words))
+        return Table(
+            title=self.title.format(**words),
+            columns=tuple(_worded(made[i], words, units or {}) for i in kept),
+            rows=[[row[i] for i in kept] for row in rows],
+            notes=[*lines, *notes],
+            keys=self.keys,
+            headings=_headings(shown, heading) if heading is not None else {},
+            each=(self.each, whose) if self.each else None,
+            name="" if self.named_by_title else self.name,
+            headed=self.headed,
+            formulas=self.formulas or any(column.symbols for column in made),
+            names_kept=self.names_kept,
+        )
+
+
+def _worded(column: Column[Item], words: Mapping[str, object], units: Mapping[str, Unit]) -> Column[Item]:
+    unit = units[column.unit] if isinstance(column.unit, str) else column.unit
+    header = column.header.format(**words) if "{" in column.header else column.header
+    return replace(column, unit=unit, header=header)
+
+
+def _headings(items: Sequence[Item], heading: Callable[[Item], str]) -> dict[int, str]:
+    found: dict[int, str] = {}
+    last = ""
+    for number, item in enumerate(items):
+        words = heading(item)
+        if words != last:
+            found[number] = last = words
+    return found
