@@ -9,8 +9,8 @@ from typing import NamedTuple
 import pytest
 
 import edesign
-from edesign.report.archive.tables_by_name import MODULES, tables_by_name
 from edesign.report.export.export_table import export_table
+from edesign.report.export.tables_by_name import MODULES, tables_by_name
 from edesign.report.html.render import alignments, cells
 from edesign.report.tables.cell import Listed, Marked, Quantity, Span, Value, Verdict
 from edesign.report.tables.column import col, count, formula, text, verdict
