@@ -15,8 +15,7 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.assess.criteria import Verdict, judge
 from edesign.assess.sets import history_sets
-from edesign.report.archive.short_tables import SCREEN
-from edesign.report.archive.tables import short_tables
+from edesign.report.archive.tables import SCREEN, short_tables
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.measure_tables import DIFFERENCE, statistics_tables
 from edesign.report.assessment.response_in_short import response_in_short
