@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from edesign.project.actions.checks_hazard import check_hazard
-from edesign.project.analysis.checks_actions import check_actions
-from edesign.project.analysis.checks_outputs import check_outputs
-from edesign.project.dampers.checks_dampers import check_dampers
-from edesign.project.dampers.checks_isolation import check_isolation
+from edesign.project.checks.analyses import check_actions
+from edesign.project.checks.dampers import check_dampers
+from edesign.project.checks.foundations import check_foundations
+from edesign.project.checks.frame import check_frame
+from edesign.project.checks.hazard import check_hazard
+from edesign.project.checks.hinges import check_hinges
+from edesign.project.checks.isolation import check_isolation
+from edesign.project.checks.outputs import check_outputs
 from edesign.project.dampers.dampers import BraceSection
-from edesign.project.frame.checks_foundations import check_foundations
-from edesign.project.frame.checks_frame import check_frame
-from edesign.project.frame.checks_hinges import check_hinges
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import Catalogue
 from edesign.project.project import Project

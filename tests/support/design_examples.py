@@ -10,7 +10,7 @@ from shear_frames import shear_frame_text
 from edesign.building.project_file import load_project
 from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
-from edesign.project.dampers.checks_designs import check_design
+from edesign.project.checks.designs import check_design
 from edesign.project.dampers.designs import Design
 from edesign.project.loader import parse_project
 from edesign.project.project import Project

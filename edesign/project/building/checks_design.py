@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.project.actions.checks_hazard import check_hazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS, Select
 from edesign.project.building.members import CHEVRONS
+from edesign.project.checks.hazard import check_hazard
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.project.dampers.checks_designs import check_factors
+from edesign.project.checks.designs import check_factors
+from edesign.project.checks.names import check_names
 from edesign.project.dampers.designs import Bounds
-from edesign.project.reading.checks_names import check_names
 from edesign.project.reading.problems import FileProblems, Keys, Problems, listed
 from edesign.project.reading.values import wrong_place
 from edesign.project.study.derived import SHARED, derived_name

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from edesign.project.actions.checks_vertical import check_horizontal
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import YEAR
-from edesign.project.analysis.checks_actions import check_drift
-from edesign.project.analysis.checks_wave_passage import check_wave_passage
+from edesign.project.checks.analyses import check_drift
+from edesign.project.checks.names import ALL, check_names, check_records
+from edesign.project.checks.records import check_fitted_levels
+from edesign.project.checks.vertical_motion import check_horizontal
+from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.project import Project
-from edesign.project.reading.checks_names import ALL, check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, unknown_name
-from edesign.project.records.checks_records import check_fitted_levels
 from edesign.project.records.records import record_of
 from edesign.project.study.incremental import COLLAPSE, Incremental, LevelFactorStudy
 from edesign.project.study.life_cycle import CurveOfLevels, LifeCycle

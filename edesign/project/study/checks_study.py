@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from edesign.project.actions.checks_vertical import check_horizontal, check_vertical
-from edesign.project.analysis.checks_actions import check_drift
-from edesign.project.analysis.checks_outputs import check_member
-from edesign.project.analysis.checks_pushover import check_pushover
-from edesign.project.analysis.checks_wave_passage import check_wave_passage
 from edesign.project.analysis.pushover import Pushovers
-from edesign.project.criteria.checks_criteria import check_criteria
-from edesign.project.criteria.checks_quantities import names_of_dampers, names_of_design
-from edesign.project.dampers.checks_designs import check_design
-from edesign.project.dampers.checks_isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
+from edesign.project.checks.analyses import check_drift
+from edesign.project.checks.criteria import check_criteria
+from edesign.project.checks.criterion_quantities import names_of_dampers, names_of_design
+from edesign.project.checks.designs import check_design
+from edesign.project.checks.isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
+from edesign.project.checks.names import ALL, check_names, check_records
+from edesign.project.checks.outputs import check_member
+from edesign.project.checks.pushover import check_pushover
+from edesign.project.checks.records import check_fitted_levels
+from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
+from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
-from edesign.project.reading.checks_names import ALL, check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
-from edesign.project.records.checks_records import check_fitted_levels
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.checks_dampers import check_law
+from edesign.project.checks.dampers import check_law
 from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.reading.checks_files import check_file
 from edesign.project.reading.problems import Keys, Problems, unknown_name

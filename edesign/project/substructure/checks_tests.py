@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from edesign.project.checks.records import check_record, check_record_files
 from edesign.project.reading.checks_files import check_file
 from edesign.project.reading.problems import Keys, Problems, unknown_name
-from edesign.project.records.checks_records import check_record, check_record_files
 from edesign.project.records.records import ChosenRecords, record_of
 from edesign.project.substructure.checks_rig import nyquist
 from edesign.project.substructure.programme import (

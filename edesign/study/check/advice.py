@@ -14,9 +14,9 @@ from edesign.ground_motion.record_choice import RecordChoice
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
+from edesign.project.checks.designs import design_warnings
+from edesign.project.checks.placement import placement_warnings
 from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
-from edesign.project.dampers.checks_designs import design_warnings
-from edesign.project.dampers.checks_placement import placement_warnings
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.sections import ElasticSection

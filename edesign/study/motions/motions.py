@@ -17,8 +17,8 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
+from edesign.project.checks.records import fitted_level
 from edesign.project.project import Project
-from edesign.project.records.checks_records import fitted_level
 from edesign.project.records.records import PairRecord, Suite, component_references, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
 

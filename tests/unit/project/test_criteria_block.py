@@ -8,7 +8,7 @@ from unit.assess.assessed import FRAME, Part, part
 from edesign.ground_motion.hazard import objective_level
 from edesign.project import parse_project
 from edesign.project.analysis.outputs import HistoryKind
-from edesign.project.criteria.checks_criteria import check_criteria
+from edesign.project.checks.criteria import check_criteria
 from edesign.project.criteria.criteria import HingeCriterion, MeasureCriterion, PerformanceCriterion
 from edesign.project.reading.yaml_file import check_model
 

@@ -7,7 +7,7 @@ import re
 import pytest
 from design_examples import THESIS, design, refusal, shear_project, thesis_project
 
-from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.checks.designs import design_warnings
 from edesign.project.dampers.designs import (
     Bounds,
     BraceRatio,

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from edesign.codes.ec8.lateral_force import base_shear, is_applicable, lateral_forces
-from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.checks.designs import design_warnings
 from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.dampers.checks_hysteretic_designs import TARGETS
+from edesign.project.checks.hysteretic_designs import TARGETS
 from edesign.project.dampers.designs import Optimum
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building

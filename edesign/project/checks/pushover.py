@@ -5,8 +5,8 @@ from __future__ import annotations
 from edesign.project.actions.hazard import EC8Hazard, UserHazard
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.pushover import METHODS, GivenPattern, Pushover, pattern_name
+from edesign.project.checks.names import check_names
 from edesign.project.project import Project
-from edesign.project.reading.checks_names import check_names
 from edesign.project.reading.problems import Keys, Problems, listed
 
 OF_TARGETS = ("levels", "damping", "site_class")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from edesign.project.dampers.checks_dampers import check_size
+from edesign.project.checks.dampers import check_size
+from edesign.project.checks.frame import Selections
+from edesign.project.checks.names import check_names, check_records
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.frame.checks_frame import Selections
 from edesign.project.frame.frame import Frame
 from edesign.project.project import Project
-from edesign.project.reading.checks_names import check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
 

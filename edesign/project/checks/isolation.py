@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis
+from edesign.project.checks.frame import Selections
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
 from edesign.project.dampers.isolation import NEEDS_STIFFNESS, WEIGHED, BaseDevice, Isolation, Isolator
-from edesign.project.frame.checks_frame import Selections
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.supports import SupportKind, SupportSprings, springs_of, support_name
 from edesign.project.notation import names

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from edesign.project.actions.checks_loads import check_loads
-from edesign.project.actions.checks_vertical import check_horizontal, check_vertical
 from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
-from edesign.project.analysis.checks_damping import check_damping
-from edesign.project.analysis.checks_pushover import check_pushover
-from edesign.project.analysis.checks_wave_passage import check_wave_passage
-from edesign.project.frame.checks_frame import Selections
+from edesign.project.checks.damping import check_damping
+from edesign.project.checks.frame import Selections
+from edesign.project.checks.loads import check_loads
+from edesign.project.checks.pushover import check_pushover
+from edesign.project.checks.records import check_fitted_levels, check_project_records, check_record_files
+from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
+from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
-from edesign.project.records.checks_records import check_fitted_levels, check_project_records, check_record_files
 from edesign.project.records.records import PairRecord
 
 

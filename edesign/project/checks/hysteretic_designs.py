@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.checks_dampers import check_sized_law
+from edesign.project.checks.dampers import check_sized_law
 from edesign.project.dampers.dampers import restrained_misfits
 from edesign.project.dampers.designs import DESIGNED_BRACES, HYSTERETIC_LAWS, HystereticDesign, Optimum
 from edesign.project.project import Project

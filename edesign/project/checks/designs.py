@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from edesign.project.analysis.checks_actions import check_drift
-from edesign.project.dampers.checks_dampers import check_beams_met
-from edesign.project.dampers.checks_hysteretic_designs import check_hysteretic_design
-from edesign.project.dampers.checks_placement import (
+from edesign.project.checks.analyses import check_drift
+from edesign.project.checks.dampers import check_beams_met
+from edesign.project.checks.hysteretic_designs import check_hysteretic_design
+from edesign.project.checks.placement import (
     check_candidate_places,
     check_design_hazard,
     check_placement_design,
 )
-from edesign.project.dampers.checks_viscous_designs import check_viscous_design
+from edesign.project.checks.viscous_designs import check_viscous_design
 from edesign.project.dampers.designs import (
     Bounds,
     Design,

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.checks.frame import Selections
+from edesign.project.checks.names import check_names
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES, Place, keys_of
 from edesign.project.dampers.dampers import DamperBetween, Dampers
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.frame.checks_frame import Selections
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.notation import names
 from edesign.project.project import Project
-from edesign.project.reading.checks_names import check_names
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
 
 _CHOOSING = ("floors", "storeys", "members", "dampers", "lines", "side", "frequency", "damping", "term")

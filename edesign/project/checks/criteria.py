@@ -7,7 +7,9 @@ from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from edesign.project.analysis.outputs import HistoryKind
-from edesign.project.criteria.checks_quantities import check_members, check_quantity
+from edesign.project.checks.criterion_quantities import check_members, check_quantity
+from edesign.project.checks.frame import Selections
+from edesign.project.checks.names import check_names
 from edesign.project.criteria.criteria import (
     Criterion,
     HingeCriterion,
@@ -17,9 +19,7 @@ from edesign.project.criteria.criteria import (
 )
 from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
 from edesign.project.criteria.measures import MEASURE_KINDS
-from edesign.project.frame.checks_frame import Selections
 from edesign.project.project import Project
-from edesign.project.reading.checks_names import check_names
 from edesign.project.reading.problems import Keys, Problems, keys_text
 
 _PREFIXES = {"beam": "B_", "column": "C_", "brace": "D_"}

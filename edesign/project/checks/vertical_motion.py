@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from edesign.project.analysis.analyses import VerticalMotion
+from edesign.project.checks.records import check_fitted_levels
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
-from edesign.project.records.checks_records import check_fitted_levels
 from edesign.project.records.records import RecordSet, record_of
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from edesign.project.analysis.analyses import ModalAnalysis
+from edesign.project.checks.frame import Selections
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
     BraceSection,
@@ -16,7 +17,6 @@ from edesign.project.dampers.dampers import (
 )
 from edesign.project.dampers.designs import HystereticDesign, SizedDesign, ViscousDesign
 from edesign.project.dampers.placement import CatalogueItem
-from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name

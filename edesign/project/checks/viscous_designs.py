@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.checks_dampers import check_sized_law
+from edesign.project.checks.dampers import check_sized_law
 from edesign.project.dampers.designs import VISCOUS_LAWS, ViscousDesign
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems
