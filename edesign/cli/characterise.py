@@ -119,8 +119,8 @@ def _campaign(
     from edesign.damper.testing.measured_files import read_test
     from edesign.damper.testing.specimen import Specimen
     from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
+    from edesign.project.notation.quantities import AREA, LENGTH
     from edesign.project.notation.temperature import parse_temperature
-    from edesign.project.notation.units import AREA, LENGTH
 
     options = {"--layers": layers, "--layer-area": area, "--layer-thickness": thickness}
     if any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):

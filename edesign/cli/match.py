@@ -76,7 +76,7 @@ def match(
     from edesign.ground_motion.hazard import elastic_spectrum
     from edesign.ground_motion.matching import MatchOptions
     from edesign.input_files import spare_inputs
-    from edesign.project.notation.units import TIME
+    from edesign.project.notation.quantities import TIME
     from edesign.report.archive.figures import draw_figures
     from edesign.report.drawing.style import check_format
     from edesign.report.ground_motion.record_tables import choice_table, record_tables

@@ -61,7 +61,7 @@ def spectrum(
     from edesign.archive.files import check_csv_name, check_file
     from edesign.errors import InputError
     from edesign.ground_motion.hazard import code_spectra
-    from edesign.project.notation.units import TIME
+    from edesign.project.notation.quantities import TIME
     from edesign.report.drawing.style import check_figure_name
     from edesign.report.ground_motion.spectrum_table import (
         draw_spectra,

@@ -11,8 +11,9 @@ from pydantic_core import PydanticCustomError
 from edesign.damper.law import Law, Parameter
 from edesign.damper.parameter_sets import PARAMETER_SETS, ParameterSet
 from edesign.errors import InputError
+from edesign.project.notation.quantities import Kind
 from edesign.project.notation.temperature import parse_temperature
-from edesign.project.notation.units import Kind, parse_quantity, parse_ratio
+from edesign.project.notation.units import parse_quantity, parse_ratio
 from edesign.project.reading.problems import MOST_SHOWN, did_you_mean, listed
 
 __all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", "read_parameters", "write_parameters"]

@@ -9,8 +9,9 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
+from edesign.project.notation.quantities import LENGTH
 from edesign.project.notation.table_format import TableFormat
-from edesign.project.notation.units import LENGTH, PositiveTime, PositiveVelocity, written
+from edesign.project.notation.units import PositiveTime, PositiveVelocity, written
 from edesign.project.notation.written import Written, text
 from edesign.project.project import Identifier
 from edesign.project.reading.base import FormatVersion, Model, refuse

@@ -9,7 +9,8 @@ from typing import Any
 from pydantic import BaseModel
 from pydantic.json_schema import GenerateJsonSchema
 
-from edesign.project.notation.units import Kind, parse_quantity
+from edesign.project.notation.quantities import Kind
+from edesign.project.notation.units import parse_quantity
 from edesign.project.notation.written import OF_ONE, SHARED, Json
 from edesign.schema.descriptions import of_keys, of_model
 from edesign.schema.kinds import KINDS, SchemaKind

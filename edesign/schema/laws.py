@@ -11,8 +11,8 @@ from edesign.damper.law import Law, Parameter
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import PARAMETER_SETS, practical_unit
 from edesign.damper.temperature_file import TemperatureLaw
+from edesign.project.notation.quantities import AREA, ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, TIME, VELOCITY, Kind
 from edesign.project.notation.temperature import TEMPERATURE_TEXT
-from edesign.project.notation.units import AREA, ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, TIME, VELOCITY, Kind
 from edesign.project.notation.written import Json, quantity, ratio
 
 _LAWS = ("Damper law", "Law description", "Law block", "Campaign law", "Virtual law")

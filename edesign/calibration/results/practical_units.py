@@ -9,7 +9,8 @@ from functools import cache
 from edesign.calibration.results.result import Estimate
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
-from edesign.project.notation.units import Kind, parse_quantity
+from edesign.project.notation.quantities import Kind
+from edesign.project.notation.units import parse_quantity
 
 _AS_THEY_ARE = ("", "degC", "K", "1/K")
 _SHORT = 0.1  # s: shorter times are in ms

@@ -10,11 +10,9 @@ from edesign.calibration.structures.building import DampingKind
 from edesign.damper.testing.campaign_blocks import LawBlock, Text
 from edesign.damper.testing.measured_histories import Use
 from edesign.project.document import Document
+from edesign.project.notation.quantities import ACCELERATION, LENGTH, TIME, Kind
+from edesign.project.notation.unit_patterns import unit_pattern
 from edesign.project.notation.units import (
-    ACCELERATION,
-    LENGTH,
-    TIME,
-    Kind,
     PositiveLength,
     PositiveMass,
     PositiveRatio,
@@ -36,8 +34,6 @@ def _unit(kind: Kind) -> Written:
     """A unit, which becomes its factor to SI."""
 
     def schema(_inner: Inner) -> Json:
-        from edesign.project.notation.unit_patterns import unit_pattern
-
         said = {"title": f"unit of {kind.name}", "examples": sorted(units_of(kind)), OF_ONE: kind.unit}
         return {"type": "string", "pattern": rf"^\s*(?:{unit_pattern(kind)})\s*$", **said}
 

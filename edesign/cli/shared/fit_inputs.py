@@ -107,7 +107,7 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
     """
     from edesign.cli.shared.hazard_options import quantity
     from edesign.damper.testing.specimen import Specimen
-    from edesign.project.notation.units import AREA, LENGTH
+    from edesign.project.notation.quantities import AREA, LENGTH
 
     if layers is None and area is None and thickness is None:
         return None

@@ -11,7 +11,7 @@ from edesign.errors import InputError
 
 if TYPE_CHECKING:
     from edesign.project.actions.hazard_base import Hazard
-    from edesign.project.notation.units import Kind
+    from edesign.project.notation.quantities import Kind
     from edesign.project.project import Project
 
 ProjectFile = Annotated[
@@ -43,7 +43,7 @@ def load(path: Path | None) -> Project | None:
 
 def fundamental_period(project: Project | None, text: str | None) -> float | None:
     """Return T1 (s) as given, else that of the project's frame under gravity, else None."""
-    from edesign.project.notation.units import TIME
+    from edesign.project.notation.quantities import TIME
     from edesign.study.analysis import modal
 
     if text is not None:

@@ -75,7 +75,7 @@ class Reading:
             InputError: the time step is none.
         """
         from edesign.cli.shared.hazard_options import quantity
-        from edesign.project.notation.units import TIME
+        from edesign.project.notation.quantities import TIME
 
         if time_column is not None and column is None:
             raise InputError("--time-column: only with --column, which names the acceleration")

@@ -24,15 +24,9 @@ from edesign.damper.testing.campaign_blocks import (
 from edesign.damper.testing.measured_histories import Use
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Effect
+from edesign.project.notation.quantities import FREQUENCY, LENGTH
 from edesign.project.notation.temperature import TEMPERATURE_TEXT, parse_temperature
-from edesign.project.notation.units import (
-    FREQUENCY,
-    LENGTH,
-    PositiveTime,
-    parse_quantity,
-    parse_ratio,
-    written_ratio,
-)
+from edesign.project.notation.units import PositiveTime, parse_quantity, parse_ratio, written_ratio
 from edesign.project.notation.written import SchemaMaker, Written, given, one_or_list_of, quantity, ratio
 from edesign.project.reading.base import Model, by_key, refuse
 from edesign.project.reading.file_bytes import is_file

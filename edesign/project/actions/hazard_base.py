@@ -10,7 +10,8 @@ from typing import Annotated, Any
 from pydantic import Field, PrivateAttr
 
 from edesign.errors import InputError
-from edesign.project.notation.units import TIME, PositiveRatio, parse_quantity, parse_ratio
+from edesign.project.notation.quantities import TIME
+from edesign.project.notation.units import PositiveRatio, parse_quantity, parse_ratio
 from edesign.project.notation.written import NUMBER, Written, ratio, text
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import Keys

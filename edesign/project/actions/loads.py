@@ -8,8 +8,9 @@ from pydantic_core import PydanticCustomError
 
 from edesign.project.frame.members import BeamPlaces, ColumnPlaces
 from edesign.project.notation.positions import Place, Places
+from edesign.project.notation.quantities import AREA_LOAD, LINE_LOAD
 from edesign.project.notation.selections import ALL_LINES, Lines, Numbers
-from edesign.project.notation.units import AREA_LOAD, LINE_LOAD, AreaLoad, Factor, Force, PositiveLength, parse_quantity
+from edesign.project.notation.units import AreaLoad, Factor, Force, PositiveLength, parse_quantity
 from edesign.project.notation.written import Written, either, items, quantity
 from edesign.project.reading.base import Model, refuse
 

@@ -7,9 +7,10 @@ from typing import Annotated, Any, Literal
 
 from edesign.project.building.names import Direction
 from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, ColumnLines, Frames
+from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName
-from edesign.project.notation.units import ROTATIONAL_STIFFNESS, held
+from edesign.project.notation.units import held
 from edesign.project.notation.written import Written, as_kept, either, quantity, words_or
 from edesign.project.reading.base import Model
 

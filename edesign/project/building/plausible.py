@@ -14,18 +14,8 @@ from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS
 from edesign.project.building.layout import Panel
 from edesign.project.notation.plausible_range import HEIGHT, WIDTH, Range
-from edesign.project.notation.units import (
-    ACCELERATION,
-    AREA_LOAD,
-    DENSITY,
-    FORCE,
-    LINE_LOAD,
-    MASS,
-    NUMBER,
-    STANDARD_GRAVITY,
-    STRESS,
-    units_of,
-)
+from edesign.project.notation.quantities import ACCELERATION, AREA_LOAD, DENSITY, FORCE, LINE_LOAD, MASS, NUMBER, STRESS
+from edesign.project.notation.units import STANDARD_GRAVITY, units_of
 from edesign.project.reading.problems import Keys, Problems, keys_text
 
 LIGHTEST, HEAVIEST = 10.0, 100e3

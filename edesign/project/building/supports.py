@@ -6,7 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Tag
 
-from edesign.project.notation.units import ROTATIONAL_STIFFNESS, STIFFNESS, held
+from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
+from edesign.project.notation.units import held
 from edesign.project.reading.base import Model, by_shape
 
 DIRECTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")

@@ -7,16 +7,7 @@ from typing import Literal
 
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.criteria.measures import MULTIPLE, RATIO
-from edesign.project.notation.units import (
-    ACCELERATION,
-    ENERGY,
-    FORCE,
-    LENGTH,
-    MOMENT,
-    ROTATION,
-    VELOCITY,
-    Kind,
-)
+from edesign.project.notation.quantities import ACCELERATION, ENERGY, FORCE, LENGTH, MOMENT, ROTATION, VELOCITY, Kind
 
 Place = Literal["floor", "storey", "column", "beam", "brace", "member", "damper", "isolator", "support", "frame"]
 Side = Literal["tension", "compression"]

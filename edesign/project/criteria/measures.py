@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from edesign.project.notation.units import ACCELERATION, FORCE, LENGTH, ROTATION, Kind, parse_quantity, parse_ratio
+from edesign.project.notation.quantities import ACCELERATION, FORCE, LENGTH, ROTATION, Kind
+from edesign.project.notation.units import parse_quantity, parse_ratio
 from edesign.project.notation.written import Json, quantity, ratio
 
 RATIO = Kind("ratio", "1", "1.3 %")

@@ -7,7 +7,8 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, Field
 
 from edesign.project.frame.sections import SectionAxis
-from edesign.project.notation.units import ROTATIONAL_STIFFNESS, PositiveFactor, held, parse_ratio
+from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
+from edesign.project.notation.units import PositiveFactor, held, parse_ratio
 from edesign.project.notation.written import Written, ratio, words_or
 from edesign.project.reading.base import Model, refuse
 

@@ -7,9 +7,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Discriminator, Tag
 
 from edesign.project.frame.foundations import FootingSupport
+from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
 from edesign.project.notation.units import (
-    ROTATIONAL_STIFFNESS,
-    STIFFNESS,
     Hardening,
     PositiveForce,
     PositiveMoment,

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from edesign.project.notation.units import LENGTH, Kind, units_of
+from edesign.project.notation.quantities import LENGTH, Kind
+from edesign.project.notation.units import units_of
 
 
 @dataclass(frozen=True)

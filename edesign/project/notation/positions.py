@@ -12,8 +12,9 @@ from typing import Annotated, Any
 from pydantic import Field
 from pydantic_core import PydanticCustomError
 
+from edesign.project.notation.quantities import LENGTH
 from edesign.project.notation.several import several
-from edesign.project.notation.units import LENGTH, parse_quantity, parse_ratio
+from edesign.project.notation.units import parse_quantity, parse_ratio
 from edesign.project.notation.written import Written, either, one_or_list, quantity, ratio, text
 from edesign.project.reading.base import refuse
 

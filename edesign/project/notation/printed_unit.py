@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.notation.units import (
+from edesign.project.notation.quantities import (
     ACCELERATION,
     AREA,
     ENERGY,
@@ -13,8 +13,8 @@ from edesign.project.notation.units import (
     STIFFNESS,
     TIME,
     Kind,
-    parse_quantity,
 )
+from edesign.project.notation.units import parse_quantity
 from edesign.project.reading.base import refuse
 
 _KINDS = {

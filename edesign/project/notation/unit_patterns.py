@@ -5,7 +5,7 @@ They know what engineers write; reading knows every unit of pint, so that a rare
 
 from __future__ import annotations
 
-from edesign.project.notation.units import Kind
+from edesign.project.notation.quantities import Kind
 
 _LENGTH = "(?:[kcdmuµμn]?m|in|inch|ft|foot|feet|yd)"
 _FORCE = "(?:[kMG]?N|lbf|kip|kgf)"

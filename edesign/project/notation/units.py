@@ -8,15 +8,36 @@ from __future__ import annotations
 import difflib
 import math
 import re
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic_core import PydanticCustomError
 
-from edesign.project.notation.written import Written, quantity, ratio, words_or
+from edesign.project.notation.quantities import (
+    ACCELERATION,
+    AREA,
+    AREA_LOAD,
+    DENSITY,
+    FORCE,
+    FREQUENCY,
+    INERTIA,
+    KINDS,
+    LENGTH,
+    LINE_LOAD,
+    MASS,
+    MOMENT,
+    ROTATION,
+    ROTATIONAL_STIFFNESS,
+    STIFFNESS,
+    STRESS,
+    TIME,
+    VELOCITY,
+    Kind,
+)
+from edesign.project.notation.written import NUMBER, Written, quantity, ratio, words_or
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen, nearest
+from edesign.project.reading.words import a
 
 if TYPE_CHECKING:
     import pint
@@ -26,8 +47,7 @@ STANDARD_GRAVITY = 9.80665
 
 Sign = Literal["any", "positive", "not negative"]
 
-_NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
-_VALUE = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
+_VALUE = re.compile(rf"\s*({NUMBER})\s*(.*?)\s*")
 _UNIT = re.compile(r"[A-Za-zµμ°%0-9 ·⋅*/^()²³⁴.+-]{1,40}")
 _POWERS = str.maketrans({"²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*"})
 _COMMON = (
@@ -36,58 +56,6 @@ _COMMON = (
 ).split()
 
 
-@dataclass(frozen=True)
-class Kind:
-    """A physical quantity: its name, its SI unit, an example to show, and the magnitudes that it can have.
-
-    Attributes:
-        least: magnitude, SI, below which only zero is allowed.
-        most: largest magnitude, SI.
-    """
-
-    name: str
-    unit: str
-    example: str
-    least: float = 1e-30
-    most: float = 1e30
-    """Of what has no bounds of its own: the product of ten such numbers is still one of double precision."""
-    large: tuple[float, str] | None = None
-    """From which number on people mean another unit than that of the example, and which."""
-
-    def written(self, number: str) -> str:
-        """Return a bare number with the unit that it is likely to have."""
-        unit = self.example.split(" ", 1)[1]
-        if self.large is not None and abs(float(number)) >= self.large[0]:
-            unit = self.large[1]
-        return f"{number} {unit}"
-
-
-# The bounds are wide: what lies beyond them is a slip of the power or of the unit. Each says what it is taken from.
-_KINDS = (
-    LENGTH := Kind("length", "m", "3.5 m", 1e-10, 4.1e7, (100.0, "mm")),  # atoms in iron, 2.5e-10 m; the equator
-    AREA := Kind("area", "m^2", "100 cm^2", 1e-12, 1e6),  # squares of a micrometre and of a kilometre
-    INERTIA := Kind("second moment of area", "m^4", "33740 cm^4", 1e-24, 1e12),  # their fourth powers
-    FORCE := Kind("force", "N", "120 kN", 1e-9, 1e13),  # the finest balances; the weight of 1e12 kg
-    LINE_LOAD := Kind("force per length", "N/m", "23 kN/m", 1e-9, 1e13),  # that force on a metre
-    STIFFNESS := Kind("stiffness", "N/m", "120 kN/mm", 1e-6, 1e18),  # 1e18: E A / L of 1 km^2 of steel 0.2 m long
-    STRESS := Kind("stress", "Pa", "275 MPa", 1e-6, 1e15, (1e6, "Pa")),  # a thousand times diamond, E = 1.2e12 Pa
-    MASS := Kind("mass", "kg", "29.5 t", 1e-9, 1e12),  # a microgram; the heaviest buildings have 1e10 kg
-    TIME := Kind("time", "s", "0.01 s", 1e-12, 1.5e17),  # below any sampling; the age of the Earth
-    ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g", 1e-10, 1e6),  # seismometers; shock tables reach 1e5 g
-    Kind("volume", "m^3", "1 m^3"),
-    MOMENT := Kind("moment", "N*m", "10 kN*m", 1e-12, 1e16),  # those forces at a millimetre and at a kilometre
-    VELOCITY := Kind("velocity", "m/s", "360 m/s", 1e-12, 3e8),  # creep of a micrometre in ten days; light
-    DENSITY := Kind("density", "kg/m^3", "7850 kg/m^3", 1e-6, 1e6),  # osmium has 22 590; the rest is for added mass
-    Kind("mass per length", "kg/m", "77.6 kg/m"),
-    FREQUENCY := Kind("frequency", "1/s", "1 Hz", 1e-12, 1e12),  # of times within 1e-12 s to 30 000 years
-    Kind("temperature", "K", "293 K"),
-    NUMBER := Kind("number without dimension", "dimensionless", "1"),
-    # of one dimension with those above, which are named where another quantity is needed
-    AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2", 1e-9, 1e13),  # that force on a square metre
-    ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad", 1e-9, 1e18),  # as of stiffness
-    ENERGY := Kind("energy", "J", "25 kJ", 1e-15, 1e18),  # those forces over a micrometre; a magnitude of 8.8
-    ROTATION := Kind("rotation", "rad", "0.002 rad", 1e-12, 1e9),  # a hinge that shall never end may have any
-)
 LARGEST_FACTOR = 1e12
 """Of ratios without a limit of their own, and the inverse of the least of those above zero. Beyond it one of the two
 numbers that a ratio is of has no digits left in a sum with the other: double precision has sixteen, of which the
@@ -208,11 +176,6 @@ def held(kind: Kind, what: str, *words: str) -> Written:
     return Written(read, words_or(quantity(kind, "positive"), *words))
 
 
-def a(noun: str) -> str:
-    """Return a noun with its indefinite article."""
-    return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
-
-
 _STRESSES = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "N/m^2": 1.0, "kN/m^2": 1e3, "kN/cm^2": 1e7, "N/mm^2": 1e6}
 _MOMENTS = {"N*m": 1.0, "kN*m": 1e3, "MN*m": 1e6}
 _FACTORS: dict[str, dict[str, float]] = {
@@ -326,7 +289,7 @@ def _with_powers(unit: str) -> str:
 
 
 def _name(dimensionality: Any) -> str:
-    for kind in _KINDS:
+    for kind in KINDS:
         if _dimension(kind.unit) == dimensionality:
             return kind.name
     return f"quantity of dimension {_dimensions(dimensionality)}"

@@ -8,12 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from pydantic_core import core_schema
 
-if TYPE_CHECKING:
-    from edesign.project.notation.units import Kind
+from edesign.project.notation.quantities import Kind
+from edesign.project.notation.unit_patterns import unit_pattern
+from edesign.project.reading.words import a
 
 Json = dict[str, Any]
 Inner = Callable[[], Json]
@@ -62,9 +63,6 @@ def quantity(kind: Kind, sign: Literal["any", "positive", "not negative"] = "any
     """
 
     def make(_inner: Inner) -> Json:
-        from edesign.project.notation.unit_patterns import unit_pattern
-        from edesign.project.notation.units import a
-
         bound, ahead = _SIGNS[sign]
         return {
             "type": "string",

@@ -1,4 +1,4 @@
-"""Numbers in sentences for people."""
+"""Numbers and nouns in sentences for people."""
 
 from __future__ import annotations
 
@@ -16,3 +16,8 @@ def counted(number: int, noun: str) -> str:
 def percent(ratio: float) -> str:
     """Return a ratio in per cent, with its sign: `4.25 %`."""
     return f"{100.0 * ratio:.3g} %"
+
+
+def a(noun: str) -> str:
+    """Return a noun with its indefinite article."""
+    return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"

@@ -10,8 +10,9 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag
 
 from edesign.project.actions.hazard_base import LevelName
+from edesign.project.notation.quantities import LENGTH, TIME, VELOCITY
 from edesign.project.notation.several import several
-from edesign.project.notation.units import LENGTH, TIME, VELOCITY, Factor, PositiveTime, parse_quantity
+from edesign.project.notation.units import Factor, PositiveTime, parse_quantity
 from edesign.project.notation.written import SchemaMaker, Written, either, given, items, one_or_list, quantity, text
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import as_seen

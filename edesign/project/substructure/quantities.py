@@ -8,7 +8,8 @@ from typing import Annotated, Any
 
 from pydantic_core import PydanticCustomError
 
-from edesign.project.notation.units import FORCE, FREQUENCY, LENGTH, TIME, Kind, Sign, parse_quantity, written
+from edesign.project.notation.quantities import FORCE, FREQUENCY, LENGTH, TIME, Kind
+from edesign.project.notation.units import Sign, parse_quantity, written
 from edesign.project.notation.written import NUMBER, Written, either, given, items, one_or_list_of, quantity, text
 from edesign.project.reading.base import refuse
 

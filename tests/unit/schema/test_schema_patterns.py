@@ -10,17 +10,18 @@ from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import PydanticCustomError
 
-from edesign.project.notation import units
+from edesign.project.notation import quantities, units
 from edesign.project.notation.positions import Place
+from edesign.project.notation.quantities import Kind
 from edesign.project.notation.selections import Lines, Numbers, NumbersOrNone
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.unit_patterns import _PATTERNS
-from edesign.project.notation.units import Kind, parse_quantity, written
+from edesign.project.notation.units import parse_quantity, written
 from edesign.project.notation.written import quantity
 from edesign.project.substructure.quantities import DASHPOT, TIME_CUBED, TIME_SQUARED, VELOCITY_PER_FORCE
 from edesign.schema.build import _Generator
 
-KINDS = (*units._KINDS, DASHPOT, TIME_SQUARED, TIME_CUBED, VELOCITY_PER_FORCE)
+KINDS = (*quantities.KINDS, DASHPOT, TIME_SQUARED, TIME_CUBED, VELOCITY_PER_FORCE)
 UNITS = """
     m mm cm km um in ft yd m^2 mm^2 cm^2 mm2 mm² mm**2 ft^2 m^3 in^3 m^4 cm^4 cm4 in^4 N kN MN kip lbf N/m kN/m N/mm
     kN/mm MN/m kip/in plf klf Pa kPa MPa GPa N/mm^2 N/mm² kN/m^2 kN/cm2 psi ksi psf ksf bar kg t g lb Mg s ms min h
@@ -40,10 +41,10 @@ def test_units_are_taken_as_they_are_read(kind: Kind) -> None:
 @pytest.mark.parametrize("number", "3 -3 +3 0 -0 0.0 .5 1e-3 0e5 1,5 e 1e --1 0.01".split())
 @pytest.mark.parametrize("sign", ["any", "positive", "not negative"])
 def test_numbers_are_taken_as_they_are_read(number: str, sign: Any) -> None:
-    pattern = re.compile(quantity(units.LENGTH, sign)(dict)["pattern"])
+    pattern = re.compile(quantity(quantities.LENGTH, sign)(dict)["pattern"])
     for text in (f"{number} m", f"{number}m", f" {number}  mm "):
-        negative_zero = number.startswith("-") and _is_read(text, units.LENGTH, sign) and sign != "any"
-        assert bool(pattern.search(text)) == _is_read(text, units.LENGTH, sign) or negative_zero, text
+        negative_zero = number.startswith("-") and _is_read(text, quantities.LENGTH, sign) and sign != "any"
+        assert bool(pattern.search(text)) == _is_read(text, quantities.LENGTH, sign) or negative_zero, text
 
 
 VALUES = [
@@ -64,7 +65,7 @@ TYPES = {
     "positive ratio": units.PositiveRatio,
     "positive factor": units.PositiveFactor,
     "signed factor": units.SignedFactor,
-    "force": Annotated[float, written(units.FORCE)],
+    "force": Annotated[float, written(quantities.FORCE)],
 }
 
 
