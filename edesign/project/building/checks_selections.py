@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from edesign.project.building.building import Building
 from edesign.project.building.members import BeamPlaces, ColumnPlaces
 from edesign.project.building.names import Direction, line_label, node_name
 from edesign.project.building.places import ColumnLineSelection, FrameSelection, Panels
+from edesign.project.checks.selections import GridSelections
 from edesign.project.notation.names import line_name
 from edesign.project.notation.selections import NumberSelection
-from edesign.project.reading.problems import Keys, Problems, listed
+from edesign.project.reading.problems import Keys, Problems
 
 
-class Selections:
-    """Checks that selections of a building exist; each returns whether they do.
+class Selections(GridSelections):
+    """Checks of selections in a building; each returns whether it found nothing wrong.
 
     Args:
         building: read without schema problems.
@@ -22,45 +21,8 @@ class Selections:
     """
 
     def __init__(self, building: Building, problems: Problems) -> None:
+        super().__init__(problems, building.n_storeys, "building")
         self.building = building
-        self.problems = problems
-
-    def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int, of: str = "") -> bool:
-        """Check that every number is within 1 to `last`.
-
-        Args:
-            keys: key path of the selection.
-            chosen: the numbers.
-            what: what they count, for messages.
-            last: the largest number.
-            of: further words for messages on what they belong to.
-        """
-        good = True
-        for i, (low, high) in enumerate(chosen.ranges):
-            if low < 1 or high > last:
-                outside = low if low < 1 else high
-                message = f"there is no {what} {outside}{of}; {what}s are numbered 1 to {last}"
-                self.problems.at_item(keys, i, message)
-                good = False
-        return good
-
-    def storeys(self, keys: Keys, chosen: NumberSelection) -> bool:
-        """Check that every storey exists.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected numbers.
-        """
-        return self.numbers((*keys, "storeys"), chosen, "storey", self.building.n_storeys)
-
-    def floors(self, keys: Keys, chosen: NumberSelection) -> bool:
-        """Check that every floor exists.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected numbers.
-        """
-        return self.numbers((*keys, "floors"), chosen, "floor", self.building.n_storeys)
 
     def bays(self, keys: Keys, blocks: tuple[Panels, ...]) -> bool:
         """Check that every bay of the plan exists.
@@ -169,18 +131,3 @@ class Selections:
         rows = floors.numbers(1, self.building.n_storeys)
         named = [(line, floor) for floor in rows for line in self.building.lines_of(lines)]
         return self.absent(keys, "node", (node_name(*place) for place in named if place[0] not in there[place[1]]))
-
-    def absent(self, keys: Keys, what: str, names: Iterable[str]) -> bool:
-        """Check that none of the names is missing, and return whether it is so.
-
-        Args:
-            keys: key path of the selection.
-            what: kind of the items, for messages.
-            names: the missing ones.
-        """
-        missing = list(names)
-        if missing:
-            verb = f"1 {what} is" if len(missing) == 1 else f"{len(missing)} {what}s are"
-            message = f"{verb} missing in this building: {listed(missing)} (`all` takes those that exist)"
-            self.problems.at_value(keys, message)
-        return not missing

@@ -8,8 +8,8 @@ from types import MappingProxyType
 
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.checks.criterion_quantities import check_members, check_quantity
-from edesign.project.checks.frame import Selections
 from edesign.project.checks.names import check_names
+from edesign.project.checks.selections import Selections
 from edesign.project.criteria.criteria import (
     Criterion,
     HingeCriterion,

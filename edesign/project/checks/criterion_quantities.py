@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from edesign.project.analysis.outputs import HistoryKind
-from edesign.project.checks.frame import Selections
 from edesign.project.checks.names import check_names
+from edesign.project.checks.selections import Selections
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES, Place, keys_of
 from edesign.project.dampers.dampers import DamperBetween, Dampers
@@ -61,7 +61,7 @@ def check_quantity(
         problems.at_value((*keys, "quantity"), message)
     check = Selections(project.frame, problems)
     if "floors" in own:
-        check.numbers((*keys, "floors"), criterion.floors, "floor", project.frame.n_storeys)
+        check.floors(keys, criterion.floors)
     if "lines" in own:
         check.lines((*keys, "lines"), criterion.lines)
     if "members" in own:

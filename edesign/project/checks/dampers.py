@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from edesign.project.analysis.analyses import ModalAnalysis
-from edesign.project.checks.frame import Selections
+from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
     BraceSection,
@@ -148,8 +148,8 @@ def _nodes(project: Project, problems: Problems, keys: Keys, device: DamperBetwe
 
 def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun) -> None:
     check = Selections(project.frame, problems)
-    inside = check.numbers((*keys, "bays"), device.bays, "bay", project.frame.n_bays)
-    if check.numbers((*keys, "storeys"), device.storeys, "storey", project.frame.n_storeys) and inside:
+    inside = check.bays(keys, device.bays)
+    if check.storeys(keys, device.storeys) and inside:
         storeys = device.storeys.numbers(1, project.frame.n_storeys)
         _lists(problems, keys, device, len(storeys))
         check_beams_met((*keys, "kind"), device, project, problems)

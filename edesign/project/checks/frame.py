@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from edesign.project.checks.selections import Selections, counted_are
 from edesign.project.dampers.isolation import BaseBeams
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import ElasticMaterial
-from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import Catalogue, ElasticSection, PlateSection, no_section
 from edesign.project.notation import names
-from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
 
@@ -34,8 +34,8 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     for i, beam in enumerate(frame.beams):
         check.beam_places(("frame", "beams", i), beam)
     for i, brace in enumerate(frame.braces):
-        check.numbers(("frame", "braces", i, "bays"), brace.bays, "bay", frame.n_bays)
-        check.numbers(("frame", "braces", i, "storeys"), brace.storeys, "storey", frame.n_storeys)
+        check.bays(("frame", "braces", i), brace.bays)
+        check.storeys(("frame", "braces", i), brace.storeys)
         _buckling(project, problems, ("frame", "braces", i), brace)
     for i, gap in enumerate(frame.missing.columns):
         check.column_places(("frame", "missing", "columns", i), gap)
@@ -56,118 +56,6 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
         place: Keys = ("dampers", "isolation", "base", "beams")
         _section_of(project, problems, place, isolation.base.beams, profiles)
         _material_of(project, problems, place, isolation.base.beams)
-
-
-class Selections:
-    """Checks that selections are within the grid of a frame, and that items selected one by one exist."""
-
-    def __init__(self, frame: Frame, problems: Problems) -> None:
-        self.frame = frame
-        self.problems = problems
-
-    def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int) -> bool:
-        """Check that every number is within 1 to `last`, and return whether it is so.
-
-        Args:
-            keys: key path of the selection.
-            chosen: the numbers.
-            what: what they count, for messages.
-            last: the largest number.
-        """
-        good = True
-        for i, (low, high) in enumerate(chosen.ranges):
-            if low < 1 or high > last:
-                outside = low if low < 1 else high
-                message = f"there is no {what} {outside}; {what}s are numbered 1 to {last}"
-                self.problems.at_value(self._item(keys, i), message)
-                good = False
-        return good
-
-    def lines(self, keys: Keys, chosen: LineSelection) -> bool:
-        """Check that every line exists, and return whether it is so.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected lines.
-        """
-        good = True
-        for i, span in enumerate(chosen.ranges):
-            outside = next((line for line in reversed(span) if line not in self.frame.lines), None)
-            if outside is not None:
-                last = self.frame.lines[-1]
-                self.problems.at_value(self._item(keys, i), f"there is no line {outside}; lines are named A to {last}")
-                good = False
-        return good
-
-    def column_places(self, keys: Keys, chosen: ColumnPlaces) -> bool:
-        """Check that lines and storeys are within the grid, and return whether it is so.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected columns.
-        """
-        lines = self.lines((*keys, "lines"), chosen.lines)
-        return self.numbers((*keys, "storeys"), chosen.storeys, "storey", self.frame.n_storeys) and lines
-
-    def beam_places(self, keys: Keys, chosen: BeamPlaces) -> bool:
-        """Check that bays and floors are within the grid, and return whether it is so.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected beams.
-        """
-        bays = self.numbers((*keys, "bays"), chosen.bays, "bay", self.frame.n_bays)
-        return self.numbers((*keys, "floors"), chosen.floors, "floor", self.frame.n_storeys) and bays
-
-    def standing_columns(self, keys: Keys, chosen: ColumnPlaces) -> None:
-        """Check that columns that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected columns.
-        """
-        if self.column_places(keys, chosen) and not (chosen.lines.is_all or chosen.storeys.is_all):
-            absent = [p for p in self.frame.column_places(chosen) if p not in self.frame.column_at]
-            self._absent(keys, "column", [names.column_name(*p) for p in absent])
-
-    def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> None:
-        """Check that beams that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected beams.
-        """
-        if self.beam_places(keys, chosen) and not (chosen.bays.is_all or chosen.floors.is_all):
-            absent = [p for p in self.frame.beam_places(chosen) if p not in self.frame.beam_at]
-            self._absent(keys, "beam", [names.beam_name(*p) for p in absent])
-
-    def nodes(self, keys: Keys, lines: LineSelection, floors: NumberSelection) -> bool:
-        """Check lines and floors, and that nodes that are selected one by one exist; return whether it is so.
-
-        Args:
-            keys: key path of the value in the file.
-            lines: the selected lines.
-            floors: numbers of the selected floors.
-        """
-        inside = self.lines((*keys, "lines"), lines)
-        if not (self.numbers((*keys, "floors"), floors, "floor", self.frame.n_storeys) and inside):
-            return False
-        if not (lines.is_all or floors.is_all):
-            rows = floors.numbers(1, self.frame.n_storeys)
-            picked = [names.node_name(line, floor) for floor in rows for line in lines.names(self.frame.lines)]
-            absent = [name for name in picked if name not in self.frame.nodes]
-            self._absent(keys, "node", absent)
-            return not absent
-        return True
-
-    def _absent(self, keys: Keys, what: str, absent: list[str]) -> None:
-        if absent:
-            message = f"{_count(absent, what)} missing in this frame: {listed(absent)} (`all` takes those that exist)"
-            self.problems.at_value(keys, message)
-
-    def _item(self, keys: Keys, i: int) -> Keys:
-        """The i-th item if the selection is written as a list, else the whole."""
-        return (*keys, i) if self.problems.node((*keys, i)).mark != self.problems.node(keys).mark else keys
 
 
 def _supports(frame: Frame, problems: Problems) -> None:
@@ -236,7 +124,9 @@ def _met_beams(frame: Frame, problems: Problems) -> None:
 
 
 def _uncovered(what: str, members: list[str], problems: Problems) -> None:
-    message = f"{_count(members, what)} without a section: {listed(members)}; add an entry, or list under `missing`"
+    message = (
+        f"{counted_are(members, what)} without a section: {listed(members)}; add an entry, or list under `missing`"
+    )
     problems.at_key(("frame", f"{what}s"), message)
 
 
@@ -315,7 +205,3 @@ def _runs(frame: Frame) -> Iterable[tuple[Keys, Run]]:
     for what, runs in kinds:
         for i, run in enumerate(runs):
             yield ("frame", what, i), run
-
-
-def _count(items: list[str], what: str) -> str:
-    return f"1 {what} is" if len(items) == 1 else f"{len(items)} {what}s are"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.checks.frame import Selections
+from edesign.project.checks.selections import Selections
 from edesign.project.frame.hinges import Hinges, HingeSide, HingeValues, Joints
 from edesign.project.frame.supports import SupportSprings, VerticalSpring
 from edesign.project.project import Project

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis
-from edesign.project.checks.frame import Selections
+from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
 from edesign.project.dampers.isolation import NEEDS_STIFFNESS, WEIGHED, BaseDevice, Isolation, Isolator
 from edesign.project.frame.foundations import FootingSupport

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.actions.beam_loads import MOST_POINTS, breaks_of_members, points_of_member
 from edesign.project.actions.loads import BeamLoad
-from edesign.project.checks.frame import Selections
+from edesign.project.checks.selections import Selections
 from edesign.project.notation import names
 from edesign.project.notation.positions import Position
 from edesign.project.project import Project

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
 from edesign.project.analysis.outputs import FibreOutput, SectionOutput
-from edesign.project.checks.frame import Selections
+from edesign.project.checks.selections import Selections
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import ElasticSection, RectangleSection, is_hollow
 from edesign.project.notation.selections import NumberSelection

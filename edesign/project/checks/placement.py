@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from edesign.project.checks.dampers import check_size
-from edesign.project.checks.frame import Selections
 from edesign.project.checks.names import check_names, check_records
+from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
@@ -40,8 +40,8 @@ def check_candidate_places(keys: Keys, spec: Design, project: Project, problems:
         problems: the problems of the file, to which those found are added.
     """
     check = Selections(project.frame, problems)
-    bays = check.numbers((*keys, "bays"), spec.bays, "bay", project.frame.n_bays)
-    return check.numbers((*keys, "storeys"), spec.storeys, "storey", project.frame.n_storeys) and bays
+    bays = check.bays(keys, spec.bays)
+    return check.storeys(keys, spec.storeys) and bays
 
 
 def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
