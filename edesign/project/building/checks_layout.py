@@ -38,17 +38,17 @@ def check_layout(building: Building, problems: Problems, profiles: Catalogue | N
         if run.material not in building.materials:
             problems.at_value((*keys, "material"), unknown_name("material", run.material, building.materials))
     _groups(building, problems)
-    if not _selections(building, problems):
+    check = Selections(building, problems)
+    if not _selections(building, problems, check):
         return
-    if _floors(building, problems) and _covered(building, problems):
+    if _floors(building, problems) and _covered(building, check):
         _stand(building, problems)
         _braces(building, problems)
         _resisting(building, problems)
 
 
-def _selections(building: Building, problems: Problems) -> bool:
+def _selections(building: Building, problems: Problems, check: Selections) -> bool:
     """Everything that is named is on the grid."""
-    check = Selections(building, problems)
     before = len(problems.found)
     check.numbers(("diaphragms",), building.diaphragms, "floor", building.n_storeys)
     for i, setback in enumerate(building.setbacks):
@@ -113,19 +113,15 @@ def _connected(panels: frozenset[Panel]) -> bool:
     return found == panels
 
 
-def _covered(building: Building, problems: Problems) -> bool:
+def _covered(building: Building, check: Selections) -> bool:
     """Every place of the grid has a run or is listed as missing; returns whether it is so."""
     layout = building.layout
     columns = {place for run in (*building.columns, *building.missing.columns) for place in layout.column_places(run)}
     beams = {place for run in (*building.beams, *building.missing.beams) for place in layout.beam_places(run)}
-    bare = [column_name(*place) for place in layout.column_grid if place not in columns]
-    open_bays = [str(place) for place in layout.beam_grid if place not in beams]
-    for what, names in (("column", bare), ("beam", open_bays)):
-        if names:
-            count = f"1 {what} is" if len(names) == 1 else f"{len(names)} {what}s are"
-            message = f"{count} without a section: {listed(names)}; add an entry, or list under `missing`"
-            problems.at_key((f"{what}s",), message)
-    return not (bare or open_bays)
+    bare = (column_name(*place) for place in layout.column_grid if place not in columns)
+    open_bays = (str(place) for place in layout.beam_grid if place not in beams)
+    covered = check.without_section(("columns",), "column", bare)
+    return check.without_section(("beams",), "beam", open_bays) and covered
 
 
 def _stand(building: Building, problems: Problems) -> None:

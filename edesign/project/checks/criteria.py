@@ -54,9 +54,7 @@ def check_criteria(
             problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already")
         check_names(problems, (*at, "variants"), "variant", criterion.variants, variants)
         check_names(problems, (*at, "levels"), "level", criterion.levels, levels)
-        Selections(project.frame, problems).numbers(
-            (*at, "storeys"), criterion.storeys, "storey", project.frame.n_storeys
-        )
+        Selections(project.frame, problems).storeys(at, criterion.storeys)
         if criterion.share is not None and "statistic" in criterion.model_fields_set:
             problems.at_key((*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both")
         if isinstance(criterion, (MeasureCriterion, QuantityCriterion)):

@@ -9,12 +9,8 @@ from edesign.project.checks.names import check_names
 from edesign.project.checks.selections import Selections
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES, Place, keys_of
-from edesign.project.dampers.dampers import DamperBetween, Dampers
-from edesign.project.dampers.designs import Design
-from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
-from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
 
@@ -71,53 +67,6 @@ def check_quantity(
         known = dict.fromkeys(damper for variant in chosen for damper in dampers.get(variant, ()))
         if known:
             check_names(problems, (*keys, "dampers"), "damper", criterion.dampers, known)
-
-
-def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
-    """Return the names of the dampers and isolators of a project.
-
-    Args:
-        frame: the frame of the project.
-        dampers: the dampers; None: the project has none.
-    """
-    if dampers is None:
-        return ()
-    found: list[str] = []
-    if dampers.isolation is not None:
-        of_base = (names.isolator_name, dampers.isolation.isolators), (names.base_device_name, dampers.isolation.beside)
-        for named, items in of_base:
-            lines = [line for item in items for line in item.lines.names(frame.lines)]
-            for line in lines:
-                if names.node_name(line, 0) in frame.nodes:
-                    found.append(names.free_name(named(line), found))
-    for run in dampers.devices:
-        if isinstance(run, DamperBetween):
-            found.append(names.free_name(names.damper_between_name(*run.nodes), found))
-            continue
-        for storey in run.storeys.numbers(1, frame.n_storeys):
-            for bay in run.bays.numbers(1, frame.n_bays):
-                for name in names.damper_names(run.kind, bay, storey):
-                    found.append(names.free_name(name, found))
-    return tuple(found)
-
-
-def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
-    """Return the names of the dampers that a design places, or may place.
-
-    Args:
-        frame: the frame of the project.
-        design: a design of a study.
-    """
-    kinds = [design.kind]
-    if isinstance(design, PlacementDesign):
-        kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
-    return tuple(
-        name
-        for kind in kinds
-        for storey in design.storeys.numbers(1, frame.n_storeys)
-        for bay in design.bays.numbers(1, frame.n_bays)
-        for name in names.damper_names(kind, bay, storey)
-    )
 
 
 def _allowed(own: Sequence[str]) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from edesign.project.checks.selections import Selections, counted_are
+from edesign.project.checks.selections import Selections
 from edesign.project.dampers.isolation import BaseBeams
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import ElasticMaterial
@@ -41,7 +41,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
         check.column_places(("frame", "missing", "columns", i), gap)
     for i, hole in enumerate(frame.missing.beams):
         check.beam_places(("frame", "missing", "beams", i), hole)
-    if _covered(frame, problems):
+    if _covered(frame, check):
         _floors(frame, problems)
         _met_beams(frame, problems)
     _releases(frame, problems, check)
@@ -89,21 +89,17 @@ def _buckling(project: Project, problems: Problems, keys: Keys, brace: BraceRun)
         problems.at_key((*where, "fracture"), message)
 
 
-def _covered(frame: Frame, problems: Problems) -> bool:
+def _covered(frame: Frame, check: Selections) -> bool:
     """Every place of the grid has a run or is listed as missing; returns whether it is so."""
-    runs = {p for run in frame.columns for p in frame.column_places(run)}
-    gaps = {p for gap in frame.missing.columns for p in frame.column_places(gap)}
+    runs = {p for run in (*frame.columns, *frame.missing.columns) for p in frame.column_places(run)}
     grid = [(line, s) for s in range(1, frame.n_storeys + 1) for line in frame.lines]
-    bare = [names.column_name(*p) for p in grid if p not in runs | gaps]
-    if bare:
-        _uncovered("column", bare, problems)
-    spans = {p for run in frame.beams for p in frame.beam_places(run)}
-    holes = {p for hole in frame.missing.beams for p in frame.beam_places(hole)}
+    columns = check.without_section(
+        ("frame", "columns"), "column", (names.column_name(*p) for p in grid if p not in runs)
+    )
+    spans = {p for run in (*frame.beams, *frame.missing.beams) for p in frame.beam_places(run)}
     bays = [(b, f) for f in range(1, frame.n_storeys + 1) for b in range(1, frame.n_bays + 1)]
-    open_bays = [names.beam_name(*p) for p in bays if p not in spans | holes]
-    if open_bays:
-        _uncovered("beam", open_bays, problems)
-    return not (bare or open_bays)
+    beams = check.without_section(("frame", "beams"), "beam", (names.beam_name(*p) for p in bays if p not in spans))
+    return columns and beams
 
 
 def _floors(frame: Frame, problems: Problems) -> None:
@@ -121,13 +117,6 @@ def _met_beams(frame: Frame, problems: Problems) -> None:
             beam = f"{names.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
             message = f"a `{run.kind}` meets a beam in the middle, and {beam}"
             problems.at_value(("frame", "braces", frame.braces.index(run), "kind"), message)
-
-
-def _uncovered(what: str, members: list[str], problems: Problems) -> None:
-    message = (
-        f"{counted_are(members, what)} without a section: {listed(members)}; add an entry, or list under `missing`"
-    )
-    problems.at_key(("frame", f"{what}s"), message)
 
 
 def _releases(frame: Frame, problems: Problems, check: Selections) -> None:

@@ -77,6 +77,20 @@ class GridSelections:
             self.problems.at_value(keys, f"{message} (`all` takes those that exist)")
         return not found
 
+    def without_section(self, keys: Keys, what: str, bare: Iterable[str]) -> bool:
+        """Check that every place of the grid has a run of members, or is listed as missing.
+
+        Args:
+            keys: key path of the runs.
+            what: kind of the members, for messages.
+            bare: names of the members that have neither.
+        """
+        found = list(bare)
+        if found:
+            message = f"{counted_are(len(found), what)} without a section: {listed(found)}"
+            self.problems.at_key(keys, f"{message}; add an entry, or list under `missing`")
+        return not found
+
 
 class Selections(GridSelections):
     """Checks of selections in a plane frame; each returns whether it found nothing wrong.

@@ -5,7 +5,6 @@ from __future__ import annotations
 from edesign.project.analysis.pushover import Pushovers
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.criteria import check_criteria
-from edesign.project.checks.criterion_quantities import names_of_dampers, names_of_design
 from edesign.project.checks.designs import check_design
 from edesign.project.checks.isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
 from edesign.project.checks.names import ALL, check_names, check_records
@@ -14,6 +13,7 @@ from edesign.project.checks.pushover import check_pushover
 from edesign.project.checks.records import check_fitted_levels
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage
+from edesign.project.dampers.device_names import names_of_dampers, names_of_design
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.records import record_of

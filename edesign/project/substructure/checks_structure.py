@@ -7,10 +7,10 @@ import math
 import numpy as np
 
 from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.substructure.checks_rig import nyquist
-from edesign.project.substructure.devices import devices_of
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding, ShearModal, ShearRayleigh
 
@@ -57,7 +57,7 @@ def frequencies(building: ShearBuilding) -> tuple[float, ...]:
 
 
 def _physical(structure: ProjectStructure, project: Project, problems: Problems) -> None:
-    known = devices_of(project)
+    known = devices_by_name(project.frame, project.dampers)
     keys = (*_KEYS, "physical")
     if not known:
         problems.at_value(keys, f"{project.path} has no devices under `dampers`")

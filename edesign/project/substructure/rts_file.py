@@ -11,6 +11,7 @@ from pydantic import Field, PrivateAttr
 
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.dampers import DamperLaw
+from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.document import Document
 from edesign.project.notation.units import PositiveFactor, PositiveRatio
 from edesign.project.project import Identifier, Project
@@ -20,7 +21,6 @@ from edesign.project.reading.yaml_file import read_yaml_text, yaml_text
 from edesign.project.records.record_files import RecordFiles
 from edesign.project.records.records import Record
 from edesign.project.substructure.compensators import Compensator
-from edesign.project.substructure.devices import law_of
 from edesign.project.substructure.loop import Integration, Loop, Sensors
 from edesign.project.substructure.programme import AnyTest, RecordTest
 from edesign.project.substructure.rig import AnyRig, RigFile, RigInFile, RigModel
@@ -193,13 +193,19 @@ class RtsFile(RecordFiles, FileModel):
         elif isinstance(chosen, DamperLaw):
             placed = self._placed(chosen, "law")
         elif self._project is not None:
-            physical = self.structure.physical if isinstance(self.structure, ProjectStructure) else ()
-            name = chosen or law_of(self._project, physical)
             laws = self._project.dampers.laws if self._project.dampers is not None else {}
+            name = chosen or self._law_of_devices(self._project)
             if name in laws:
                 keys = ("dampers", "laws", name)
                 placed = PlacedLaw(self._heated(laws[name]), self._project.path, self._project.root, keys)
         return placed
+
+    def _law_of_devices(self, project: Project) -> str | None:
+        """The law that the devices in the laboratory have; None: there are none, or they have several."""
+        known = devices_by_name(project.frame, project.dampers)
+        physical = self.structure.physical if isinstance(self.structure, ProjectStructure) else ()
+        laws = {known[name][0].law for name in physical if name in known}
+        return laws.pop() if len(laws) == 1 else None
 
     def _placed(self, law: DamperLaw, key: str) -> PlacedLaw:
         return PlacedLaw(self._heated(law), self.path, self.root, ("specimen", key))

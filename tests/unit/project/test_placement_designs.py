@@ -9,8 +9,8 @@ from design_examples import THESIS, design, refusal, shear_project
 from placement_examples import project_text
 
 from edesign.building.sections.profiles import profile_names
-from edesign.project.checks.criterion_quantities import names_of_design
 from edesign.project.checks.placement import placement_warnings
+from edesign.project.dampers.device_names import names_of_design
 from edesign.project.dampers.placement import CatalogueItem, Costs, LayoutLimits, PlacementDesign
 from edesign.project.dampers.verification import PlacementVerify
 from edesign.project.loader import parse_project

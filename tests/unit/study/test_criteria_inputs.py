@@ -8,7 +8,7 @@ import pytest
 
 from edesign.building.project_file import load_project, load_study
 from edesign.errors import InputError
-from edesign.project.checks.criterion_quantities import names_of_dampers
+from edesign.project.dampers.device_names import names_of_dampers
 from edesign.project.dampers.verification import Verify
 from edesign.project.study.study_loader import parse_study
 from edesign.study.analysis.structure import make_frame

@@ -16,8 +16,8 @@ from edesign.building.frame import build_frame
 from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
-from edesign.project.checks.criterion_quantities import names_of_dampers
 from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.dampers.device_names import names_of_dampers
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.study.analysis.history import run_history
 from edesign.study.analysis.lateral_patterns import floor_masses

@@ -1,0 +1,67 @@
+"""The dampers and isolators of a project or a design by their names, as frames and archives have them."""
+
+from __future__ import annotations
+
+from edesign.project.dampers.dampers import DamperBetween, Dampers, Device
+from edesign.project.dampers.designs import Design
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.frame.frame import Frame
+from edesign.project.notation import names
+
+
+def devices_by_name(frame: Frame, dampers: Dampers | None) -> dict[str, tuple[Device, int]]:
+    """Return every damper above the base with its description and its storey, 0 of one between nodes.
+
+    Args:
+        frame: the frame of the project.
+        dampers: the dampers; None: the project has none.
+    """
+    found: dict[str, tuple[Device, int]] = {}
+    for device in dampers.devices if dampers is not None else ():
+        if isinstance(device, DamperBetween):
+            found[names.free_name(names.damper_between_name(*device.nodes), found)] = device, 0
+            continue
+        for storey in device.storeys.numbers(1, frame.n_storeys):
+            for bay in device.bays.numbers(1, frame.n_bays):
+                for name in names.damper_names(device.kind, bay, storey):
+                    found[names.free_name(name, found)] = device, storey
+    return found
+
+
+def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
+    """Return the names of the dampers and isolators of a project, those of an isolated base first.
+
+    Args:
+        frame: the frame of the project.
+        dampers: the dampers; None: the project has none.
+    """
+    base: list[str] = []
+    isolation = dampers.isolation if dampers is not None else None
+    if isolation is not None:
+        for named, items in (
+            (names.isolator_name, isolation.isolators),
+            (names.base_device_name, isolation.beside),
+        ):
+            for line in (line for item in items for line in item.lines.names(frame.lines)):
+                if names.node_name(line, 0) in frame.nodes:
+                    base.append(names.free_name(named(line), base))
+    return (*base, *devices_by_name(frame, dampers))
+
+
+def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
+    """Return the names of the dampers that a design places, or may place.
+
+    Args:
+        frame: the frame of the project.
+        design: a design of a study.
+    """
+    kinds = [design.kind]
+    if isinstance(design, PlacementDesign):
+        kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
+    return tuple(
+        name
+        for kind in kinds
+        for storey in design.storeys.numbers(1, frame.n_storeys)
+        for bay in design.bays.numbers(1, frame.n_bays)
+        for name in names.damper_names(kind, bay, storey)
+    )
