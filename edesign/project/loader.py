@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from edesign.project.checks.analyses import check_actions
+from edesign.project.checks.analyses import check_analyses
 from edesign.project.checks.dampers import check_dampers
 from edesign.project.checks.foundations import check_foundations
 from edesign.project.checks.frame import check_frame
@@ -85,7 +85,7 @@ def _cross_checks(
         lambda: check_frame(project, problems, profiles),
         lambda: check_hinges(project, problems),
         lambda: check_foundations(project, problems),
-        lambda: check_actions(project, problems, files),
+        lambda: check_analyses(project, problems, files),
         lambda: check_dampers(project, problems),
         lambda: check_isolation(project, problems),
         lambda: check_hazard(project.hazard, project, problems, files),

@@ -172,6 +172,17 @@ class Project(RecordFiles, FileModel):
         """The isolated base of the building; None: it stands on its supports."""
         return self.dampers.isolation if self.dampers is not None else None
 
+    def fitted_level(self, record: str) -> str | None:
+        """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels.
+
+        Args:
+            record: name of the record.
+        """
+        spec, hazard = self.records[record], self.hazard
+        if not spec.fitted or hazard is None or not hazard.own_shapes:
+            return None
+        return spec.fit_level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
+
     def record_choice(self, name: str) -> RecordChoice | None:
         """Return the choice that was made for a record; None if none was made."""
         return self._choices.get(name)

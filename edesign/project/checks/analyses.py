@@ -1,4 +1,4 @@
-"""Cross checks of loads, masses, damping and analyses."""
+"""Cross checks of analyses, with those of the loads, masses, damping and records that they need."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from edesign.project.reading.problems import Keys, Problems, listed, unknown_nam
 from edesign.project.records.records import PairRecord
 
 
-def check_actions(project: Project, problems: Problems, files: bool = True) -> None:
-    """Check loads, records and analyses of a project without schema problems.
+def check_analyses(project: Project, problems: Problems, files: bool = True) -> None:
+    """Check loads, masses, damping, records and analyses of a project without schema problems.
 
     Args:
         project: as read.

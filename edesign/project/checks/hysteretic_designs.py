@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from edesign.project.checks.dampers import check_sized_law
 from edesign.project.dampers.dampers import restrained_misfits
-from edesign.project.dampers.designs import DESIGNED_BRACES, HYSTERETIC_LAWS, HystereticDesign, Optimum
+from edesign.project.dampers.designs import (
+    DESIGNED_BRACES,
+    HYSTERETIC_LAWS,
+    HYSTERETIC_TARGETS,
+    HystereticDesign,
+    Optimum,
+)
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed
-
-TARGETS = ("shear_share", "damping", "optimum")
 
 
 def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project, problems: Problems) -> None:
@@ -26,11 +30,12 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
         if laws[spec.law].type == "buckling_restrained":
             for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
                 problems.at_value((*keys, key), message)
-    given = [key for key in TARGETS if getattr(spec, key) is not None]
+    targets = listed(HYSTERETIC_TARGETS)
+    given = [key for key in HYSTERETIC_TARGETS if getattr(spec, key) is not None]
     if not given:
-        problems.under(keys, "shear_share", f"this key is missing; one target of {listed(TARGETS)} is needed")
+        problems.under(keys, "shear_share", f"this key is missing; one target of {targets} is needed")
     for key in given[1:]:
-        problems.at_key((*keys, key), f"`{given[0]}` is given; a design has one target of {listed(TARGETS)}")
+        problems.at_key((*keys, key), f"`{given[0]}` is given; a design has one target of {targets}")
     if spec.drift is not None:
         message = "a drift has no part in the sizing of hysteretic dampers; meet one by `verify` and its criteria"
         problems.at_key((*keys, "drift"), message)

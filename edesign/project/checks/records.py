@@ -204,19 +204,6 @@ def _fitted_level(hazard: Hazard, level: str | None, keys: Keys, problems: Probl
         problems.under(keys, "level", message)
 
 
-def fitted_level(project: Project, record: str) -> str | None:
-    """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels.
-
-    Args:
-        project: the project, which has no schema problems.
-        record: reference of the record.
-    """
-    spec, hazard = project.records[record], project.hazard
-    if not spec.fitted or hazard is None or not hazard.own_shapes:
-        return None
-    return spec.fit_level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
-
-
 def check_fitted_levels(
     keys: Keys, records: Iterable[str], levels: Sequence[str], project: Project, problems: Problems
 ) -> None:
@@ -230,7 +217,7 @@ def check_fitted_levels(
         problems: collects what is wrong.
     """
     for name in records:
-        only = fitted_level(project, name)
+        only = project.fitted_level(name)
         for i, level in enumerate(levels):
             if only is not None and level in project.hazard_levels and level != only:
                 message = (

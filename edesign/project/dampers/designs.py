@@ -316,6 +316,8 @@ class ViscousDesign(_Design):
 DESIGNED_BRACES = ("chevron_braces", "rising", "falling")
 """Kinds of dampers of a design that stand along the length of a brace."""
 HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgood", "bouc_wen", "buckling_restrained")
+HYSTERETIC_TARGETS = ("shear_share", "damping", "optimum")
+"""Keys of what hysteretic dampers shall reach; a design has one of them."""
 
 
 class Optimum(Model):

@@ -17,7 +17,6 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.checks.records import fitted_level
 from edesign.project.project import Project
 from edesign.project.records.records import PairRecord, Suite, component_references, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
@@ -198,7 +197,7 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
     """
     assert project.hazard is not None, "match_options tells"
     name = record_of(reference)
-    match, level = project.records[name].match, fitted_level(project, name)
+    match, level = project.records[name].match, project.fitted_level(name)
     if match is not None and match.component == "vertical":
         return action_of(project.hazard).vertical(level)
     return elastic_spectrum(project.hazard, level)

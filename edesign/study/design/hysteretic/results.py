@@ -8,8 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.checks.hysteretic_designs import TARGETS
-from edesign.project.dampers.designs import Optimum
+from edesign.project.dampers.designs import HYSTERETIC_TARGETS, Optimum
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.estimate import FrameEstimate
@@ -91,7 +90,7 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
         "number": number,
         "places": int(building.place_storey.size),
         "hardening": loop.hardening,
-        "target": next(key for key in TARGETS if getattr(frame.spec, key) is not None),
+        "target": next(key for key in HYSTERETIC_TARGETS if getattr(frame.spec, key) is not None),
         "share": sizing.share,
         "shear_of": frame.shear_of,
         "equivalent_damping": frame.spec.equivalent_damping,
