@@ -7,12 +7,14 @@ checksum. Only this package knows h5py.
 
 from __future__ import annotations
 
+import io
 import math
+from collections.abc import Iterable
 
 import h5py
 import numpy as np
 
-from edesign.archive.attributes import encode
+from edesign.archive.attributes import decode, encode
 from edesign.archive.checksum import CONTENT_CHECKSUM, content_checksum, stored_text
 from edesign.archive.dataset import Group, Variable
 
@@ -33,6 +35,8 @@ DEFLATE_LEVEL = 1
 def write_group(target: h5py.Group, group: Group) -> None:
     """Write attributes, coordinates and variables of a group into an empty HDF5 group, with their checksum.
 
+    Scales are not attached yet.
+
     Args:
         target: the empty HDF5 group.
         group: what is written.
@@ -51,19 +55,7 @@ def write_group(target: h5py.Group, group: Group) -> None:
             length, expected = variable.values.shape[axis], group.coords[dimension].values.shape[0]
             if length != expected:
                 raise ValueError(f"{name}: {length} values along {dimension}, the coordinate has {expected}")
-        dataset = _write(target, name, variable)
-        for axis, dimension in enumerate(variable.dims):
-            dataset.dims[axis].attach_scale(target[dimension])
-    write_attributes(target, group)
-
-
-def write_attributes(target: h5py.Group, group: Group) -> None:
-    """Write the attributes of a group, in place of older ones, with the checksum of the group.
-
-    Args:
-        target: the HDF5 group.
-        group: what is written, with its variables, which the checksum covers.
-    """
+        _write(target, name, variable)
     variables = {**group.coords, **group.variables}
     attributes = {name: encode(value) for name, value in group.attributes.items()}
     if variables:
@@ -71,6 +63,46 @@ def write_attributes(target: h5py.Group, group: Group) -> None:
     attributes[CONTENT_CHECKSUM] = content_checksum(attributes, variables)
     for name, value in attributes.items():
         _write_attribute(target, name, value)
+
+
+def image_of(group: Group) -> bytes:
+    """Return an HDF5 file with a group as its root; scales are not attached in it.
+
+    Raises:
+        ValueError: as of `write_group`.
+    """
+    memory = io.BytesIO()
+    with h5py.File(memory, "w", libver=LIBRARY_VERSIONS) as file:
+        write_group(file, group)
+    return memory.getvalue()
+
+
+def join(target: h5py.File, root: Group, images: Iterable[tuple[str, bytes]]) -> None:
+    """Write groups into an empty file, each with what is in it.
+
+    Args:
+        target: the file.
+        root: its root.
+        images: place and HDF5 file of each other group; a group comes before those in it.
+    """
+    put(target, root)
+    for place, image in images:
+        with h5py.File(io.BytesIO(image), "r") as source:
+            source.copy(source["/"], target, name=place)
+        _attach_scales(target[place])
+
+
+def put(target: h5py.Group, group: Group) -> None:
+    """Write a group into an empty HDF5 group, as `write_group`, and attach its scales."""
+    write_group(target, group)
+    _attach_scales(target)
+
+
+def _attach_scales(target: h5py.Group) -> None:
+    """Tell other programs which coordinates belong to the axes of variables; copies of HDF5 lose such references."""
+    for name, dims in decode(bytes(target.attrs.get(DIMENSIONS, b"json:{}")).decode()).items():
+        for axis, dimension in enumerate(dims if dims != [name] else ()):
+            target[name].dims[axis].attach_scale(target[dimension])
 
 
 def library_versions() -> dict[str, str]:

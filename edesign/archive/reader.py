@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import shlex
-import time
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
@@ -12,36 +11,25 @@ from typing import TypeVar
 
 from edesign.archive.dataset import Group, StoredVariable, Unread, Variable
 from edesign.archive.files import reason
-from edesign.archive.opening import Opened, has_seal, is_partial, open_file
-from edesign.archive.survey import survey
+from edesign.archive.opening import Opened, open_file
 from edesign.archive.tree import FORMAT, Damaged
-from edesign.archive.writer import partial_path
+from edesign.archive.writer import PARTIAL_SUFFIX, partial_path
 from edesign.errors import ArchiveError, EdesignError
 from edesign.file_kinds import ARCHIVE, foreign_kind, kind_of, other_kind
 
 Found = TypeVar("Found")
 NAMED = 5  # damaged groups that a message names
-TRIES = 5  # of reading an archive that changes meanwhile
-PAUSE = 0.1  # s between them; a run writes a group in less
 
 
 class DamagedArchive(ArchiveError):
-    """An archive is damaged, or has content that no archive can have.
-
-    Attributes:
-        changed: whether the file changed while it was read, as a partial archive does while its run goes on.
-    """
-
-    def __init__(self, message: str, changed: bool = False) -> None:
-        super().__init__(message)
-        self.changed = changed
+    """An archive is damaged, or has content that no archive can have."""
 
 
 class Archive:
     """An open archive; usable in a `with` statement.
 
-    A complete archive has a seal, and none of it is read before the seal is found right. What has none, a partial
-    archive or one of layout 1, is surveyed by a process of its own first, and verified group by group as it is read.
+    A complete archive has a seal, and each group of a partial one its checksum; what these do not find right is not
+    read. A damaged archive, or one of layout 1, is verified group by group instead.
 
     Args:
         path: `NAME.h5`, or `NAME.h5.partial` of a run that goes on or was interrupted.
@@ -51,7 +39,7 @@ class Archive:
         path: the file.
         attributes: those of the root group (title, status, versions, checksum ...).
         damage: why each group that cannot be read is left out, by its place.
-        sealed: whether a seal has told that every byte of the file is as it was written.
+        sealed: whether checksums have told that every byte of its groups is as it was written.
 
     Raises:
         ArchiveError: missing, unreadable, damaged, or not an archive of edesign.
@@ -66,13 +54,9 @@ class Archive:
         self._closed = False
         try:
             self._check_file()
-            self._state = _state(self.path)
-            self.sealed = has_seal(self.path)
-            if not self.sealed:
-                found = survey(self.path)
-                self.damage, self._readable = found.damage, len(found.readable)
-            self._opened = open_file(self.path, self.sealed, mend=damaged)
-            self._tree = self._opened.tree
+            self._opened = open_file(self.path)
+            self._tree, self.sealed = self._opened.tree, self._opened.sealed
+            self.damage, self._readable = self._opened.damage, self._opened.readable
             self.attributes = self._tree.attributes("")
             self._check(damaged)
         except OSError as error:
@@ -97,14 +81,6 @@ class Archive:
     def complete(self) -> bool:
         """Whether the run that wrote the archive was completed."""
         return str(self.attributes.get("complete")) == "1"  # a text too, as a damaged archive may have anything there
-
-    @property
-    def changed(self) -> bool:
-        """Return whether the file has changed since it was opened, as a partial archive does during its run."""
-        try:
-            return _state(self.path) != self._state
-        except OSError:
-            return True
 
     def has(self, path: str) -> bool:
         """Return whether a readable group is at a path."""
@@ -188,7 +164,7 @@ class Archive:
         """Close the file."""
         self._closed = True
         if self._opened is not None:
-            self._opened.close()
+            self._opened.tree.file.close()
 
     def damage_in_short(self) -> str:
         """Return one line on how much of a damaged archive can be read; "" unless it is damaged."""
@@ -240,13 +216,13 @@ class Archive:
         if found not in range(1, FORMAT + 1):
             what = "an HDF5 file, but not an archive of edesign" if found is None else f"an archive of layout {found}"
             raise ArchiveError(f"{self.path}: this is {what}; this version reads layouts 1 to {FORMAT}")
-        if not self.sealed and found != 1 and self.complete and not is_partial(self.path):
+        if not self.sealed and found != 1 and self.complete and self.path.suffix != PARTIAL_SUFFIX:
             self._fault = "it is not as it was written (its seal does not fit); "
         if not damaged and self.damage_in_short():
-            raise DamagedArchive(self.describe_damage(), self.changed)
+            raise DamagedArchive(self.describe_damage())
 
     def _damaged(self, error: Damaged) -> DamagedArchive:
-        return DamagedArchive(f"{self.path}: the archive is damaged: {error}", self.changed)
+        return DamagedArchive(f"{self.path}: the archive is damaged: {error}")
 
 
 def open_archive(path: str | os.PathLike[str], damaged: bool = False) -> Archive:
@@ -285,7 +261,7 @@ def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) 
 
     Args:
         path: `NAME.h5` or `NAME.h5.partial`.
-        use: is handed the open archive; again, if a run has changed the file meanwhile.
+        use: is handed the open archive.
 
     Returns:
         What `use` returned; one line on the damage, "" for a whole archive.
@@ -293,19 +269,9 @@ def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) 
     Raises:
         ArchiveError: nothing can be read.
     """
-    for attempt in range(TRIES):
-        last = attempt == TRIES - 1
-        try:
-            with Archive(path, damaged=True) as archive:
-                told = archive.describe_damage()
-                if told and archive.changed and not last:
-                    raise DamagedArchive(told, changed=True)
-                return _used(archive, use, told), told
-        except DamagedArchive as error:
-            if last or not error.changed:
-                raise
-        time.sleep(PAUSE)
-    raise AssertionError("the last attempt returns or raises")
+    with Archive(path, damaged=True) as archive:
+        told = archive.describe_damage()
+        return _used(archive, use, told), told
 
 
 def _used(archive: Archive, use: Callable[[Archive], Found], told: str) -> Found:
@@ -318,13 +284,8 @@ def _used(archive: Archive, use: Callable[[Archive], Found], told: str) -> Found
             raise
         raise ArchiveError(f"{told}\n  nothing of it can be shown: {error}") from error
     except Exception as error:
-        if archive.sealed:
+        if archive.sealed and not told:
             raise  # what edesign wrote, edesign reads: its own mistake
         what = f"its content does not fit together ({type(error).__name__}: {error})"
         message = f"{told}\n  {what}" if told else f"{archive.path}: the archive is damaged: {what}"
-        raise DamagedArchive(message, archive.changed) from error
-
-
-def _state(path: Path) -> tuple[int, int, int]:
-    found = path.stat()
-    return found.st_ino, found.st_size, found.st_mtime_ns
+        raise DamagedArchive(message) from error

@@ -246,15 +246,8 @@ class Tree:
             self._held[place] = held - before
         return group
 
-    def places(self, without: Container[str] = (), place: str = "") -> Iterator[str]:
-        """Yield the places of all groups, "" for the root; groups below a damaged group are not known.
-
-        Args:
-            without: places that are left out, with all below them.
-            place: where to begin.
-        """
-        if place in without:
-            return
+    def places(self, place: str = "") -> Iterator[str]:
+        """Yield the places of all groups from one on, "" for the root; groups below a damaged group are not known."""
         yield place
         try:
             with _reading(place):
@@ -263,7 +256,7 @@ class Tree:
             return
         # beside data it was data, and stands for its group; else it was a group, to be named as what cannot be read
         for name in (*groups, *(() if data else lost)):
-            yield from self.places(without, f"{place}/{name}".strip("/"))
+            yield from self.places(f"{place}/{name}".strip("/"))
 
     def _sorted(self, place: str) -> tuple[dict[str, h5d.DatasetID], list[str], dict[str, str]]:
         """Return the data in a group, the names of its groups, and of what cannot be opened, with the reason."""

@@ -1,28 +1,33 @@
-"""Write an archive: group by group into `NAME.h5.partial`, which becomes `NAME.h5` only when the run is complete."""
+"""Write an archive: group by group into `NAME.h5.partial`, of which `NAME.h5` is made when the run is complete."""
 
 from __future__ import annotations
 
+import io
 import os
 import shutil
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import closing, contextmanager, suppress
 from itertools import count
 from pathlib import Path
 from types import TracebackType
+from typing import BinaryIO, TypeVar
 
 import h5py
 
 from edesign.archive.dataset import Group
 from edesign.archive.files import is_hdf5, reason
-from edesign.archive.global_heap import broken_collections, disable
-from edesign.archive.hdf5 import LIBRARY_VERSIONS, write_attributes, write_group
-from edesign.archive.opening import PARTIAL_SUFFIX
-from edesign.archive.seal import seal_of, sealed_size
-from edesign.archive.survey import survey
-from edesign.archive.transaction import TransactionFile
-from edesign.archive.tree import FORMAT, Damaged, Tree
+from edesign.archive.hdf5 import LIBRARY_VERSIONS, image_of, join, put
+from edesign.archive.pieces import PieceFile
+from edesign.archive.seal import seal_of
+from edesign.archive.tree import FORMAT, Tree
 from edesign.errors import ArchiveError
 from edesign.stopping import uninterrupted
+
+Found = TypeVar("Found")
+PARTIAL_SUFFIX = ".partial"
+_ASIDE_SUFFIX = ".joining"  # no longer than the other, so that names that are too long are told before a run
+_MARGIN = 1 << 20  # bytes of the joined file beyond those of its parts
 
 
 def partial_path(path: str | os.PathLike[str]) -> Path:
@@ -33,9 +38,9 @@ def partial_path(path: str | os.PathLike[str]) -> Path:
 class ArchiveWriter:
     """An archive that is being written.
 
-    Every `write` is one transaction: after it the group is on the disk; a kill, a full disk or an error during it
-    leaves the groups before it. Until `finish` the file is `NAME.h5.partial` with the root attribute `complete` = 0,
-    and an older `NAME.h5` stays untouched.
+    After every `write` the group is on the disk; a kill, a full disk or an error during it leaves the groups before
+    it. Until `finish` they are in `NAME.h5.partial`, with the root attribute `complete` = 0, and an older `NAME.h5`
+    stays untouched.
 
     Args:
         path: the archive, `NAME.h5`.
@@ -70,11 +75,12 @@ class ArchiveWriter:
         self.note = ""
         self.tell: Callable[[str], None] = lambda line: None
         self.partial = partial_path(self.path)
-        self._file: h5py.File | None = None
+        self._root = Group(root.coords, root.variables, {**root.attributes, "edesign_archive": FORMAT, "complete": 0})
+        self._open = True
         try:
             self._check_place()
             existed = self.partial.exists() and self.partial.stat().st_size > 0
-            self._disk = TransactionFile(self.partial)
+            self._disk = PieceFile(self.partial)
         except BlockingIOError as error:
             raise ArchiveError(
                 f"{self.partial}: another run is writing this archive; wait for it, or stop it"
@@ -82,9 +88,9 @@ class ArchiveWriter:
         except (OSError, ValueError) as error:  # ValueError: Python's for a null byte in a path
             raise self._failure(error) from error
         try:
-            if existed:
-                self._take_over(root, identity, reuse)
-            self._start(root, extra or {})
+            dropped = self._take_over(identity, reuse) if existed else ()
+            added = {place: image_of(group) for place, group in {"": self._root, **(extra or {})}.items()}
+            self._disk.append({**dict.fromkeys(dropped, b""), **added})
         except OSError as error:
             self.close()
             if not self.kept:
@@ -113,23 +119,26 @@ class ArchiveWriter:
         Raises:
             ArchiveError: disk full or another failure; the archive is closed and holds what was written before.
         """
+        self._check_open()
         with self._closed_on_failure():
-            self._put(path, group)
-            self._commit()
+            self._disk.append({path: image_of(group)})
+            self._stay()
 
-    @uninterrupted()
     def has(self, path: str) -> bool:
         """Return whether a group was written at a path, or is reused."""
-        return path in self._open_file()
+        return path in self._disk.found.places
 
     @uninterrupted()
     def read(self, path: str) -> Group:
         """Read back a group that was written, or is reused and was verified."""
-        return Tree(self._open_file(), self._disk.size, trusted=True).group(path)
+        self._check_open()
+        return self._read(path, Tree.group)
 
     @uninterrupted()
     def finish(self, attributes: Mapping[str, object] | None = None) -> Path:
-        """Mark the archive complete, give it its final name, and return the path.
+        """Join the groups to an archive that is complete, give it its final name, and return the path.
+
+        It takes as much space as the partial file, which goes last.
 
         Args:
             attributes: last attributes of the root group, such as the status of the run.
@@ -137,20 +146,20 @@ class ArchiveWriter:
         Raises:
             ArchiveError: the disk is full or the file cannot be renamed; the partial file stays.
         """
-        file = self._open_file()
+        self._check_open()
         self._root.attributes.update({**(attributes or {}), "complete": 1})
+        places = self._disk.found.places
+
+        def fill(file: h5py.File) -> None:
+            join(file, self._root, ((place, self._disk.image(place)) for place in places if place))
+
         with self._closed_on_failure():
-            write_attributes(file, self._root)
-            self._commit()
-            seal = seal_of(self._disk, self._disk.size)
-            self._disk.seek(0, os.SEEK_END)
-            self._disk.write(seal)
-            self._disk.commit()
             self._stay()
             self._check_place()
-            self.close()
-            os.replace(self.partial, self.path)
-            _sync_folder(self.path.parent)
+            with io.BytesIO() as empty:
+                h5py.File(empty, "w", libver=LIBRARY_VERSIONS).close()
+                _complete(self.path, empty, self._disk.found.end + _MARGIN, fill)
+            self.discard()
         return self.path
 
     @uninterrupted()
@@ -161,12 +170,9 @@ class ArchiveWriter:
                 self.partial.unlink()
         self.close()
 
-    @uninterrupted()
     def close(self) -> None:
-        """Close and keep the partial file as the last transaction left it; does nothing a second time."""
-        if self._file is not None:
-            self._file.close()  # writes into memory only
-            self._file = None
+        """Close and keep the partial file as it is; does nothing a second time."""
+        self._open = False
         self._disk.close()
 
     def _check_place(self) -> None:
@@ -180,27 +186,21 @@ class ArchiveWriter:
             raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder")
         if not self.path.parent.is_dir():
             raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
-        for place in (self.path, self.partial):
+        for place in (self.path, self.partial, _aside(self.path)):
             if not place.exists():
                 continue
             if not place.is_file():
                 raise ArchiveError(f"{place}: cannot write the archive: it is not a regular file")
-            lost = place == self.partial and _was_never_written(place)
+            lost = place != self.path and _was_never_written(place)
             if place.stat().st_size and not lost and not is_hdf5(place):
                 raise ArchiveError(
                     f"{place}: cannot write the archive: this file is no archive, and it is left as it is; "
                     "choose another name"
                 )
 
-    def _open_file(self) -> h5py.File:
-        if self._file is None:
+    def _check_open(self) -> None:
+        if not self._open:
             raise ArchiveError(f"{self.partial}: the archive is closed")
-        return self._file
-
-    def _commit(self) -> None:
-        self._open_file().flush()
-        self._disk.commit()
-        self._stay()
 
     def _stay(self) -> None:
         """See to it that the partial file is still where it was put, as a run may take hours.
@@ -233,74 +233,42 @@ class ArchiveWriter:
         names = (partial_path(f"{self.path}.{number}") for number in count(1))
         return next(name for name in names if not os.path.lexists(name))
 
-    def _put(self, path: str, group: Group) -> None:
-        file = self._open_file()
-        if path in file:
-            del file[path]
-        write_group(file.create_group(path), group)
-
     def _take_over(
-        self, root: Group, identity: Sequence[str], reuse: Callable[[str, Mapping[str, object]], bool] | None
-    ) -> None:
-        """Open the earlier partial file if it belongs to the same project; else leave it to be overwritten."""
+        self, identity: Sequence[str], reuse: Callable[[str, Mapping[str, object]], bool] | None
+    ) -> tuple[str, ...]:
+        """Keep the groups of the earlier partial file that are reused, and return the places of the others.
+
+        It is emptied if it is damaged, or not of the same project.
+        """
+        found, fresh = self._disk.found, "starting afresh"
         if reuse is None:
             self.note = f"{self.partial.name}: results of an interrupted run discarded, as asked"
-            return
-        file: h5py.File | None = None
-        try:
-            if damage := survey(self.partial).damage:
-                raise Damaged(*next(iter(damage.items())))
-            disable(self._disk, broken_collections(self._disk))
-            file = h5py.File(self._disk, "r+", libver=LIBRARY_VERSIONS)
-            tree = Tree(file, self._disk.size, trusted=False)
-            old = tree.attributes("")
-            new = {**{name: root.attributes.get(name) for name in identity}, "edesign_archive": FORMAT}
-            different = [name for name in new if old.get(name) != new[name]]
-            if different:
-                names = ", ".join(name.replace("_", " ") for name in different)
-                verb = "differs" if len(different) == 1 else "differ"
-                self.note = (
-                    f"{self.partial.name}: results of an interrupted run not used ({names} {verb}); starting afresh"
-                )
-                file.close()
-                return
-            self.kept = self._keep(file, tree, reuse)
-            self._file = file
-        except (Damaged, OSError, RuntimeError, ValueError):
-            self.note = f"{self.partial.name}: an interrupted run left a damaged file; starting afresh"
-            if file is not None:
-                file.close()
-
-    def _keep(self, file: h5py.File, tree: Tree, reuse: Callable[[str, Mapping[str, object]], bool]) -> tuple[str, ...]:
-        """Delete the groups that are not reused, once all others are found as they were written.
-
-        Raises:
-            Damaged: one is not.
-        """
-        places = [f"{parent}/{name}" for parent in tree.groups("") for name in tree.groups(parent)]
-        found = {place: tree.group(place).attributes for place in places}
-        kept = tuple(place for place in places if reuse(place, found[place]))
-        for place in places:
-            if place not in kept:
-                del file[place]
-        return kept
-
-    def _start(self, root: Group, extra: Mapping[str, Group]) -> None:
-        if self._file is None:
-            self._disk.truncate(0)
-            self._disk.seek(0)
-            self._file = h5py.File(self._disk, "w", libver=LIBRARY_VERSIONS)
+        elif found.damage or (not found.places and not is_hdf5(self.partial)):
+            self.note = f"{self.partial.name}: an interrupted run left a damaged file; {fresh}"
         else:
-            for name in [name for name, item in self._file.items() if isinstance(item, h5py.Dataset)]:
-                del self._file[name]
-            for name in list(self._file.attrs):
-                del self._file.attrs[name]
-        marks = {"edesign_archive": FORMAT, "complete": 0}
-        self._root = Group(root.coords, root.variables, {**root.attributes, **marks})
-        write_group(self._file, self._root)
-        for path, group in extra.items():
-            self._put(path, group)
-        self._commit()
+            old = self._read("", Tree.attributes) if found.places else {}
+            new = {name: self._root.attributes.get(name) for name in (*identity, "edesign_archive")}
+            different = [name.replace("_", " ") for name in new if old.get(name) != new[name]]
+            if not different:
+                return self._keep(reuse)
+            why = f"{', '.join(different)} {'differs' if len(different) == 1 else 'differ'}" if old else "another form"
+            self.note = f"{self.partial.name}: results of an interrupted run not used ({why}); {fresh}"
+        self._disk.clear()
+        return ()
+
+    def _keep(self, reuse: Callable[[str, Mapping[str, object]], bool]) -> tuple[str, ...]:
+        """Find what is reused, two groups deep with all below, and return the places of what is not."""
+        places = [place for place in self._disk.found.places if "/" in place]
+        heads = dict.fromkeys("/".join(place.split("/")[:2]) for place in places)
+        found = {head: self._read(head, Tree.attributes) if head in places else {} for head in heads}
+        order = sorted(heads, key=lambda head: (head.split("/")[0], found[head].get("order", 0), head))
+        self.kept = tuple(head for head in order if reuse(head, found[head]))
+        return tuple(place for place in places if "/".join(place.split("/")[:2]) not in self.kept)
+
+    def _read(self, place: str, read: Callable[[Tree, str], Found]) -> Found:
+        image = self._disk.image(place)
+        with h5py.File(io.BytesIO(image), "r") as file:
+            return read(Tree(file, len(image), trusted=True), "")
 
     @contextmanager
     def _closed_on_failure(self) -> Iterator[None]:
@@ -335,24 +303,62 @@ def renew_root(
     Raises:
         ArchiveError: the archive cannot be read, the disk is full, or another failure.
     """
-    partial = partial_path(path)
+    marks = {"edesign_archive": FORMAT, "complete": 1}
+    renewed = Group(root.coords, root.variables, {**root.attributes, **attributes, **marks})
+
+    def fill(file: h5py.File) -> None:
+        if file.attrs.get("edesign_archive") != FORMAT:
+            raise ArchiveError(f"{path}: cannot renew its head: it has another layout; it is left as it was")
+        for name in [name for name, item in file.items() if isinstance(item, h5py.Dataset) or name in others]:
+            del file[name]
+        for name in list(file.attrs):
+            del file.attrs[name]
+        put(file, renewed)
+        for place, group in others.items():
+            put(file.create_group(place), group)
+
     try:
-        with Path(path).open("rb") as archive, partial.open("xb") as copy:
+        with closing(PieceFile(partial_path(path))), Path(path).open("rb") as old:  # no run writes it meanwhile
             try:
-                size = sealed_size(archive)
-                archive.seek(0)
-                shutil.copyfileobj(archive, copy)
-                copy.truncate(size)
-            except BaseException:
-                partial.unlink(missing_ok=True)
-                raise
+                _complete(Path(path), old, os.path.getsize(path) + _MARGIN, fill)
+            finally:
+                partial_path(path).unlink()
     except OSError as error:
         raise ArchiveError(f"{path}: cannot write the archive: {reason(error)}") from error
-    with ArchiveWriter(path, root, (), lambda place, found: place not in others, others) as writer:
-        if writer.note:  # the copy was not taken over: finished, it would be an archive without results
-            writer.discard()
-            raise ArchiveError(f"{path}: cannot renew its head: its copy could not be read back; it is left as it was")
-        writer.finish(attributes)
+
+
+def _complete(path: Path, source: BinaryIO, size: int, fill: Callable[[h5py.File], None]) -> None:
+    """Write a complete archive beside its place, seal it, and put it there.
+
+    Args:
+        path: the archive.
+        source: a file of HDF5 that is copied first.
+        size: that the archive has at most, bytes. So much is reserved, as HDF5 does not bear a disk that becomes full.
+        fill: changes the copy.
+    """
+    aside = _aside(path)
+    aside.unlink(missing_ok=True)  # left by a kill
+    try:
+        with aside.open("x+b") as file:
+            source.seek(0)
+            shutil.copyfileobj(source, file)
+            file.flush()
+            if sys.platform != "darwin":
+                os.posix_fallocate(file.fileno(), 0, size)
+            with h5py.File(file, "r+", libver=LIBRARY_VERSIONS) as target:
+                fill(target)
+            file.write(seal_of(file, file.seek(0, os.SEEK_END)))
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(aside, path)
+    except BaseException:
+        aside.unlink(missing_ok=True)
+        raise
+    _sync_folder(path.parent)
+
+
+def _aside(path: Path) -> Path:
+    return Path(f"{path}{_ASIDE_SUFFIX}")
 
 
 def _was_never_written(partial: Path) -> bool:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections import defaultdict
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 from archive_mutants import CRAFTS, DAMAGES, PAGE, Ended, command, counted, crafted_copy, damaged_copy, zero_page
@@ -18,14 +17,15 @@ from cases.report_project import write_report_project
 from unit.archive.archive_samples import archived_groups, write_layout_1
 
 from edesign.archive.reader import open_archive
-from edesign.archive.writer import partial_path
+from edesign.archive.seal import LENGTH as SEAL_LENGTH
+from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.building.project_file import load_project
 from edesign.cli.main import main
 from edesign.study.run.run import run_project
 
 pytestmark = pytest.mark.study
 
-EACH = 334  # of each of three archives: a thousand
+EACH = 250  # of each of four archives: a thousand
 LIMIT = 20.0  # s of CPU time; the whole archive takes below 2 s, its report below 10 s
 REFERENCE = """edesign_reference: 1
 title: Old report
@@ -40,23 +40,24 @@ PATTERN = (*DAMAGES, *DAMAGES, *DAMAGES, *CRAFTS)
 
 @pytest.fixture(scope="module")
 def samples(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
-    """The archive of a real run: complete, as it was just before its end, and in layout 1."""
+    """The archive of a real run: complete, just before its end, as earlier versions had it then, and in layout 1."""
     folder = tmp_path_factory.mktemp("thousand")
     project = load_project(write_report_project(folder))
-    whole = run_project(project, folder / "whole.h5").archive
     partial = partial_path(folder / "partial.h5")
-    run_project(project, folder / "partial.h5")
-    (folder / "partial.h5").rename(partial)
-    with h5py.File(partial, "r+", libver=("v108", "v108")):
-        pass  # which takes the seal off
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(ArchiveWriter, "discard", ArchiveWriter.close)  # which leaves the partial file
+        run_project(project, folder / "partial.h5")
+    whole = (folder / "partial.h5").rename(folder / "whole.h5")
+    killed = partial_path(folder / "killed.h5")
+    killed.write_bytes(whole.read_bytes()[:-SEAL_LENGTH])
     old = write_layout_1(folder / "old.h5", archived_groups(whole))
     (folder / "reference.yaml").write_text(REFERENCE, encoding="utf-8")
-    for path in (whole, partial, old):
+    for path in (whole, partial, killed, old):
         assert main(["show", str(path)]) == 0  # what the forks need is loaded then
-    return {"whole": whole, "partial": partial, "old": old}
+    return {"whole": whole, "partial": partial, "killed": killed, "old": old}
 
 
-@pytest.mark.parametrize("layout", ["whole", "partial", "old"])
+@pytest.mark.parametrize("layout", ["whole", "partial", "killed", "old"])
 def test_a_thousand_damaged_archives(samples: dict[str, Path], tmp_path: Path, layout: str) -> None:
     sample = samples[layout]
     mutant = tmp_path / sample.name
@@ -66,6 +67,8 @@ def test_a_thousand_damaged_archives(samples: dict[str, Path], tmp_path: Path, l
     ends: dict[str, list[Ended]] = defaultdict(list)
     for seed in range(EACH):
         kind, random = PATTERN[seed % len(PATTERN)], np.random.default_rng(seed)
+        if layout == "partial" and kind in CRAFTS:
+            continue  # it is no file of HDF5 that a library changes
         (crafted_copy if kind in CRAFTS else damaged_copy)(sample, mutant, kind, random)  # type: ignore[operator]
         for words, told in zip(commands, right, strict=True):
             ended = command(_words(words, mutant), LIMIT)
@@ -74,7 +77,7 @@ def test_a_thousand_damaged_archives(samples: dict[str, Path], tmp_path: Path, l
             assert ended.code in (0, 4), where
             if layout == "whole":
                 assert ended.code == 4, where
-            elif layout == "partial" and kind in DAMAGES:
+            elif layout == "killed" and kind in DAMAGES:
                 assert ended.code == 4 or ended.output == told, where
         if seed % 20 == 0:
             page = str(tmp_path / "page.html")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.archive.reader import Archive, DamagedArchive
+from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words
@@ -60,8 +60,6 @@ def or_missing(make: Make, results: BuildingResults, missing: Table) -> list[Tab
     try:
         return make(results)
     except ArchiveError as error:
-        if isinstance(error, DamagedArchive) and error.changed:
-            raise  # a run writes it: the caller reads again
         if str(error) not in missing.notes:
             missing.notes.append(str(error))
         return []

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.archive.reader import Archive, DamagedArchive
+from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError
 from edesign.report.drawing.captions import plain
 from edesign.report.drawing.style import AFTER, VARIANTS
@@ -263,7 +263,5 @@ class SubstructureResults:
             return None
 
     def _note(self, error: ArchiveError) -> None:
-        if isinstance(error, DamagedArchive) and error.changed:
-            raise error  # a run writes it: the caller reads again
         if str(error) not in self.lost:
             self.lost.append(str(error))

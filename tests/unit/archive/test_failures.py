@@ -11,12 +11,14 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import h5py
+import numpy as np
 import pytest
 from limited import limited
 from unit.archive.archive_samples import history_group
 
 from edesign.archive.dataset import Group
 from edesign.archive.owner import check_owner
+from edesign.archive.pieces import find_pieces
 from edesign.archive.reader import open_archive, read_archive
 from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import ArchiveError
@@ -86,19 +88,69 @@ def test_fresh_discards_the_partial_file(tmp_path: Path) -> None:
         assert archive.names("analyses") == []
 
 
-@pytest.mark.parametrize("damage", ["cut", "zeros"])
+@pytest.mark.parametrize("damage", ["flipped", "zeros"])
 def test_a_damaged_partial_file_starts_afresh_and_says_so(tmp_path: Path, damage: str) -> None:
     path = tmp_path / "a.h5"
     interrupted(path)
     partial = partial_path(path)
-    content = partial.read_bytes()
-    partial.write_bytes({"cut": content[: len(content) // 2], "zeros": bytes(4096)}[damage])
+    content = bytearray(partial.read_bytes())
+    content[len(content) // 2] ^= 1
+    partial.write_bytes({"flipped": content, "zeros": bytes(4096)}[damage])
     with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
         assert writer.kept == () and "damaged" in writer.note
         writer.write("analyses/a", history_group())
         writer.finish()
     with open_archive(path) as archive:
         assert archive.names("analyses") == ["a"]
+
+
+def test_a_kill_leaves_all_but_what_was_being_written(tmp_path: Path) -> None:
+    """At whatever byte it falls: what is whole is read and reused, and the rest is neither damage nor in the way."""
+    path = tmp_path / "a.h5"
+    interrupted(path)
+    content = partial_path(path).read_bytes()
+    ends = {place: stop for place, (_, stop) in find_pieces(content).places.items() if place}
+    for cut in np.random.default_rng(1).integers(min(ends.values()) + 500, len(content), 12):
+        partial_path(path).write_bytes(content[:cut])
+        whole = [place for place, stop in ends.items() if cut > stop + 200]  # the line behind it has 120 bytes or so
+        with open_archive(partial_path(path)) as archive:
+            assert [f"analyses/{name}" for name in archive.names("analyses")] == whole
+        with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+            assert list(writer.kept) == [place for place in whole if place != "analyses/c"]
+            writer.write("analyses/d", history_group(seed=4))
+        with open_archive(partial_path(path)) as archive:
+            assert [f"analyses/{name}" for name in archive.names("analyses")] == [*writer.kept, "analyses/d"]
+
+
+def test_a_kill_while_the_groups_are_joined_loses_nothing(tmp_path: Path) -> None:
+    """What it left beside the archive is replaced; a file of another kind there is not."""
+    path = tmp_path / "a.h5"
+    interrupted(path)
+    aside = tmp_path / "a.h5.joining"
+    aside.write_bytes(bytes(5000))  # reserved, and nothing written
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        assert writer.kept == ("analyses/a", "analyses/b")
+        writer.finish()
+    assert [item.name for item in tmp_path.iterdir()] == ["a.h5"]
+    aside.write_text("notes", encoding="utf-8")
+    with pytest.raises(ArchiveError, match=r"a\.h5\.joining: .*this file is no archive, and it is left as it is"):
+        ArchiveWriter(path, root())
+
+
+def test_no_space_for_the_joined_archive_keeps_the_groups(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "a.h5"
+    interrupted(path)
+
+    def full(descriptor: int, start: int, size: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "posix_fallocate", full)
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        with pytest.raises(ArchiveError, match="cannot write the archive: the disk is full"):
+            writer.finish()
+    assert [item.name for item in tmp_path.iterdir()] == ["a.h5.partial"]
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        assert writer.kept == ("analyses/a", "analyses/b")
 
 
 @pytest.mark.parametrize("reuse", [None, completed])

@@ -6,6 +6,7 @@ import os
 import signal
 import threading
 import time
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -223,18 +224,18 @@ def test_only_selects_and_spares_the_full_archive(tmp_path: Path, monkeypatch: p
 def test_a_disk_that_fills_up_stops_the_run_and_keeps_the_rest(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, workers: int
 ) -> None:
-    from edesign.archive.transaction import TransactionFile
+    from edesign.archive.pieces import PieceFile
 
     use(monkeypatch, Core())
-    commit, calls = TransactionFile.commit, []
+    append, calls = PieceFile.append, []
 
-    def full(self: TransactionFile) -> None:
+    def full(self: PieceFile, images: Mapping[str, bytes]) -> None:
         calls.append(1)
         if len(calls) == 3:  # the root, the first analysis, then no more
             raise OSError(28, "No space left on device")
-        commit(self)
+        append(self, images)
 
-    monkeypatch.setattr(TransactionFile, "commit", full)
+    monkeypatch.setattr(PieceFile, "append", full)
     with pytest.raises(ArchiveError, match=r"small\.h5: cannot write the archive: the disk is full"):
         run_project(project(tmp_path), workers=workers)
     assert not (tmp_path / "small.h5").exists()
