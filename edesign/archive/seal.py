@@ -10,24 +10,14 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-from typing import Protocol
+from typing import BinaryIO
 
 _SEAL = re.compile(rb"\nedesign archive seal: sha256 ([0-9a-f]{64}) of ([0-9]{20}) bytes\n")
 LENGTH = 125  # bytes of the line
 _BLOCK = 1 << 20
 
 
-class Readable(Protocol):
-    """A file that can be read at any place."""
-
-    def seek(self, offset: int, whence: int = ..., /) -> int:
-        """Move to an offset in bytes, from the start or as `whence` says, and return the position."""
-
-    def read(self, size: int = ..., /) -> bytes:
-        """Read at most `size` bytes, all that are left without one."""
-
-
-def seal_of(file: Readable, size: int) -> bytes:
+def seal_of(file: BinaryIO, size: int) -> bytes:
     """Return the seal of the first bytes of a file.
 
     Args:
@@ -37,7 +27,7 @@ def seal_of(file: Readable, size: int) -> bytes:
     return b"\nedesign archive seal: sha256 %b of %020d bytes\n" % (_sha256(file, size).encode(), size)
 
 
-def sealed_size(file: Readable) -> int | None:
+def sealed_size(file: BinaryIO) -> int | None:
     """Return the number of bytes that the seal at the end of a file covers; None without a valid seal.
 
     Args:
@@ -53,7 +43,7 @@ def sealed_size(file: Readable) -> int | None:
     return size
 
 
-def _sha256(file: Readable, size: int) -> str:
+def _sha256(file: BinaryIO, size: int) -> str:
     digest = hashlib.sha256()
     file.seek(0)
     while size > 0:
