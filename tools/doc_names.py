@@ -159,6 +159,7 @@ def commands() -> dict[tuple[str, ...], frozenset[str]]:
     found: dict[tuple[str, ...], frozenset[str]] = {}
 
     def walk(command: Any, path: tuple[str, ...]) -> None:
+        command = getattr(command, "loaded", command)
         options = {name for parameter in command.params for name in (*parameter.opts, *parameter.secondary_opts)}
         found[path] = frozenset({"--help", *options})
         for name, below in getattr(command, "commands", {}).items():

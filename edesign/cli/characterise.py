@@ -5,15 +5,27 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
+from pydantic_core import PydanticCustomError
 
+from edesign.archive.files import check_csv_name, check_file, check_folder
+from edesign.cli.shared.hazard_options import quantity
+from edesign.damper.testing.campaign import Campaign, load_campaign, short_names
+from edesign.damper.testing.measured_files import read_test
+from edesign.damper.testing.properties import Properties, checked_range, cycle_properties, properties
+from edesign.damper.testing.property_table import from_properties, usable, write_property_table
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
+from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
 from edesign.optional_stages import optional
-
-if TYPE_CHECKING:
-    from edesign.damper.testing.campaign import Campaign
+from edesign.project.notation.quantities import AREA, LENGTH
+from edesign.project.notation.temperature import parse_temperature
+from edesign.report.damper.measured_figures import draw_tests
+from edesign.report.damper.measured_tables import cycle_properties_table, properties_data, properties_table
+from edesign.report.drawing.style import check_format
+from edesign.report.tables.text import print_tables
 
 
 def characterise(
@@ -48,14 +60,6 @@ def characterise(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Find storage, equivalent and loss modulus and loss factor of each test with a steady amplitude."""
-    from edesign.archive.files import check_csv_name, check_file, check_folder
-    from edesign.damper.testing.properties import Properties, checked_range, cycle_properties, properties
-    from edesign.damper.testing.property_table import from_properties, usable, write_property_table
-    from edesign.report.damper.measured_figures import draw_tests
-    from edesign.report.damper.measured_tables import cycle_properties_table, properties_data, properties_table
-    from edesign.report.drawing.style import check_format
-    from edesign.report.tables.text import print_tables
-
     check_format(figure_format)
     asked = None if cycles is None else checked_range(_cycles(cycles))
     if output is not None:
@@ -112,16 +116,6 @@ def _campaign(
     inputs: list[Path], layers: int | None, area: str | None, thickness: str | None, temperature: str | None
 ) -> Campaign:
     """The campaign of a file, or one made of test files and options."""
-    from pydantic_core import PydanticCustomError
-
-    from edesign.cli.shared.hazard_options import quantity
-    from edesign.damper.testing.campaign import Campaign, load_campaign, short_names
-    from edesign.damper.testing.measured_files import read_test
-    from edesign.damper.testing.specimen import Specimen
-    from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
-    from edesign.project.notation.quantities import AREA, LENGTH
-    from edesign.project.notation.temperature import parse_temperature
-
     options = {"--layers": layers, "--layer-area": area, "--layer-thickness": thickness}
     if any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
         if len(inputs) > 1:

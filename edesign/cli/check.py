@@ -5,16 +5,19 @@ from __future__ import annotations
 import shutil
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import Annotated, TypeVar
 
 import typer
 
+from edesign.errors import InputError
+from edesign.file_kinds import BUILDING, PROJECT, STUDY, SUBSTRUCTURE_TESTS, kind_of
 from edesign.optional_stages import optional
+from edesign.project.reading.file_bytes import is_there, missing
+from edesign.project.reading.file_model import FileModel
+from edesign.report.tables.text import NARROWEST, PAPER, in_facts
+from edesign.report.tables.visible import visible_line
 
-if TYPE_CHECKING:
-    from edesign.project.reading.file_model import FileModel
-
-Drawable = TypeVar("Drawable", bound="FileModel")
+Drawable = TypeVar("Drawable", bound=FileModel)
 
 
 def check(
@@ -28,10 +31,6 @@ def check(
     figure: Annotated[bool, typer.Option("--figure", help="Draw the model, and tell where.")] = False,
 ) -> None:
     """Check a file of any kind: a project with its records and frame, tests, laws, suites, ...; print a summary."""
-    from edesign.errors import InputError
-    from edesign.report.tables.text import NARROWEST, PAPER, in_facts
-    from edesign.report.tables.visible import visible_line
-
     if drawing is not None and not figure:
         raise InputError(f"{drawing}: `check` takes one file; a second one is the drawing of its model: add --figure")
     target = None
@@ -53,9 +52,6 @@ def check(
 
 def _summary(file: Path, target: Path | None) -> dict[str, str]:
     """What is in the file; what is needed for one kind alone is loaded for it alone. The model is drawn first."""
-    from edesign.file_kinds import BUILDING, PROJECT, STUDY, SUBSTRUCTURE_TESTS, kind_of
-    from edesign.project.reading.file_bytes import is_there, missing
-
     if not is_there(file):
         raise missing(file, "file")
     kind = kind_of(file)
@@ -86,8 +82,6 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
         found = summary_of(file, kind)
         if found is not None:
             if target is not None:
-                from edesign.errors import InputError
-
                 raise InputError(
                     f"{file}: --figure draws the models of projects, studies, buildings and substructure tests"
                 )
@@ -98,7 +92,6 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
 def _drawn(model: Drawable, target: Path | None) -> Drawable:
     """Draw a model before it is checked: what is wrong with it may be seen there first."""
     if target is not None:
-        from edesign.errors import InputError
         from edesign.report.model_drawings import draw_model
 
         with optional("the drawing of the model", passing=(InputError,)):  # which the check would tell of too

@@ -8,6 +8,17 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_csv_name, check_file
+from edesign.archive.reader import DamagedArchive, read_archive
+from edesign.errors import AnalysisError, InputError
+from edesign.file_kinds import ARCHIVE, REFERENCE, TABLE, YAML_KINDS, kind_of, refuse_kind
+from edesign.project.study.reference_loader import load_reference
+from edesign.report.comparison.compare import compare as compare_archive
+from edesign.report.comparison.files import comparison_data, write_comparison
+from edesign.report.comparison.tables import block_tables
+from edesign.report.comparison.variants import variant_tables
+from edesign.report.tables.text import print_tables
+
 
 def compare(
     archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
@@ -28,16 +39,6 @@ def compare(
     ] = False,
 ) -> None:
     """Print each printed value of a reference beside the one of an archive, with its difference."""
-    from edesign.archive.files import check_csv_name, check_file
-    from edesign.archive.reader import DamagedArchive, read_archive
-    from edesign.errors import AnalysisError, InputError
-    from edesign.project.study.reference_loader import load_reference
-    from edesign.report.comparison.compare import compare as compare_archive
-    from edesign.report.comparison.files import comparison_data, write_comparison
-    from edesign.report.comparison.tables import block_tables
-    from edesign.report.comparison.variants import variant_tables
-    from edesign.report.tables.text import print_tables
-
     others = {"--csv": csv is not None, "--json": as_json, "--bars": bars, "--check": check}
     if variants is not None and any(others.values()):
         given = ", ".join(option for option, is_given in others.items() if is_given)
@@ -71,9 +72,6 @@ def compare(
 
 def _check_kinds(archive: Path, reference: Path) -> None:
     """Tell what the command needs of who names two archives, or both files in the other order."""
-    from edesign.errors import InputError
-    from edesign.file_kinds import ARCHIVE, REFERENCE, TABLE, YAML_KINDS, kind_of, refuse_kind
-
     first, second = kind_of(archive), kind_of(reference)
     if second == ARCHIVE and first == REFERENCE:
         raise InputError(f"{archive}: the archive comes first: `edesign compare {reference} {archive}`")

@@ -8,9 +8,18 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_own_yaml, write_yaml
+from edesign.building.building_file import load_building
+from edesign.cli.shared.stages import in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import InputError
 from edesign.optional_stages import optional
+from edesign.report.building.selection_tables import selection_tables
+from edesign.report.tables.text import print_tables
+from edesign.report.tables.visible import visible_line
+from edesign.space.selection.archived import selection_group
+from edesign.space.selection.select import select_sections
+from edesign.study.run.building import check_building_archive, write_building
 
 NAME = "designed.yaml"
 
@@ -31,15 +40,6 @@ def design(
 
     The lists of sections are those of `design: select` in the file.
     """
-    from edesign.archive.files import check_own_yaml, write_yaml
-    from edesign.building.building_file import load_building
-    from edesign.cli.shared.stages import in_stages
-    from edesign.report.building.selection_tables import selection_tables
-    from edesign.report.tables.text import print_tables
-    from edesign.report.tables.visible import visible_line
-    from edesign.space.selection.archived import selection_group
-    from edesign.space.selection.select import select_sections
-    from edesign.study.run.building import check_building_archive, write_building
 
     def tell(line: str) -> None:
         if not quiet:

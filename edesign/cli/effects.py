@@ -8,7 +8,11 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_csv_name
+from edesign.calibration.effect_list import effects_named, known_effects
 from edesign.cli.shared.complete import effect_names
+from edesign.report.calibration.known_effects import effect_tables, effects_data, effects_tables, write_effects_csv
+from edesign.report.tables.text import print_tables
 
 
 def effects(
@@ -24,11 +28,6 @@ def effects(
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write a line for each parameter.")] = None,
 ) -> None:
     """Print the effects that `edesign calibrate` looks for, or the forms and parameters of one."""
-    from edesign.archive.files import check_csv_name
-    from edesign.calibration.effect_list import effects_named, known_effects
-    from edesign.report.calibration.known_effects import effect_tables, effects_data, effects_tables, write_effects_csv
-    from edesign.report.tables.text import print_tables
-
     if csv is not None:
         check_csv_name(csv)
     found = known_effects() if name is None else effects_named(name)

@@ -7,8 +7,19 @@ from typing import Annotated
 
 import typer
 
-from edesign.errors import EdesignError
+from edesign.archive.files import check_folder
+from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
+from edesign.errors import EdesignError, InputError
 from edesign.optional_stages import optional
+from edesign.report.archive.document import check_page_path
+from edesign.report.export.catalogue import archive_tables, choose
+from edesign.report.export.export_table import ExportTable
+from edesign.report.export.facts import provenance_facts
+from edesign.report.export.files import write_csv_folder, write_parquet_folder
+from edesign.report.export.value_tables import history_tables
+from edesign.report.export.workbook import write_workbook
+from edesign.report.tables.table import Table, whole
+from edesign.report.tables.text import print_tables
 
 
 def export(
@@ -38,19 +49,6 @@ def export(
     as_list: Annotated[bool, typer.Option("--list", help="Print the names of the tables, and write nothing.")] = False,
 ) -> None:
     """Write the tables of an archive as a workbook, or as CSV or Parquet files, with units and all digits."""
-    from edesign.archive.files import check_folder
-    from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
-    from edesign.errors import InputError
-    from edesign.report.archive.document import check_page_path
-    from edesign.report.export.catalogue import archive_tables, choose
-    from edesign.report.export.export_table import ExportTable
-    from edesign.report.export.facts import provenance_facts
-    from edesign.report.export.files import write_csv_folder, write_parquet_folder
-    from edesign.report.export.value_tables import history_tables
-    from edesign.report.export.workbook import write_workbook
-    from edesign.report.tables.table import Table, whole
-    from edesign.report.tables.text import print_tables
-
     if xlsx is None and csv is None and parquet is None:
         xlsx = archive.with_name(archive.name.removesuffix(".partial")).with_suffix(".xlsx")
     for option, text in (("--tables", tables), ("--histories", histories)):

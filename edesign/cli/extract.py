@@ -8,6 +8,14 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_own_yaml, source_file, write_yaml
+from edesign.building.building_file import load_building
+from edesign.errors import InputError
+from edesign.project.notation.units import parse_ratio
+from edesign.space.extract import StudyNames, frame_row, project_text, study_text, suite_text
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
+
 
 def extract(
     building: Annotated[Path, typer.Argument(help="The building file.", show_default=False)],
@@ -45,13 +53,6 @@ def extract(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
 ) -> None:
     """Write plane frames of a building as a project file, with the loads and masses that fall to them."""
-    from edesign.archive.files import check_own_yaml, source_file, write_yaml
-    from edesign.building.building_file import load_building
-    from edesign.errors import InputError
-    from edesign.space.extract import StudyNames, frame_row, project_text, study_text, suite_text
-    from edesign.space.structure.geometry import space_frame
-    from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
-
     if study is None and (recordings is not None or drift is not None):
         raise InputError("--recordings and --drift belong to a study; give --study FILE too")
     if recordings is not None and not recordings.is_dir():
@@ -82,9 +83,6 @@ def extract(
 
 
 def _ratio(text: str) -> float:
-    from edesign.errors import InputError
-    from edesign.project.notation.units import parse_ratio
-
     try:
         return parse_ratio(text, 0.0, 1.0, low_allowed=False)
     except ValueError as error:

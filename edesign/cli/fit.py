@@ -6,19 +6,34 @@ import json
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
+from edesign.archive.files import check_folder, check_own_yaml, make_folder, write_text, write_yaml
+from edesign.cli.shared import fit_inputs as read
 from edesign.cli.shared.complete import law_names
+from edesign.cli.shared.fit_inputs import FitInput
 from edesign.cli.shared.streams import progress_line
+from edesign.damper.fitting import (
+    CrossValidation,
+    Fit,
+    compare,
+    cross_validate,
+    fit_forces,
+    fit_properties,
+    prediction_errors,
+)
+from edesign.damper.fitting.solve import Progress
+from edesign.damper.fitting.write import fit_json, law_yaml
+from edesign.damper.law import Law
+from edesign.errors import ArchiveError, InputError, Interrupted
+from edesign.input_files import spare_inputs
 from edesign.optional_stages import optional
-
-if TYPE_CHECKING:
-    from edesign.cli.shared.fit_inputs import FitInput
-    from edesign.damper.fitting import CrossValidation, Fit
-    from edesign.damper.fitting.solve import Progress
-    from edesign.damper.law import Law
+from edesign.report.damper.fit_figures import draw_fits
+from edesign.report.damper.fit_tables import tables_of
+from edesign.report.drawing.style import check_format
+from edesign.report.tables.text import print_tables
 
 
 def fit(
@@ -79,16 +94,6 @@ def fit(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""
-    from edesign.archive.files import check_folder, check_own_yaml, make_folder
-    from edesign.cli.shared import fit_inputs as read
-    from edesign.damper.fitting import compare
-    from edesign.errors import ArchiveError, InputError, Interrupted
-    from edesign.input_files import spare_inputs
-    from edesign.report.damper.fit_figures import draw_fits
-    from edesign.report.damper.fit_tables import tables_of
-    from edesign.report.drawing.style import check_format
-    from edesign.report.tables.text import print_tables
-
     check_format(figure_format)
     if folds is not None and not cross_validate:
         raise InputError("--folds: only with --cross-validate")
@@ -192,8 +197,6 @@ def _fit(
     quiet: bool,
 ) -> Iterator[_Result]:
     """Yield the fit, then what more was found about it."""
-    from edesign.damper.fitting import cross_validate, fit_forces, fit_properties, prediction_errors
-
     progress = None if quiet else _progress(law.name)
     if given.table is not None:
         assert given.specimen is not None  # moduli are of layers
@@ -220,8 +223,6 @@ def _fit(
 
 
 def _json(result: _Result) -> dict[str, Any]:
-    from edesign.damper.fitting.write import fit_json
-
     found = fit_json(result.fit)
     if result.held_out is not None:
         found["nrms_percent_held_out"] = {name: 100.0 * value for name, value in result.held_out.nrms.items()}
@@ -231,9 +232,6 @@ def _json(result: _Result) -> dict[str, Any]:
 
 
 def _write(result: _Result, given: FitInput, folder: Path, source: Path) -> None:
-    from edesign.archive.files import make_folder, write_text, write_yaml
-    from edesign.damper.fitting.write import law_yaml
-
     make_folder(folder)
     write_yaml(law_yaml(result.fit, given.title, given.specimen), folder / "law.yaml", source)
     write_text(json.dumps(_json(result), indent=1, allow_nan=False) + "\n", folder / "fit.json")

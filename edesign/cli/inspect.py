@@ -8,6 +8,15 @@ from typing import Annotated
 
 import typer
 
+from edesign.errors import InputError
+from edesign.file_kinds import TABLE, kind_of
+from edesign.ground_motion.formats.read import FORMATS, component_labels, format_by_marks
+from edesign.report.inspection.account import quoted
+from edesign.report.inspection.tables import table_account
+from edesign.report.tables.text import print_tables
+from edesign.report.tables.visible import visible
+from edesign.tables.matlab import is_matlab_file
+
 _READ_BY = {
     "test of a damper": "a campaign file",
     "property table": "a study file",
@@ -25,15 +34,6 @@ def inspect(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
     """Print what a table of numbers is read as, and the YAML that reads it."""
-    from edesign.errors import InputError
-    from edesign.file_kinds import TABLE, kind_of
-    from edesign.ground_motion.formats.read import FORMATS, component_labels, format_by_marks
-    from edesign.report.inspection.account import quoted
-    from edesign.report.inspection.tables import table_account
-    from edesign.report.tables.text import print_tables
-    from edesign.report.tables.visible import visible
-    from edesign.tables.matlab import is_matlab_file
-
     kind = kind_of(file)
     if kind is not None and kind != TABLE:
         raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use}")

@@ -7,6 +7,9 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.complete import law_names
+from edesign.damper.laws import law
+from edesign.report.damper.law_table import law_table, laws_table
+from edesign.report.tables.text import print_tables
 
 
 def laws(
@@ -18,8 +21,4 @@ def laws(
     ] = None,
 ) -> None:
     """Print the damper laws, or one law's parameters with unit, bounds and default."""
-    from edesign.damper.laws import law
-    from edesign.report.damper.law_table import law_table, laws_table
-    from edesign.report.tables.text import print_tables
-
     print_tables([laws_table() if name is None else law_table(law(name))])

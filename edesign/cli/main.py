@@ -14,33 +14,9 @@ from typing import Annotated, Any
 import typer
 
 from edesign._version import __version__
-from edesign.cli.calibrate import calibrate
-from edesign.cli.characterise import characterise
-from edesign.cli.check import check
-from edesign.cli.compare import compare
-from edesign.cli.design import design
-from edesign.cli.effects import effects
-from edesign.cli.export import export
-from edesign.cli.extract import extract
-from edesign.cli.fit import fit
-from edesign.cli.inspect import inspect
-from edesign.cli.laws import laws
-from edesign.cli.match import match
-from edesign.cli.new import new
-from edesign.cli.quantities import quantities
-from edesign.cli.records import records
-from edesign.cli.report import report
-from edesign.cli.rts import app as rts
-from edesign.cli.run import run
-from edesign.cli.schema import schema
-from edesign.cli.sections import sections
+from edesign.cli.shared.lazy import LazyGroup
 from edesign.cli.shared.stages import end_with
 from edesign.cli.shared.streams import visible_streams
-from edesign.cli.sheet import sheet
-from edesign.cli.show import show
-from edesign.cli.spectrum import spectrum
-from edesign.cli.test import test
-from edesign.cli.translate import translate
 from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted, StageFailed
 from edesign.input_files import noting_inputs
 from edesign.optional_stages import noting_failures, told, words_of_mistake
@@ -64,22 +40,116 @@ COMPLETIONS = {"--install-completion", "--show-completion"}
 """Options of typer's, which write to the user's shell configuration, or print what they would."""
 _NO_SHELL = "this shell is not known; completions are for bash, zsh, fish and PowerShell"
 
+
+class _Commands(LazyGroup):
+    table = {
+        "new": (
+            "edesign.cli.new",
+            "Make a folder with a small project that runs as it is: of a frame, or by another --template.",
+        ),
+        "check": (
+            "edesign.cli.check",
+            "Check a file of any kind: a project with its records and frame, tests, laws, suites, ...; "
+            "print a summary.",
+        ),
+        "run": (
+            "edesign.cli.run",
+            "Run the analyses of a project or study, or design checks of a building, archive them, "
+            "and print a summary.",
+        ),
+        "design": (
+            "edesign.cli.design",
+            "Choose the lightest sections that meet all checks, and write the building file with them, "
+            "and its archive.",
+        ),
+        "show": (
+            "edesign.cli.show",
+            "Print what an archive holds: verdicts, means of the response and what governs; with --all every table.",
+        ),
+        "compare": (
+            "edesign.cli.compare",
+            "Print each printed value of a reference beside the one of an archive, with its difference.",
+        ),
+        "report": (
+            "edesign.cli.report",
+            "Write the report of an archive as one HTML page that opens offline and can be mailed, or as a PDF.",
+        ),
+        "export": (
+            "edesign.cli.export",
+            "Write the tables of an archive as a workbook, or as CSV or Parquet files, with units and all digits.",
+        ),
+        "extract": (
+            "edesign.cli.extract",
+            "Write plane frames of a building as a project file, with the loads and masses that fall to them.",
+        ),
+        "translate": (
+            "edesign.cli.translate",
+            "Write the model of a project or building for another program, or a SAP2000 model as a file of edesign.",
+        ),
+        "inspect": ("edesign.cli.inspect", "Print what a table of numbers is read as, and the YAML that reads it."),
+        "spectrum": (
+            "edesign.cli.spectrum",
+            "Print the elastic spectrum (acceleration, velocity, displacement), and those of records beside it.",
+        ),
+        "match": (
+            "edesign.cli.match",
+            "Fit recordings to the elastic spectrum, check them against the code, archive originals and results.",
+        ),
+        "records": (
+            "edesign.cli.records",
+            "List the recordings of a folder, package or suite with their measures; without a name, what there is.",
+        ),
+        "sections": (
+            "edesign.cli.sections",
+            "Print the rolled sections that a project may name, with their properties.",
+        ),
+        "laws": ("edesign.cli.laws", "Print the damper laws, or one law's parameters with unit, bounds and default."),
+        "effects": (
+            "edesign.cli.effects",
+            "Print the effects that `edesign calibrate` looks for, or the forms and parameters of one.",
+        ),
+        "quantities": (
+            "edesign.cli.quantities",
+            "Print the quantities and measures that criteria of a study may limit, with their units and keys.",
+        ),
+        "schema": (
+            "edesign.cli.schema",
+            "Print or write the JSON Schema of a kind of YAML file; without a kind list them, or write all.",
+        ),
+        "test": (
+            "edesign.cli.test",
+            "Run tests of a damper law as a laboratory would run them, and write them as a campaign.",
+        ),
+        "characterise": (
+            "edesign.cli.characterise",
+            "Find storage, equivalent and loss modulus and loss factor of each test with a steady amplitude.",
+        ),
+        "sheet": (
+            "edesign.cli.sheet",
+            "Print stiffness, damping, energy and forces of each test of a device, and whether standards accept it.",
+        ),
+        "fit": (
+            "edesign.cli.fit",
+            "Fit damper laws to measured forces or properties; say how sure the parameters are, "
+            "and which law suffices.",
+        ),
+        "calibrate": (
+            "edesign.cli.calibrate",
+            "Predict measured tests, find what the law or structure lacks, add it, and report errors before and after.",
+        ),
+        "rts": ("edesign.cli.rts", "Real-time substructure tests: will one be stable, how wrong, and how good was it."),
+    }
+
+
 app = typer.Typer(
     name="edesign",
+    cls=_Commands,
     help="Seismic design and evaluation of steel moment frames.",
     epilog=EPILOG,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-_PROJECTS = (new, check, run, design, show, compare, report, export, extract, translate)
-_PARTS = (
-    *(inspect, spectrum, match, records, sections, laws, effects, quantities, schema),
-    *(test, characterise, sheet, fit, calibrate),
-)
-for command in (*_PROJECTS, *_PARTS):
-    app.command()(command)
-app.add_typer(rts)
 
 
 def _version(asked: bool) -> None:

@@ -7,9 +7,22 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_folder, make_folder
 from edesign.cli.shared import hazard_options as action
 from edesign.cli.shared import recordings as source
+from edesign.cli.shared.progress import listener
+from edesign.errors import AnalysisError, InputError
+from edesign.ground_motion.formats.write import write_csv
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.matching import MatchOptions
+from edesign.input_files import spare_inputs
 from edesign.optional_stages import optional
+from edesign.project.notation.quantities import TIME
+from edesign.report.archive.figures import draw_figures
+from edesign.report.drawing.style import check_format
+from edesign.report.ground_motion.record_tables import choice_table, record_tables
+from edesign.report.tables.text import print_tables
+from edesign.study.run.match import choose_recordings, match_recordings
 
 
 def match(
@@ -69,20 +82,6 @@ def match(
 
     The spectrum is that of a project's `hazard`, or given by --ground, --a-gr and the like.
     """
-    from edesign.archive.files import check_folder, make_folder
-    from edesign.cli.shared.progress import listener
-    from edesign.errors import AnalysisError, InputError
-    from edesign.ground_motion.formats.write import write_csv
-    from edesign.ground_motion.hazard import elastic_spectrum
-    from edesign.ground_motion.matching import MatchOptions
-    from edesign.input_files import spare_inputs
-    from edesign.project.notation.quantities import TIME
-    from edesign.report.archive.figures import draw_figures
-    from edesign.report.drawing.style import check_format
-    from edesign.report.ground_motion.record_tables import choice_table, record_tables
-    from edesign.report.tables.text import print_tables
-    from edesign.study.run.match import choose_recordings, match_recordings
-
     check_format(figure_format)
     if max_per_event is not None and select is None:
         raise InputError("--max-per-event: only with --select, which chooses the recordings")

@@ -8,6 +8,9 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.complete import template_names
+from edesign.project import template as chosen
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import print_tables
 
 
 def new(
@@ -25,12 +28,7 @@ def new(
     list_them: Annotated[bool, typer.Option("--list", "-l", help="Print the templates and leave.")] = False,
 ) -> None:
     """Make a folder with a small project that runs as it is: of a frame, or by another --template."""
-    from edesign.project import template as chosen
-
     if list_them:
-        from edesign.report.tables.table import Table
-        from edesign.report.tables.text import print_tables
-
         table = Table("Templates", ("template", "what it is", "CPU [s]"), left=2, sentences=1)
         table.rows = [[one.name, one.about, f"{one.seconds:g}"] for one in chosen.templates().values()]
         table.notes = [

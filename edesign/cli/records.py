@@ -8,9 +8,17 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_csv_name
 from edesign.cli.shared.complete import record_sources
 from edesign.cli.shared.recordings import Layout, Reading, TimeStep, Unit
 from edesign.errors import InputError
+from edesign.ground_motion.catalogue import listing as found_in
+from edesign.ground_motion.formats.units import ACCELERATION_UNITS
+from edesign.project.reading.file_bytes import is_folder
+from edesign.project.reading.problems import unknown_name
+from edesign.project.records.chosen_records import FolderSource
+from edesign.report.ground_motion import listing_table as shown
+from edesign.report.tables.text import print_tables
 
 
 def records(
@@ -37,15 +45,6 @@ def records(
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table, SI units.")] = None,
 ) -> None:
     """List the recordings of a folder, package or suite with their measures; without a name, what there is."""
-    from edesign.archive.files import check_csv_name
-    from edesign.ground_motion.catalogue import listing as found_in
-    from edesign.ground_motion.formats.units import ACCELERATION_UNITS
-    from edesign.project.reading.file_bytes import is_folder
-    from edesign.project.reading.problems import unknown_name
-    from edesign.project.records.chosen_records import FolderSource
-    from edesign.report.ground_motion import listing_table as shown
-    from edesign.report.tables.text import print_tables
-
     reading = Reading.of(unit, time_step, layout, None)
     of_tables = flatfile is not None or reading != Reading()
     if of_tables and (where is None or not is_folder(Path(where))):

@@ -11,6 +11,8 @@ import typer
 
 from edesign.cli.shared.pdf_options import AppendixOption, PaperOption, print_options
 from edesign.cli.shared.streams import progress_line
+from edesign.report.archive.document import write_page
+from edesign.report.pdf.document import write_pdf
 
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
 LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some hundred figures
@@ -34,12 +36,8 @@ def report(
     pdf = pdf or (output is not None and output.suffix.lower() == ".pdf")
     options = print_options(pdf, paper, appendix)
     if pdf:
-        from edesign.report.pdf.document import write_pdf
-
         written = write_pdf(archive, output, tell, options)
     else:
-        from edesign.report.archive.document import write_page
-
         written = write_page(archive, output, tell)
     print(f"report: {written} ({written.stat().st_size / 1e6:.1f} MB)")
 

@@ -8,10 +8,24 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.reader import open_archive
+from edesign.building.building_file import load_building
+from edesign.building.project_file import load_project, load_study
+from edesign.cli.report import PageProgress
 from edesign.cli.shared.complete import analysis_names
+from edesign.cli.shared.progress import listener
+from edesign.cli.shared.stages import Tell, in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
+from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of, other_kind
+from edesign.ground_motion.project_records import with_folders
 from edesign.optional_stages import earlier, optional
+from edesign.report.archive.document import default_page_path, write_page
+from edesign.report.archive.tables import overview, short_tables
+from edesign.report.tables.text import PAPER, print_tables
+from edesign.space.elastic_design import ElasticDesign
+from edesign.study.run.building import run_building
+from edesign.study.run.run import run_project, run_study
 
 
 def run(
@@ -55,8 +69,6 @@ def run(
 
     A run that was interrupted goes on where it stopped when it is called again.
     """
-    from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of, other_kind
-
     kind = kind_of(project)
     if kind == SUBSTRUCTURE_TESTS:
         raise InputError(other_kind(project, kind, "project, study or building file"))
@@ -100,11 +112,6 @@ class _End:
 
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, check: bool) -> None:
-    from edesign.building.building_file import load_building
-    from edesign.cli.shared.stages import Tell, in_stages
-    from edesign.space.elastic_design import ElasticDesign
-    from edesign.study.run.building import run_building
-
     def work(tell: Tell) -> tuple[Path, ElasticDesign]:
         tell(f"reading {file}")
         return run_building(load_building(file), archive, overwrite, tell)
@@ -116,11 +123,6 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, 
 
 
 def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, end: _End) -> None:
-    from edesign.building.project_file import load_project, load_study
-    from edesign.cli.shared.progress import listener
-    from edesign.ground_motion.project_records import with_folders
-    from edesign.study.run.run import run_project, run_study
-
     with listener(end.quiet) as listen:
         options = {field.name: getattr(how, field.name) for field in fields(how)} | {"progress": listen}
         if is_study:
@@ -141,15 +143,8 @@ def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How,
 
 def _end(archive: Path, took: str, end: _End) -> None:
     """Write the report if it is asked for, then print the tables in short and where the files are."""
-    from edesign.archive.reader import open_archive
-    from edesign.report.archive.tables import overview, short_tables
-    from edesign.report.tables.text import PAPER, print_tables
-
     page, kept = None, f"the results are in {archive}"
     if end.report:
-        from edesign.cli.report import PageProgress
-        from edesign.report.archive.document import default_page_path, write_page
-
         if not end.quiet:
             progress_line("writing the report ...")
         with optional("the report", kept + earlier(default_page_path(archive))):

@@ -8,6 +8,8 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.complete import kind_names
+from edesign.schema.kinds import KINDS, kind_named
+from edesign.schema.write import kinds_table, schema_text, write_schemas
 
 
 def schema(
@@ -25,20 +27,13 @@ def schema(
     ] = None,
 ) -> None:
     """Print or write the JSON Schema of a kind of YAML file; without a kind list them, or write all."""
-    from edesign.schema.kinds import KINDS, kind_named
-
     if kind is None and output is None:
-        from edesign.schema.write import kinds_table
-
         print(kinds_table())
         return
     chosen = list(KINDS.values()) if kind is None else [kind_named(kind)]
     if output is None:
-        from edesign.schema.write import schema_text
-
         print(schema_text(chosen[0]), end="")
         return
-    from edesign.schema.write import write_schemas
 
     written = write_schemas(chosen, output, combined=kind is None)
     print(f"{len(written)} written to {output}: {', '.join(path.name for path in written)}")

@@ -8,7 +8,10 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_csv_name
 from edesign.cli.shared.complete import section_names
+from edesign.report.building.section_table import chosen_sections, section_data, section_table, write_sections
+from edesign.report.tables.text import print_tables
 
 
 def sections(
@@ -25,10 +28,6 @@ def sections(
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
 ) -> None:
     """Print the rolled sections that a project may name, with their properties."""
-    from edesign.archive.files import check_csv_name
-    from edesign.report.building.section_table import chosen_sections, section_data, section_table, write_sections
-    from edesign.report.tables.text import print_tables
-
     if csv is not None:
         check_csv_name(csv)
     names = chosen_sections(what)

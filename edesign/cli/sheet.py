@@ -4,20 +4,34 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, get_args
 
 import typer
+from pydantic_core import PydanticCustomError
 
+from edesign.archive.csv_files import write_csv_file
+from edesign.archive.files import check_csv_name, check_file
 from edesign.cli.shared.pdf_options import PaperOption, print_options
-from edesign.errors import InputError
+from edesign.damper.damper import Damper
+from edesign.damper.laws import law
+from edesign.damper.parameters import read_parameters
+from edesign.damper.testing.acceptance import Acceptance, Device, judge
+from edesign.damper.testing.campaign import load_campaign, notes_of, short_names
+from edesign.damper.testing.device_cycles import Run, predicted_runs, runs_of
+from edesign.damper.testing.measured_files import read_test
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.errors import EdesignError, InputError
+from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
 from edesign.optional_stages import earlier, optional
-
-if TYPE_CHECKING:
-    from edesign.damper.damper import Damper
-    from edesign.damper.testing.acceptance import Acceptance
-    from edesign.damper.testing.device_cycles import Run
-    from edesign.damper.testing.measured_histories import DamperTest
-    from edesign.project.document import Document
+from edesign.project.document import Document
+from edesign.project.notation.temperature import parse_temperature
+from edesign.project.reading.problems import did_you_mean
+from edesign.report.archive.document import check_page_path, write_html
+from edesign.report.check.damper_files import force_doubts
+from edesign.report.damper import sheet_tables as tables
+from edesign.report.page.sheet import sheet_page
+from edesign.report.pdf.document import check_pdf, write_page_as_pdf
+from edesign.report.tables.text import print_tables
 
 
 def sheet(
@@ -46,15 +60,6 @@ def sheet(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")] = False,
 ) -> None:
     """Print stiffness, damping, energy and forces of each test of a device, and whether standards accept it."""
-    from edesign.archive.csv_files import write_csv_file
-    from edesign.archive.files import check_csv_name, check_file
-    from edesign.damper.testing.acceptance import judge
-    from edesign.damper.testing.device_cycles import runs_of
-    from edesign.report.archive.document import check_page_path, write_html
-    from edesign.report.check.damper_files import force_doubts
-    from edesign.report.damper import sheet_tables as tables
-    from edesign.report.tables.text import print_tables
-
     options = print_options(pdf is not None, paper, appendix=False)
     if output is not None:
         check_csv_name(output)
@@ -62,8 +67,6 @@ def sheet(
     if page is not None:
         check_page_path(page)
     if pdf is not None:
-        from edesign.report.pdf.document import check_pdf
-
         check_pdf(pdf)
     title, tests, asked, damper, document, notes = _read(inputs, device, temperature)
     runs: list[Run] = []
@@ -96,16 +99,12 @@ def sheet(
     if page is None and pdf is None:
         return
     with optional("the report", "the sheet stands"):
-        from edesign.report.page.sheet import sheet_page
-
         report = sheet_page(title, tests, runs, judged, asked, notes, document)
         if page is not None:
             with optional(str(page), f"the sheet stands{earlier(page)}"):
                 write_html(report, page)
                 _told(page, as_json)
         if pdf is not None:
-            from edesign.report.pdf.document import write_page_as_pdf
-
             with optional(str(pdf), f"the sheet stands{earlier(pdf)}"):
                 write_page_as_pdf(report, pdf, options=options)
                 _told(pdf, as_json)
@@ -119,9 +118,6 @@ def _told(path: Path, as_json: bool) -> None:
 
 def _designs(test: DamperTest, found: tuple[Run, ...], damper: Damper | None, notes: list[str]) -> list[Run | None]:
     """The runs of a test as the law gives them; none where it cannot."""
-    from edesign.damper.testing.device_cycles import predicted_runs
-    from edesign.errors import EdesignError
-
     if damper is None:
         return [None] * len(found)
     try:
@@ -135,13 +131,6 @@ def _read(
     inputs: list[Path], device: str | None, temperature: str | None
 ) -> tuple[str, tuple[DamperTest, ...], Acceptance, Damper | None, Document, list[str]]:
     """Title, tests, what is asked, the damper of the campaign's law, the cover, and what the reader says."""
-    from edesign.damper.damper import Damper
-    from edesign.damper.laws import law
-    from edesign.damper.parameters import read_parameters
-    from edesign.damper.testing.acceptance import Acceptance
-    from edesign.damper.testing.campaign import load_campaign, notes_of
-    from edesign.project.document import Document
-
     if not any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
         tests = _tests(inputs, temperature)
         return inputs[0].stem, tests, _with_device(Acceptance(), device), None, Document(), list(notes_of(tests))
@@ -166,13 +155,6 @@ def _read(
 
 
 def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...]:
-    from pydantic_core import PydanticCustomError
-
-    from edesign.damper.testing.campaign import short_names
-    from edesign.damper.testing.measured_files import read_test
-    from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
-    from edesign.project.notation.temperature import parse_temperature
-
     for i, path in enumerate(inputs):
         refuse_kind(path, kind_of(path), "test file or campaign file", ARCHIVE, *YAML_KINDS)
         if path in inputs[:i]:
@@ -190,11 +172,6 @@ def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...
 
 
 def _with_device(asked: Acceptance, device: str | None) -> Acceptance:
-    from typing import get_args
-
-    from edesign.damper.testing.acceptance import Device
-    from edesign.project.reading.problems import did_you_mean
-
     if device is None:
         return asked
     known = get_args(Device)

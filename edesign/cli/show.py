@@ -6,15 +6,25 @@ import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_csv_name, check_folder
+from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
 from edesign.cli.shared.complete import archived_names
+from edesign.errors import InputError
 from edesign.optional_stages import optional
-
-if TYPE_CHECKING:
-    from edesign.archive.reader import Archive
+from edesign.project.reading.problems import unknown_name
+from edesign.report.archive.figures import draw_figures
+from edesign.report.archive.summary import summarise
+from edesign.report.archive.tables import details, overview, short_tables
+from edesign.report.assessment.verdict_data import write_verdicts
+from edesign.report.building.checks import member_data, member_tables
+from edesign.report.building.results import building_results
+from edesign.report.drawing.style import check_format
+from edesign.report.inputs.designed_dampers import DESIGNS
+from edesign.report.tables.text import PAPER, print_tables
 
 
 def show(
@@ -47,19 +57,10 @@ def show(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
-    from edesign.archive.files import check_csv_name, check_folder
-    from edesign.archive.reader import DamagedArchive, read_archive, refuse_calibration
-    from edesign.report.archive.summary import summarise
-    from edesign.report.archive.tables import details, overview, short_tables
-    from edesign.report.drawing.style import check_format
-    from edesign.report.tables.text import PAPER, print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
         refuse_calibration(opened)
         if member is not None:
-            from edesign.report.building.checks import member_data, member_tables
-            from edesign.report.building.results import building_results
-
             of_building = building_results(opened)
         if as_json:
             found = {"member": member_data(of_building, member)} if member is not None else summarise(opened, analysis)
@@ -79,8 +80,6 @@ def show(
         print(read_archive(archive, lambda opened: _devices(opened, devices))[0], end="")
         return
     if csv is not None:
-        from edesign.report.assessment.verdict_data import write_verdicts
-
         check_csv_name(csv)
         read_archive(archive, lambda opened: write_verdicts(opened, csv))
     if figures is not None:
@@ -88,8 +87,6 @@ def show(
     tell, damage = read_archive(archive, read)
     tell()
     if figures is not None:
-        from edesign.report.archive.figures import draw_figures
-
         drawn: tuple[Path, ...] | None = None
         with optional("the figures", "what the archive holds is printed above"):
             drawn, damage = read_archive(archive, lambda opened: draw_figures(opened, figures, figure_format))
@@ -106,10 +103,6 @@ def _devices(opened: Archive, design: str) -> str:
     Raises:
         InputError: there is no such design, or it found none.
     """
-    from edesign.errors import InputError
-    from edesign.project.reading.problems import unknown_name
-    from edesign.report.inputs.designed_dampers import DESIGNS
-
     names = opened.names(DESIGNS)
     if design not in names:
         raise InputError(f"{opened.path}: --devices: {unknown_name('design', design, names)}")

@@ -3,16 +3,28 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
+import numpy as np
 import typer
 
+from edesign.archive.files import check_csv_name, check_file
 from edesign.cli.shared import hazard_options as action
 from edesign.cli.shared import recordings as source
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import code_spectra
+from edesign.ground_motion.sources import Found
 from edesign.optional_stages import optional
-
-if TYPE_CHECKING:
-    from edesign.ground_motion.sources import Found
+from edesign.project.notation.quantities import TIME
+from edesign.report.drawing.style import check_figure_name
+from edesign.report.ground_motion.spectrum_table import (
+    draw_spectra,
+    record_notes,
+    spectrum_columns,
+    spectrum_table,
+    write_columns,
+)
+from edesign.report.tables.text import print_tables
 
 
 def spectrum(
@@ -56,22 +68,6 @@ def spectrum(
 
     The spectrum is that of a project's `hazard`, or given by --ground, --a-gr and the like.
     """
-    import numpy as np
-
-    from edesign.archive.files import check_csv_name, check_file
-    from edesign.errors import InputError
-    from edesign.ground_motion.hazard import code_spectra
-    from edesign.project.notation.quantities import TIME
-    from edesign.report.drawing.style import check_figure_name
-    from edesign.report.ground_motion.spectrum_table import (
-        draw_spectra,
-        record_notes,
-        spectrum_columns,
-        spectrum_table,
-        write_columns,
-    )
-    from edesign.report.tables.text import print_tables
-
     if figure is not None:
         check_figure_name(figure)
     if csv is not None:

@@ -5,14 +5,25 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_folder
+from edesign.cli.shared.progress import listener
+from edesign.damper.testing.campaign import CAMPAIGN_FILE
+from edesign.damper.testing.programme import PROPERTIES_FILE, run_programme
+from edesign.damper.testing.programme_file import load_programme
+from edesign.damper.testing.property_table import from_properties, usable
+from edesign.errors import InputError
+from edesign.input_files import spare_inputs
 from edesign.optional_stages import optional
-
-if TYPE_CHECKING:
-    from edesign.study.run.progress import Listener
+from edesign.project.reading.file_bytes import is_there
+from edesign.report.damper.measured_figures import draw_tests
+from edesign.report.damper.measured_tables import properties_table
+from edesign.report.drawing.style import check_format
+from edesign.report.tables.text import print_tables
+from edesign.study.run.progress import Listener, Progress
 
 
 def test(
@@ -30,20 +41,6 @@ def test(
 
     Written are TEST.csv (time, displacement, force), campaign.yaml, and properties.csv of the steady sines.
     """
-    from edesign.archive.files import check_folder
-    from edesign.cli.shared.progress import listener
-    from edesign.damper.testing.campaign import CAMPAIGN_FILE
-    from edesign.damper.testing.programme import PROPERTIES_FILE, run_programme
-    from edesign.damper.testing.programme_file import load_programme
-    from edesign.damper.testing.property_table import from_properties, usable
-    from edesign.errors import InputError
-    from edesign.input_files import spare_inputs
-    from edesign.project.reading.file_bytes import is_there
-    from edesign.report.damper.measured_figures import draw_tests
-    from edesign.report.damper.measured_tables import properties_table
-    from edesign.report.drawing.style import check_format
-    from edesign.report.tables.text import print_tables
-
     check_format(figure_format)
     plan = load_programme(programme)
     folder = output or Path(f"{programme.stem}_campaign")
@@ -75,8 +72,6 @@ def _reporter(listen: Listener) -> Callable[[int, int, str], None]:
 
     The many short tests are shown as one analysis.
     """
-    from edesign.study.run.progress import Progress
-
     began = time.monotonic()
 
     def tell(index: int, count: int, test_name: str) -> None:

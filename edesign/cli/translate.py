@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_file, check_own_yaml, write_yaml
+from edesign.building.building_file import load_building
+from edesign.building.project_file import load_project
+from edesign.cli.shared.stages import Tell, in_stages
 from edesign.errors import InputError
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from edesign.project.building.building import Building
-    from edesign.project.project import Project
+from edesign.exchange.formats import FORMATS, TAKEN, Translation, check_own_files, find_format, write_translation
+from edesign.exchange.sap2000.translate import take_model
+from edesign.file_kinds import BUILDING, STUDY, kind_of
+from edesign.project.building.building import Building
+from edesign.project.project import Project
+from edesign.report.tables.visible import visible_line
 
 
 def translate(
@@ -39,10 +44,6 @@ def translate(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
     """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign."""
-    from edesign.archive.files import check_file
-    from edesign.cli.shared.stages import Tell, in_stages
-    from edesign.exchange.formats import TAKEN, Translation, check_own_files, find_format, write_translation
-
     if target is None or to is not None:
         raise InputError(f"{'--to: there is no such option: ' if to is not None else ''}{_without_target(source)}")
     if source.suffix.lower() in TAKEN:
@@ -69,8 +70,6 @@ def translate(
 
 def _without_target(source: Path) -> str:
     """What to write after the source, by examples with its own name."""
-    from edesign.exchange.formats import FORMATS, TAKEN
-
     command = f"edesign translate {shlex.quote(str(source))} {shlex.quote(source.stem)}"
     if source.suffix.lower() in TAKEN:
         return f"name the file to write after it: {command}.yaml"
@@ -79,10 +78,6 @@ def _without_target(source: Path) -> str:
 
 
 def _read(source: Path) -> Project | Building:
-    from edesign.building.building_file import load_building
-    from edesign.building.project_file import load_project
-    from edesign.file_kinds import BUILDING, STUDY, kind_of
-
     kind = kind_of(source)
     if kind is STUDY:
         raise InputError(
@@ -94,9 +89,6 @@ def _read(source: Path) -> Project | Building:
 
 def _take(source: Path, target: Path, overwrite: bool) -> None:
     """Write a SAP2000 model as a project or building file."""
-    from edesign.archive.files import check_own_yaml, write_yaml
-    from edesign.exchange.sap2000.translate import take_model
-
     if target.suffix.lower() not in (".yaml", ".yml"):
         raise InputError(f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml")
     taken = take_model(source, target)
@@ -106,8 +98,6 @@ def _take(source: Path, target: Path, overwrite: bool) -> None:
 
 
 def _tell(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:
-    from edesign.report.tables.visible import visible_line
-
     print(visible_line(first))
     for sentence in left_out:
         print(visible_line(f"left out: {sentence}"))

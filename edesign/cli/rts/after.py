@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_own_yaml, write_yaml
 from edesign.cli.rts.tests_file import load_tests
 from edesign.errors import AnalysisError, InputError
-
-if TYPE_CHECKING:
-    from edesign.project.substructure.rts_file import RtsFile
-    from edesign.substructure.judgement.judge import Judgement
-    from edesign.substructure.judgement.record_campaign import Displacement
+from edesign.one_thread import one_thread
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.report.substructure.identified_rig_tables import identified_rig_tables
+from edesign.report.substructure.judgement_tables import judgement_data, judgement_tables
+from edesign.report.tables.text import print_tables
+from edesign.substructure.judgement.judge import Judgement
+from edesign.substructure.judgement.judge import judge as judged
+from edesign.substructure.judgement.record_campaign import CHANNELS, Displacement, write_record_campaign
+from edesign.substructure.rig.identified import rig_data, rig_file_text
+from edesign.substructure.rig.identify import identify as find
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")]
 
@@ -34,13 +40,6 @@ def identify(
     as_json: Json = False,
 ) -> None:
     """Find delay, order, gain and noise of a rig in a measured command and displacement."""
-    from edesign.archive.files import check_own_yaml, write_yaml
-    from edesign.one_thread import one_thread
-    from edesign.report.substructure.identified_rig_tables import identified_rig_tables
-    from edesign.report.tables.text import print_tables
-    from edesign.substructure.rig.identified import rig_data, rig_file_text
-    from edesign.substructure.rig.identify import identify as find
-
     if output is not None:
         check_own_yaml(output, record, overwrite)
     with one_thread():
@@ -76,11 +75,6 @@ def judge(
     as_json: Json = False,
 ) -> None:
     """Judge measured substructure tests: tracking, error of the response, force against the law."""
-    from edesign.one_thread import one_thread
-    from edesign.report.substructure.judgement_tables import judgement_data, judgement_tables
-    from edesign.report.tables.text import print_tables
-    from edesign.substructure.judgement.judge import judge as judged
-
     chosen, file = _displacement(displacement), _read(rts, test, campaign)
     if test and len(test) != len(records):
         raise InputError(f"--test: {len(test)} for {len(records)} CSVs; one for each of them, in their order, or none")
@@ -101,8 +95,6 @@ def judge(
 
 
 def _displacement(name: str) -> Displacement:
-    from edesign.substructure.judgement.record_campaign import CHANNELS
-
     chosen = next((one for one in CHANNELS if one == name), None)
     if chosen is None:
         raise InputError(f"--displacement: `{name}` is none of {', '.join(CHANNELS)}")
@@ -121,8 +113,6 @@ def _read(rts: Path | None, test: list[str] | None, campaign: Path | None) -> Rt
 def _write_campaign(
     found: list[Judgement], file: RtsFile | None, folder: Path | None, chosen: Displacement
 ) -> Path | None:
-    from edesign.substructure.judgement.record_campaign import write_record_campaign
-
     if folder is None or file is None:
         return None
     return write_record_campaign(found, file, folder, chosen).path

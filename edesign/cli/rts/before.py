@@ -7,11 +7,24 @@ from typing import Annotated
 
 import typer
 
+from edesign.archive.files import check_file
 from edesign.cli.rts.tests_file import load_tests
 from edesign.cli.shared.complete import compensator_names
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import InputError
 from edesign.optional_stages import optional
+from edesign.project.reading.problems import unknown_name
+from edesign.report.drawing.style import check_figure_name
+from edesign.report.substructure.advice_tables import advice_tables
+from edesign.report.substructure.map_figures import draw_map
+from edesign.report.tables.text import print_tables
+from edesign.substructure.advice.advice import advise
+from edesign.substructure.compensation.described import compensator_of
+from edesign.substructure.compensation.export import export as write
+from edesign.substructure.laboratory import laboratory
+from edesign.substructure.server.serve import serve as wait
+from edesign.substructure.sized_damper import SizedDamper
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
 
@@ -24,13 +37,6 @@ def check(
     ] = None,
 ) -> None:
     """Say, without running the loop, whether it is stable, how wrong it will be, and which compensator suits."""
-    from edesign.archive.files import check_file
-    from edesign.report.drawing.style import check_figure_name
-    from edesign.report.substructure.advice_tables import advice_tables
-    from edesign.report.tables.text import print_tables
-    from edesign.substructure.advice.advice import advise
-    from edesign.substructure.virtual_tests import VirtualLaboratory
-
     if figure is not None:
         check_figure_name(figure)
         check_file(figure)
@@ -38,8 +44,6 @@ def check(
     advice = advise(laboratory)
     print_tables(advice_tables(advice))
     if figure is not None:
-        from edesign.report.substructure.map_figures import draw_map
-
         drawn = True
         with optional("the figure", "what was found is printed above"):
             drawn = draw_map(laboratory, advice.recommended, figure)
@@ -56,11 +60,6 @@ def export(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace other files of the same names.")] = False,
 ) -> None:
     """Write a compensator as C99 for a signal processor, with a self test, a timing program, and matrices."""
-    from edesign.project.reading.problems import unknown_name
-    from edesign.substructure.compensation.described import compensator_of
-    from edesign.substructure.compensation.export import export as write
-    from edesign.substructure.laboratory import laboratory
-
     tests = load_tests(file)
     if compensator not in tests.compensators:
         raise InputError(f"{file}: {unknown_name('compensator', compensator, tests.compensators)}")
@@ -85,10 +84,6 @@ def serve(
     record: Annotated[Path | None, typer.Option("--record", help="Write the committed steps to a CSV file.")] = None,
 ) -> None:
     """Be the laboratory of OpenSees' genericClient: the virtual specimen of the file behind a TCP port."""
-    from edesign.substructure.laboratory import laboratory
-    from edesign.substructure.server.serve import serve as wait
-    from edesign.substructure.sized_damper import SizedDamper
-
     damper = laboratory(load_tests(file)).damper
     if damper is None:
         raise InputError(f"{file}: specimen: a laboratory needs a law; give `law` or `law_file`")

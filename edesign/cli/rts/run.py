@@ -11,6 +11,10 @@ from edesign.cli.rts.tests_file import load_tests
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError
 from edesign.optional_stages import optional
+from edesign.report.archive.tables import overview
+from edesign.report.tables.text import print_tables
+from edesign.report.tables.visible import visible_line
+from edesign.substructure.run import run_tests
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
 
@@ -28,11 +32,6 @@ def run(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
-    from edesign.report.archive.tables import overview
-    from edesign.report.tables.text import print_tables
-    from edesign.report.tables.visible import visible_line
-    from edesign.substructure.run import run_tests
-
     tests = load_tests(file)
 
     def tell(line: str) -> None:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from edesign.project.substructure.rts_file import RtsFile
+from edesign.building.sections.building_sections import BuildingSections
+from edesign.project.substructure import load_rts_file
+from edesign.project.substructure.rts_file import RtsFile
 
 
 def load_tests(path: Path) -> RtsFile:
@@ -15,7 +15,4 @@ def load_tests(path: Path) -> RtsFile:
     Raises:
         InputError: it cannot be read, is of another kind, or is wrong.
     """
-    from edesign.building.sections.building_sections import BuildingSections
-    from edesign.project.substructure import load_rts_file
-
     return load_rts_file(path, BuildingSections())

@@ -6,16 +6,21 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from edesign.cli.shared.hazard_options import quantity
+from edesign.damper.fitting.scales import exponent_in
+from edesign.damper.law import Law, Parameter
+from edesign.damper.laws import law
+from edesign.damper.parameters import PARAMETER_SETS, ParameterError, parameter_set, read_parameters, write_parameters
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.properties import properties
+from edesign.damper.testing.property_table import PropertyTable, from_properties, read_property_table, usable
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
-
-if TYPE_CHECKING:
-    from edesign.damper.law import Law, Parameter
-    from edesign.damper.testing.campaign_blocks import LawChoice
-    from edesign.damper.testing.measured_histories import DamperTest
-    from edesign.damper.testing.property_table import PropertyTable
-    from edesign.damper.testing.specimen import Specimen
+from edesign.project.notation.quantities import AREA, LENGTH
+from edesign.project.reading.problems import did_you_mean
 
 AGAINST = ("forces", "properties")
 
@@ -51,10 +56,6 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
     Raises:
         InputError: the file cannot be read, nothing in it can be fitted to, or an option does not go with it.
     """
-    from edesign.damper.testing.campaign import load_campaign
-    from edesign.damper.testing.property_table import read_property_table
-    from edesign.project.reading.problems import did_you_mean
-
     if against is not None and against not in AGAINST:
         raise InputError(f"--against: `{against}` is unknown{did_you_mean(against, AGAINST)} ({', '.join(AGAINST)})")
     if path.suffix.lower() == ".csv":
@@ -83,9 +84,6 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
 
 def _properties(tests: Sequence[DamperTest], specimen: Specimen, path: Path) -> tuple[PropertyTable, tuple[str, ...]]:
     """Properties of the tests that have them, and notes on the others, such as sweeps."""
-    from edesign.damper.testing.properties import properties
-    from edesign.damper.testing.property_table import from_properties, usable
-
     found, notes = {}, []
     for test in tests:
         try:
@@ -105,10 +103,6 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
     Raises:
         InputError: some of them are missing, or have no unit.
     """
-    from edesign.cli.shared.hazard_options import quantity
-    from edesign.damper.testing.specimen import Specimen
-    from edesign.project.notation.quantities import AREA, LENGTH
-
     if layers is None and area is None and thickness is None:
         return None
     if layers is None or area is None or thickness is None:
@@ -124,8 +118,6 @@ def read_laws(names: Sequence[str], choice: LawChoice | None) -> tuple[Law, ...]
     Raises:
         InputError: one is unknown or named twice, or there is none.
     """
-    from edesign.damper.laws import law
-
     if not names and choice is None:
         raise InputError("--law: which law is to be fitted? The campaign names none")
     wanted = list(names) if names or choice is None else [choice.type]
@@ -144,8 +136,6 @@ def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone:
         choice: the campaign's law.
         alone: whether it is the only law; a value of another law's parameter is a mistake only then.
     """
-    from edesign.damper.parameters import PARAMETER_SETS, parameter_set, read_parameters
-
     values: dict[str, float] = {}
     if not given and choice is not None and choice.type == law.name and choice.parameters is not None:
         try:
@@ -183,9 +173,6 @@ def _read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> di
     Raises:
         InputError: a name is unknown, or a value cannot be read.
     """
-    from edesign.damper.fitting.scales import exponent_in
-    from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
-
     texts: dict[str, str] = {}
     for pair in pairs:
         name, _, text = pair.partition("=")
@@ -217,8 +204,6 @@ def _read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> di
 
 
 def _unknown(law: Law, name: str, option: str) -> None:
-    from edesign.project.reading.problems import did_you_mean
-
     known = [parameter.name for parameter in law.with_branches(1 if law.branch else 0)]
     raise InputError(
         f"{option}: law {law.name} has no parameter `{name}`{did_you_mean(name, known)} (there are: {', '.join(known)})"

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
+import yaml
+from pydantic_core import PydanticCustomError
 
+from edesign.building.project_file import load_project
 from edesign.errors import InputError
-
-if TYPE_CHECKING:
-    from edesign.project.actions.hazard_base import Hazard
-    from edesign.project.notation.quantities import Kind
-    from edesign.project.project import Project
+from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, factor_of_level
+from edesign.project.actions.hazard import OTHER_CODES, EC8Hazard
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.notation.quantities import TIME, Kind
+from edesign.project.notation.units import parse_quantity
+from edesign.project.project import Project
+from edesign.project.reading.yaml_file import check_model
+from edesign.study.analysis import modal
 
 ProjectFile = Annotated[
     Path | None, typer.Option("--project", "-p", help="Take the seismic action (and T1) from this project file.")
@@ -36,16 +42,11 @@ GIVEN = "given"  # name of the level that --gamma makes
 
 def load(path: Path | None) -> Project | None:
     """Return the project of a path, if one is given."""
-    from edesign.building.project_file import load_project
-
     return None if path is None else load_project(path)
 
 
 def fundamental_period(project: Project | None, text: str | None) -> float | None:
     """Return T1 (s) as given, else that of the project's frame under gravity, else None."""
-    from edesign.project.notation.quantities import TIME
-    from edesign.study.analysis import modal
-
     if text is not None:
         period = quantity(text, TIME, "--t1")
         low, high = POSSIBLE_T1
@@ -66,8 +67,6 @@ def hazard(project: Project | None, options: dict[str, str | None], level: str |
     Raises:
         InputError: project and options exclude each other, or a value is wrong; the message names the option.
     """
-    from edesign.ground_motion.hazard import checked_hazard, factor_of_level
-
     given = {key: value for key, value in options.items() if value is not None}
     if project is not None:
         if given:
@@ -82,12 +81,6 @@ def hazard(project: Project | None, options: dict[str, str | None], level: str |
 
 
 def _from_options(given: dict[str, str]) -> Hazard:
-    import yaml
-
-    from edesign.ground_motion.hazard import elastic_spectrum
-    from edesign.project.actions.hazard import OTHER_CODES, EC8Hazard
-    from edesign.project.reading.yaml_file import check_model
-
     data: dict[str, Any] = {"code": "ec8-2004", "spectrum": "1", **{k: v for k, v in given.items() if k != "gamma"}}
     if data["code"] in OTHER_CODES:
         raise InputError(
@@ -135,10 +128,6 @@ def quantity(text: str, kind: Kind, option: str) -> float:
     Raises:
         InputError: no number, no unit, or the wrong one.
     """
-    from pydantic_core import PydanticCustomError
-
-    from edesign.project.notation.units import parse_quantity
-
     try:
         return parse_quantity(text, kind, "positive")
     except PydanticCustomError as error:

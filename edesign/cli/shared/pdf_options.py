@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from edesign.errors import InputError
-
-if TYPE_CHECKING:
-    from edesign.report.pdf.paper import PrintOptions
+from edesign.report.pdf.paper import PAPERS, PrintOptions
 
 
 class PaperName(StrEnum):
@@ -43,8 +41,6 @@ def print_options(pdf: bool, paper: PaperName | None, appendix: bool) -> PrintOp
     Raises:
         InputError: options of a PDF without one.
     """
-    from edesign.report.pdf.paper import PAPERS, PrintOptions
-
     if not pdf and (paper or appendix):
         named = " and ".join(name for name, said in (("--paper", paper), ("--appendix", appendix)) if said)
         raise InputError(f"{named}: only a PDF has sheets; say --pdf too")

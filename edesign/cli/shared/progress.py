@@ -8,6 +8,11 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from rich.console import Console
+from rich.progress import BarColumn, TaskID, TaskProgressColumn, TextColumn, TimeElapsedColumn
+from rich.progress import Progress as Bars
+from rich.text import Text  # in which brackets and colons are no markup
+
 from edesign.report.tables.visible import visible, visible_line
 from edesign.study.run.progress import Listener, Progress, Tally, silent
 
@@ -98,11 +103,6 @@ def remaining(seconds: float | None, before: str = "") -> str:
 @contextmanager
 def _bars() -> Iterator[Listener]:
     """A bar for the run if it has several analyses, and one for each that is running."""
-    from rich.console import Console
-    from rich.progress import BarColumn, TaskID, TaskProgressColumn, TextColumn, TimeElapsedColumn
-    from rich.progress import Progress as Bars
-    from rich.text import Text  # in which brackets and colons are no markup
-
     console = Console(file=sys.stderr)
     columns = (
         TextColumn("{task.description}", markup=False),

@@ -6,15 +6,20 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from edesign.cli.shared.hazard_options import quantity
 from edesign.errors import InputError
-
-if TYPE_CHECKING:
-    from edesign.ground_motion.record import Record
-    from edesign.ground_motion.sources import Found
+from edesign.ground_motion.formats.read import detect, names_components, read_record_file
+from edesign.ground_motion.formats.units import ACCELERATION_UNITS
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.sources import Found, find_suite
+from edesign.ground_motion.suite import TAKEN, load_suite
+from edesign.project.notation.quantities import TIME
+from edesign.project.reading.problems import unknown_name
+from edesign.project.records.suite_names import is_suite_name, suite_file, suite_names
 
 LONGEST_NAME = 64  # as in suites
 
@@ -74,9 +79,6 @@ class Reading:
         Raises:
             InputError: the time step is none.
         """
-        from edesign.cli.shared.hazard_options import quantity
-        from edesign.project.notation.quantities import TIME
-
         if time_column is not None and column is None:
             raise InputError("--time-column: only with --column, which names the acceleration")
         step = quantity(time_step, TIME, "--time-step") if time_step else None
@@ -92,11 +94,6 @@ def read_inputs(
         InputError: a file cannot be read, two have the same name, a recording is found nowhere, or an option does not
             belong to what is read.
     """
-    from edesign.ground_motion.sources import find_suite
-    from edesign.ground_motion.suite import load_suite
-    from edesign.project.reading.problems import unknown_name
-    from edesign.project.records.suite_names import is_suite_name, suite_file, suite_names
-
     inputs = [suite_file(Path(), str(path)) if not path.exists() else path for path in inputs]
     for path in inputs:
         if not path.exists() and not _is_suite(path) and is_suite_name(str(path)):
@@ -126,9 +123,6 @@ def _is_suite(path: Path) -> bool:
 
 
 def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
-    from edesign.ground_motion.formats.read import detect, names_components
-    from edesign.ground_motion.sources import Found
-
     recordings: dict[str, Found] = {}
     for path in inputs:
         name = _name(path)
@@ -154,9 +148,6 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
 
 def _record(path: Path, name: str, reading: Reading) -> Record:
     """Read a file with those of the options that belong to its format."""
-    from edesign.ground_motion.formats.read import detect, names_components, read_record_file
-    from edesign.ground_motion.formats.units import ACCELERATION_UNITS
-
     found = detect(path)
     if found == "sac":
         return read_record_file(path, acceleration_unit=reading.unit, component=reading.component, name=name)
@@ -190,8 +181,6 @@ def _name(path: Path) -> str:
     Raises:
         InputError: it cannot stand in an archive.
     """
-    from edesign.ground_motion.suite import TAKEN
-
     name = path.name.removesuffix(path.suffix)
     if name in TAKEN:
         raise InputError(f"{path}: `{name}` has a meaning of its own in archives; rename the file")

@@ -12,13 +12,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import typer
 from unit.assess.known_history import known_history, known_modes
 from unit.cli.small_project import Core, fail, project
 
 import edesign
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
-from edesign.cli.main import main
+from edesign.cli.main import app, main
 from edesign.cli.shared import progress
 from edesign.project import loader
 from edesign.study.run import analyses, run
@@ -224,6 +225,16 @@ def test_help_version_and_module(capsys: pytest.CaptureFixture[str]) -> None:
         [sys.executable, "-m", "edesign", "--version"], capture_output=True, text=True, cwd=root, check=False
     )
     assert (call.returncode, call.stdout) == (0, f"edesign {edesign.__version__}\n")
+
+
+def test_the_sentence_of_a_command_begins_its_own_help() -> None:
+    groups = [typer.main.get_command(app)]
+    for group in groups:
+        for name, command in group.commands.items():  # type: ignore[attr-defined]
+            assert command.loaded.name == name
+            assert command.loaded.help.partition("\n\n")[0].replace("\n", " ") == command.help
+            groups += [command.loaded] if hasattr(command.loaded, "commands") else []
+    assert len(groups) == 2
 
 
 def test_importing_the_package_loads_nothing_heavy() -> None:

@@ -236,9 +236,9 @@ def test_places_are_checked_before_the_work(folder: Path, monkeypatch: pytest.Mo
     def no_work(*_: object, **__: object) -> None:
         raise AssertionError("the work has begun")
 
-    monkeypatch.setattr("edesign.damper.fitting.fit_forces", no_work)
-    monkeypatch.setattr("edesign.damper.testing.programme.run_programme", no_work)
-    monkeypatch.setattr("edesign.damper.testing.properties.properties", no_work)
+    monkeypatch.setattr("edesign.cli.fit.fit_forces", no_work)
+    monkeypatch.setattr("edesign.cli.test.run_programme", no_work)
+    monkeypatch.setattr("edesign.cli.characterise.properties", no_work)
     code = ArchiveError.exit_code
     assert command.main(["fit", "c.yaml", "-q", "-o", "a.csv/x"]) == code
     assert command.main(["fit", "c.yaml", "-q", "--figures", "a.csv"]) == code
@@ -291,7 +291,7 @@ def test_a_result_is_printed_though_its_files_cannot_be_written(
     def full(*_: object) -> None:
         raise ArchiveError("law.yaml: cannot be written: No space left on device")
 
-    monkeypatch.setattr("edesign.archive.files.write_text", full)
+    monkeypatch.setattr("edesign.cli.fit.write_text", full)
     assert command.main(["fit", "c.yaml", "--starts", "1", "--json", "-q", "-o", "out"]) == ArchiveError.exit_code
     shown = capsys.readouterr()
     assert json.loads(shown.out)["law"] == "zener"

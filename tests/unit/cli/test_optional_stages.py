@@ -139,15 +139,15 @@ FIT = ("fit", "c/campaign.yaml", "--starts", "1", "--output", "out")
 CALIBRATE = ("calibrate", "c/campaign.yaml", "--workers", "1", "--output", "out")
 CALIBRATED = ("out/calibration.json", "out/law.yaml", "out/calibration.h5")
 CASES = {
-    "run report": Case(_project("--report"), "edesign.report.archive.document.write_page", "the report", ("out.h5",)),
-    "run tables": Case(_project(), "edesign.report.archive.tables.short_tables", "the tables", ("out.h5",)),
-    "run all tables": Case(_project("--all"), "edesign.report.archive.tables.overview", "the tables", ("out.h5",)),
+    "run report": Case(_project("--report"), "edesign.cli.run.write_page", "the report", ("out.h5",)),
+    "run tables": Case(_project(), "edesign.cli.run.short_tables", "the tables", ("out.h5",)),
+    "run all tables": Case(_project("--all"), "edesign.cli.run.overview", "the tables", ("out.h5",)),
     "run building": Case(
         _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),
         *("edesign.report.building.tables.short_building_tables", "the tables", ("out.h5",)),
     ),
     "design": Case(
-        *(_designed, "edesign.report.building.selection_tables.selection_tables", "the tables"),
+        *(_designed, "edesign.cli.design.selection_tables", "the tables"),
         ("out.yaml", "out.h5"),
     ),
     "calibrate page": Case(
@@ -165,51 +165,49 @@ CASES = {
         CALIBRATED[:2],
     ),
     "fit figures": Case(
-        *(_campaign(*FIT, "--figures", "figures"), "edesign.report.damper.fit_figures.draw_fits", "the figures"),
+        *(_campaign(*FIT, "--figures", "figures"), "edesign.cli.fit.draw_fits", "the figures"),
         ("out/law.yaml", "out/fit.json"),
     ),
     "fit cross-validation": Case(
-        *(_campaign(*FIT, "--cross-validate"), "edesign.damper.fitting.cross_validate"),
+        *(_campaign(*FIT, "--cross-validate"), "edesign.cli.fit.cross_validate"),
         *("the cross-validation of kelvin_voigt", ("out/law.yaml", "out/fit.json")),
     ),
     "fit validation": Case(
-        *(_campaign(*FIT), "edesign.damper.fitting.prediction_errors"),
+        *(_campaign(*FIT), "edesign.cli.fit.prediction_errors"),
         *("the prediction of tests for validation by kelvin_voigt", ("out/law.yaml", "out/fit.json")),
     ),
     "test figures": Case(
         _text("p.yaml", PROGRAMME, "test", "p.yaml", "--output", "out", "--figures", "figures"),
-        *("edesign.report.damper.measured_figures.draw_tests", "the figures", ("out/campaign.yaml",)),
+        *("edesign.cli.test.draw_tests", "the figures", ("out/campaign.yaml",)),
     ),
     "test table": Case(
         _text("p.yaml", PROGRAMME, "test", "p.yaml", "--output", "out"),
-        *("edesign.report.damper.measured_tables.properties_table", "the table"),
+        *("edesign.cli.test.properties_table", "the table"),
         ("out/campaign.yaml", "out/properties.csv"),
     ),
     "characterise": Case(
         lambda: [*_tested("characterise"), "--output", "out.csv", "--figures", "figures"],
-        *("edesign.report.damper.measured_figures.draw_tests", "the figures", ("out.csv",)),
+        *("edesign.cli.characterise.draw_tests", "the figures", ("out.csv",)),
     ),
     "sheet": Case(
         lambda: [*_tested("sheet"), "--output", "out.csv", "--page", "out.html"],
-        *("edesign.report.page.sheet.sheet_page", "the report", ("out.csv",)),
+        *("edesign.cli.sheet.sheet_page", "the report", ("out.csv",)),
     ),
-    "match figures": Case(
-        _suite, "edesign.report.archive.figures.draw_figures", "the figures", ("out.h5", "csv/a.csv")
-    ),
+    "match figures": Case(_suite, "edesign.cli.match.draw_figures", "the figures", ("out.h5", "csv/a.csv")),
     "match tables": Case(
-        *(_suite, "edesign.report.ground_motion.record_tables.record_tables", "the tables", ("out.h5", "csv/b.csv")),
+        *(_suite, "edesign.cli.match.record_tables", "the tables", ("out.h5", "csv/b.csv")),
     ),
     "rts run": Case(
         _text("r.yaml", MINIMAL, "rts", "run", "r.yaml", "--archive", "out.h5"),
-        *("edesign.report.archive.tables.overview", "the tables", ("out.h5",)),
+        *("edesign.cli.rts.run.overview", "the tables", ("out.h5",)),
     ),
     "spectrum": Case(
         lambda: ["spectrum", "--ground", "C", "--a-gr", "0.36g", "--csv", "out.csv", "--figure", "s.png"],
-        *("edesign.report.ground_motion.spectrum_table.draw_spectra", "the figure", ("out.csv",)),
+        *("edesign.cli.spectrum.draw_spectra", "the figure", ("out.csv",)),
     ),
     "show": Case(
         _archive("show", "small.h5", "--figures", "figures"),
-        *("edesign.report.archive.figures.draw_figures", "the figures", ("small.h5",)),
+        *("edesign.cli.show.draw_figures", "the figures", ("small.h5",)),
     ),
     "report section": Case(
         _archive("report", "small.h5", "--output", "out.html"),
@@ -228,7 +226,7 @@ CASES = {
     ),
     "export workbook": Case(
         _archive("export", "small.h5", "--xlsx", "out.xlsx", "--csv", "out"),
-        *("edesign.report.export.workbook.write_workbook", "out.xlsx", ("out/contents.csv", "small.h5")),
+        *("edesign.cli.export.write_workbook", "out.xlsx", ("out/contents.csv", "small.h5")),
         alone=False,  # a form that comes before another one: an interrupt ends both
     ),
     "check": Case(
@@ -405,7 +403,7 @@ def test_an_interrupt_of_the_second_law_leaves_the_first(
             raise KeyboardInterrupt
         return fitted(law, *given, **options)
 
-    monkeypatch.setattr("edesign.damper.fitting.fit_forces", interrupted)
+    monkeypatch.setattr("edesign.cli.fit.fit_forces", interrupted)
     assert main(words) == 130
     said = capsys.readouterr()
     assert "interrupted at the fit of maxwell; fitted before it: kelvin_voigt" in said.err
