@@ -165,7 +165,7 @@ int ed_accept(ed_statistics *statistics, double unbalance)
 
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
 {
-  const int keep_factors = rung == 0 && a->settings.reuse, condensed = ed_condenses(a, rung);
+  const int keep_factors = rung == 0 && a->settings.reuse;
   double before = HUGE_VAL;
   int status;
   a->iteration.n_residuals = 0;
@@ -191,7 +191,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       factor = a->factors.stamp != a->matrix.stamp || rung != 0;
     else if (same && iteration > 0)
       factor = worth_factoring(a, unbalance, before);
-    if (!condensed && !a->devices.swinging && iteration >= 3 && ed_installed(a) &&
+    if (!step->balance && !a->devices.swinging && iteration >= 3 && ed_installed(a) &&
         unbalance > 0.1 * a->iteration.residuals[iteration - 2])
       factor = a->devices.swinging = 1;
     if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
@@ -201,12 +201,12 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       return status;
     a->statistics.iterations++;
     const double start = rung >= ED_RUNG_LINE_SEARCH ? slope(a) : 0.0;
-    if (condensed)
-      status = ed_move_condensed(a, step, iteration == 0);
+    if (step->balance)
+      status = step->balance(a, step, iteration == 0);
     else
       ed_move(a, step, 1.0, a->iteration.du);
     if (status == ED_OK)
-      status = condensed ? ed_update_members(a) : ed_update_elements(a);
+      status = step->balance ? ed_update_members(a) : ed_update_elements(a);
     if (status != ED_OK)
       return status;
     step->residual(a, step, a->iteration.r);

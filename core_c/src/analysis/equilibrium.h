@@ -17,6 +17,9 @@ typedef struct ed_step {
   double k, m, c;                /* effective matrix k K + m M + c C */
   double velocity, acceleration; /* dv / du, da / du */
   void (*residual)(ed_analysis *a, const struct ed_step *step, double *r);
+  /* Moves the trial state by the solution in `du` with the dampers in balance, first: of the step; NULL: it moves by the solution
+   * alone, and the dampers follow. */
+  int (*balance)(ed_analysis *a, const struct ed_step *step, int first);
   double ground[2], ground_before[2];
 } ed_step;
 

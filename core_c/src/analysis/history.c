@@ -138,6 +138,7 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
       .velocity = g / (b * dt),
       .acceleration = 1.0 / (b * dt * dt),
       .residual = residual,
+      .balance = ed_condenses(a, rung) ? ed_move_condensed : NULL,
   };
   for (int axis = 0; axis < 2; axis++) {
     step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);
@@ -155,7 +156,7 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
     a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i];
     a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt);
   }
-  if (ed_installed(a) && !ed_condenses(a, rung)) {
+  if (ed_installed(a) && !step.balance) {
     /* Dampers with a power of the velocity meet a velocity that turns back, as this one, with a force that turns at once: go on as in
      * the last two steps. Velocities and accelerations would not do, stiff modes ring in them. */
     ed_follow_pace(a, a->iteration.predicted);

@@ -2,8 +2,8 @@
 #ifndef ED_RUN_H
 #define ED_RUN_H
 
-#include "analysis/history_forces.h"
-#include "analysis/support_motion.h"
+#include "system/history_forces.h"
+#include "system/support_motion.h"
 
 typedef enum { ED_RUN_NONE, ED_RUN_STATIC, ED_RUN_PUSHOVER, ED_RUN_HISTORY } ed_run_kind;
 

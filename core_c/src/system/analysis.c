@@ -1,19 +1,9 @@
 #include "system/analysis.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-int ed_fail(ed_analysis *a, int status, const char *format, ...)
-{
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(a->message, sizeof a->message, format, arguments);
-  va_end(arguments);
-  return status;
-}
 
 /* Of the members that have one; without any, 1. */
 static double mean_length(const ed_members *members, int n)
