@@ -172,7 +172,7 @@ class _Other(Generic[T, S]):
             self._asked.flush()
 
     def is_ready(self, timeout: float = 0.0) -> bool:
-        return bool(wait([self._told], timeout))
+        return bool(wait([self._told.fileno()], timeout))
 
     def end(self) -> list[S]:
         """The value, in a list; an empty one after an error."""
