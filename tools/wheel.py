@@ -70,6 +70,13 @@ def tracked(root: Path = ROOT) -> list[str]:
     return sorted(name for name in sources.read_text(encoding="utf-8").split("\n") if name and "egg-info" not in name)
 
 
+def packaged() -> list[str]:
+    """Files that a wheel must hold: those of the package, and the suites, which setup.py puts into it."""
+    suites = "records/suites/"
+    own = [name for name in tracked() if name.startswith("edesign/")]
+    return own + [f"edesign/project/{name}" for name in tracked() if name.startswith(suites)]
+
+
 def run(command: list[str], **settings: object) -> None:
     """Run a command; what it says is shown when it fails."""
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **settings)  # type: ignore[call-overload]
@@ -227,8 +234,7 @@ def main() -> None:
         sdist = build_sdist(options.folder)
         print(f"{sdist.name}: {sdist.stat().st_size / 1e6:.1f} MB")
         wheel = build_wheel(sdist, options.folder)
-    own = [name for name in tracked() if name.startswith("edesign/")]
-    found = contents(wheel, own, (str(ROOT), tempfile.gettempdir() + "/", str(Path.home())))
+    found = contents(wheel, packaged(), (str(ROOT), tempfile.gettempdir() + "/", str(Path.home())))
     print(describe(wheel, found))
     if found.faults:
         sys.exit("\n".join(f"wrong: {fault}" for fault in found.faults))

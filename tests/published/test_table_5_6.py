@@ -14,7 +14,7 @@ from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
 
 ROOT = Path(__file__).parents[2]
-SUITE = ROOT / "edesign" / "project" / "records" / "suites" / "thesis_table_5_6.yaml"
+SUITE = ROOT / "records" / "suites" / "thesis_table_5_6.yaml"
 G = 9.80665  # m/s2
 
 TABLE = [  # earthquake, year, station, magnitude, distance (km), component

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from importlib import resources
 from pathlib import Path
 
 _NAME = re.compile(r"[A-Za-z0-9_-]+")
 _ENDING = ".yaml"
+_INSTALLED = Path(__file__).parent / "suites"
+_FOLDER = _INSTALLED if _INSTALLED.is_dir() else Path(__file__).parents[3] / "records" / "suites"
+"""The folder of the suites: setup.py puts them beside this module; in the repository they stand at the top."""
 
 
 @cache
 def suite_names() -> tuple[str, ...]:
     """Return the names of the suites that come with edesign."""
-    files = (Path(item.name) for item in resources.files("edesign.project.records").joinpath("suites").iterdir())
-    return tuple(sorted(file.stem for file in files if file.suffix == _ENDING))
+    return tuple(sorted(file.stem for file in _FOLDER.iterdir() if file.suffix == _ENDING))
 
 
 def is_suite_name(text: str) -> bool:
@@ -31,5 +32,5 @@ def suite_file(folder: Path, text: str) -> Path:
         text: name of a suite that comes with edesign, or path of a file.
     """
     if text in suite_names():
-        return Path(str(resources.files("edesign.project.records").joinpath("suites", f"{text}{_ENDING}")))
+        return _FOLDER / f"{text}{_ENDING}"
     return folder / text

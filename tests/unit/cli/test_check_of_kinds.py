@@ -35,7 +35,7 @@ def laboratory(tmp_path: Path) -> Path:
         ("projects/thesis_dampers/campaign.yaml", ["36 to fit to, 84 held out", "0.25 to 4 Hz"]),
         ("projects/thesis_substructure/rig.yaml", ["second_order, frequency 21.4 Hz, damping 0.4, delay 4.25 ms"]),
         ("projects/thesis_10_storey/reference.yaml", ["Table 5.8, mean response: 10 rows, 40 values, 40 with a bar"]),
-        ("edesign/project/records/suites/thesis_table_5_6.yaml", ["recordings: 20: ", "warnings", "simulated here"]),
+        ("records/suites/thesis_table_5_6.yaml", ["recordings: 20: ", "warnings", "simulated here"]),
         ("edesign/damper/data/thesis_appendix_a.csv", ["120 rows", "10 to 50 % strain", "20 to 35 degC"]),
         ("edesign/codes/ec8/data/france.yaml", ["1, 2, 3, 4, 5 [m/s2]"]),
         ("tests/cases/records/motion.csv", ["401 rows", "acceleration_unit"]),

@@ -195,9 +195,7 @@ def test_a_device_without_end_is_refused() -> None:
 
 def test_the_limits_are_a_hundred_times_what_there_is() -> None:
     folder = Path(__file__).parents[3]
-    files = [
-        path for name in ("projects", "edesign/project/records/suites") for path in (folder / name).rglob("*.yaml")
-    ]
+    files = [path for name in ("projects", "records/suites") for path in (folder / name).rglob("*.yaml")]
     texts = [path.read_text(encoding="utf-8") for path in files]
     assert files and 100 * max(map(len, texts)) < limits.YAML_BYTES
 

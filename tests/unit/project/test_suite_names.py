@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import runpy
 from collections.abc import Callable
 from pathlib import Path
 
@@ -48,16 +49,21 @@ def test_the_command_line_too(capsys: pytest.CaptureFixture[str]) -> None:
     assert "did you mean `thesis_table_5_6`?" in errors and "there is no file thesis_table_5_7" in errors
 
 
-def test_the_suites_are_in_what_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By what setuptools would put into a wheel."""
+def test_the_suites_are_in_what_is_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By what setup.py puts beside the module that looks for them; tests/unit/packaging/test_wheel.py installs it."""
     distributions = pytest.importorskip("setuptools.dist")
     monkeypatch.chdir(ROOT)
-    distribution = distributions.Distribution()
-    distribution.parse_config_files()
-    build = distribution.get_command_obj("build_py")
-    build.ensure_finalized()
-    build.manifest_files = {}  # what version control knows does not count
-    package = "edesign.project.records.suites"
-    assert package in distribution.packages
-    files = build.find_data_files(package, package.replace(".", "/"))
-    assert {Path(file).stem for file in files} == set(suite_names())
+    monkeypatch.setattr("setuptools.setup", lambda **_: None)
+    setup = runpy.run_path("setup.py", run_name="setup")
+    build = setup["BuildWithSuites"](distributions.Distribution())
+    build.initialize_options()
+    build.build_lib, build.editable_mode = str(tmp_path), False
+    monkeypatch.setattr(setup["build_py"], "run", lambda self: None)
+    build.run()
+    installed = tmp_path / "edesign" / "project" / "records"
+    assert {path.stem for path in (installed / "suites").iterdir()} == set(suite_names())
+    module = (ROOT / "edesign" / "project" / "records" / "suite_names.py").read_text(encoding="utf-8")
+    (installed / "suite_names.py").write_text(module, encoding="utf-8")
+    there = runpy.run_path(str(installed / "suite_names.py"))
+    assert there["suite_names"]() == suite_names()
+    assert there["suite_file"](Path(), "thesis_table_5_6").parent == installed / "suites"
