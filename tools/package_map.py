@@ -40,6 +40,8 @@ FOLDERS = {
     "docs/develop": "For those who change the program.",
     "licences": "Licences of the libraries that wheels carry.",
     "projects": "Projects that run as they are, most of them of the reference work.",
+    "records": "Suites of recordings that come with edesign, and what may stand beside them.",
+    "records/suites": "One file for each suite, which files and commands name without a path.",
     "tests": "Tests in Python.",
     "tests/unit": "Tests of single packages, in folders named as those of `edesign`.",
     "tests/cases": "Whole projects with the results expected of them.",
