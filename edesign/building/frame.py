@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 from edesign.building.devices import Attached, DeviceLaw, add_attachment, add_devices
 from edesign.building.footings import FootingSprings, project_footings
@@ -20,6 +19,7 @@ from edesign.building.leaning_column import add_leaning_column
 from edesign.building.loads import MemberLoads, beam_loads, column_loads, node_loads
 from edesign.building.masses import node_masses, vertical_masses
 from edesign.building.supports import BuiltFooting, Grounds, add_footing, support_springs
+from edesign.core import Analysis, Model
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.frame import Frame
@@ -27,9 +27,6 @@ from edesign.project.frame.supports import springs_of
 from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-
-if TYPE_CHECKING:
-    from edesign.core import Model
 
 
 def build_frame(
@@ -66,8 +63,6 @@ def build_frame(
             that would give a negative mass.
     """
     if model is None:
-        from edesign.core import Model
-
         model = Model()
     frame = project.frame
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
@@ -140,8 +135,6 @@ def build_frame(
 
 def _first_period(project: Project, footings: Mapping[str, FootingSprings], braces: Mapping[str, DeviceLaw]) -> float:
     """The first period of the unloaded frame on such footings, s; of its dampers it has those of laws in `braces`."""
-    from edesign.core import Analysis
-
     built = build_frame(project, laws=braces, footings=footings)
     return float(Analysis(built.model).modes(1, built.brace_stiffness).period[0])
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 from edesign.building.frame_model import Kind, Member
 from edesign.building.hinges import MemberBuilder, MemberEnd, member_ends
@@ -12,14 +11,12 @@ from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.building.rigid_ends import rigid_ends
 from edesign.building.sections.core_sections import CoreSections
 from edesign.building.struts import equivalent_camber
+from edesign.core import Model
 from edesign.project.actions.beam_loads import breaks_of_members
 from edesign.project.frame.braces import BraceBuckling
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.members import BraceRun
 from edesign.project.project import Project
-
-if TYPE_CHECKING:
-    from edesign.core import Model
 
 
 def add_members(

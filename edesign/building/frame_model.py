@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -18,11 +18,9 @@ from edesign.building.leaning_column import LeaningStruts
 from edesign.building.loads import Stretches
 from edesign.building.panel_zones import BuiltPanel
 from edesign.building.supports import BuiltFooting, Grounds
+from edesign.core import Model
 from edesign.project.frame.frame import Frame
 from edesign.project.notation import names
-
-if TYPE_CHECKING:
-    from edesign.core import Model
 
 Kind = Literal["column", "beam", "brace"]
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from edesign.building.devices import Device, DeviceLaw, DeviceSize
 from edesign.building.sections.named_section import cross_section
 from edesign.building.supports import vertical_spring
+from edesign.core import Model
 from edesign.errors import InputError
 from edesign.project.actions.loads import Combination
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
@@ -19,9 +19,6 @@ from edesign.project.frame.supports import SupportSprings, VerticalSpring
 from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-
-if TYPE_CHECKING:
-    from edesign.core import Model
 
 UX = 0
 
