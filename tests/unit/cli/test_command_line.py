@@ -17,6 +17,7 @@ from unit.assess.known_history import known_history, known_modes
 from unit.cli.small_project import Core, fail, project
 
 import edesign
+import edesign.cli.run  # loads what keeps `load_project` before a test replaces it
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.cli.main import app, main

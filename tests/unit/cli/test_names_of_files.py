@@ -9,6 +9,7 @@ import pytest
 from unit.archive.archive_samples import history_group
 from unit.cli.small_project import Core, project
 
+import edesign.cli.run  # noqa: F401  loads what keeps `load_project` before a test replaces it
 from edesign.archive.dataset import Group
 from edesign.archive.files import check_file, check_folder, write_text
 from edesign.archive.reader import open_archive
