@@ -103,12 +103,11 @@ int ed_combine_stations(int n_members, int n_modes, const double *end_forces, co
  * ED_CHECK_...; gravity: n_cases, whether a case counts in V_Ed,G. constants: n_members x ED_N_CONSTANTS; kind: n_members, shape,
  * | ED_CLASS_3, | ED_NO_TWIST, | ED_ANNEX_A where 6_61 and 6_62 follow Annex A and not B. Member checks (N_B, M_B, 6_61, 6_62) count
  * with the largest compression and moments along the member; their station is that of the compression, of M_y elsewhere.
- * M_b: n_members x n_combinations, what M_y meets under a combination in the place of ED_M_B, and not less than it; combinations with
- * the same factors have the same. May be NULL.
+ * M_b: n_members x n_combinations, what M_y meets under a combination in the place of ED_M_B; combinations with the same factors have
+ * the same. May be NULL.
  * Of each member and check: the largest utilisation (1 is the limit), the first combination and station that give it, or 0, -1, -1
- * where none applies: n_members x ED_N_CHECKS each. every: 1 evaluates all combinations, 0 leaves out those that cannot govern; the
- * results are the same. ED_E_ARGUMENT: a number or constant is out of range, ED_E_NOT_FINITE, ED_E_MEMORY; nothing is written then. */
-#define ED_MAX_LOADS 256 /* cases and directions together */
+ * where none applies: n_members x ED_N_CHECKS each. ED_E_ARGUMENT: a number or constant is out of range, ED_E_NOT_FINITE, ED_E_MEMORY;
+ * nothing is written then. */
 enum { ED_I = 0, ED_RHS = 1, ED_CHS = 2, ED_CLASS_3 = 4, ED_NO_TWIST = 8, ED_ANNEX_A = 16 };
 enum {
   ED_N_RD = 0,       /* A f_y / gamma_M0 */
@@ -166,8 +165,7 @@ enum {
 int ed_member_checks(int n_cases, int n_directions, int n_members, int n_stations, int n_combinations, int n_sets,
                      const double *statics, const double *spectral, const double *static_factors,
                      const double *spectral_factors, const int *set, const int *gravity, const double *constants,
-                     const int *kind, const int *masks, const double *M_b, int every, double *utilisation, int *combination,
-                     int *station);
+                     const int *kind, const int *masks, const double *M_b, double *utilisation, int *combination, int *station);
 
 #ifdef __cplusplus
 }

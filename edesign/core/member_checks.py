@@ -172,7 +172,7 @@ class MemberTable:
         return cls(constants, np.array([member.kind for member in members], dtype=np.intc))
 
     def column(self, name: str) -> np.ndarray:
-        """Return one constant of all members, (n_members,), by its name; what is written there counts.
+        """Return one constant of all members, (n_members,), by its name.
 
         Args:
             name: a field of `MemberConstants`.
@@ -206,7 +206,6 @@ def member_checks(
     members: MemberTable,
     masks: np.ndarray,
     M_b: np.ndarray | None = None,
-    every: bool = False,
 ) -> Utilisations:
     """Return the utilisations of all members under all combinations.
 
@@ -222,13 +221,11 @@ def member_checks(
         gravity: (c,) whether a case counts in V_Ed,G of EN 1998-1, 6.6.2(2).
         members: their constants.
         masks: (m, n_sets) checks of a member under the combinations of a set, by `mask`.
-        M_b: (m, k) M_b,Rd of members under combinations, not less than that of their constants; without it theirs.
-        every: evaluate all combinations; otherwise those are left out that cannot govern, with the same results.
+        M_b: (m, k) M_b,Rd of members under combinations; without it that of their constants.
 
     Raises:
         ValueError: shapes do not fit together.
-        CoreError: a value is not finite, a resistance is not greater than zero, a response is negative, or
-            M_b is less than that of the constants.
+        CoreError: a value is not finite, a resistance is not greater than zero, or a response is negative.
     """
     arrays = [_doubles(x) for x in (statics, spectral, static_factors, spectral_factors)]
     of_sets, of_cases, of_members = (np.ascontiguousarray(x, dtype=np.intc) for x in (combination_set, gravity, masks))
@@ -254,7 +251,6 @@ def member_checks(
         _c(constants),
         *(_c(a, "int[]") for a in (kind, of_members)),
         ffi.NULL if moments is None else _c(moments),
-        int(every),
         _c(utilisation),
         *(_c(a, "int[]") for a in (combination, station)),
     )

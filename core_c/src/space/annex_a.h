@@ -55,19 +55,4 @@ static inline factors annex_a(const member *b, double N_Ed, double M_y_Ed, doubl
                    z * mu_z / own_C(w_z, C_mz, most, n_pl, e_LT * n_pl, e_z)};
 }
 
-/* What multiplies m_y and m_z at most, of any smaller forces: mu is at most 1, C_yy to C_zz at least what Table A.1 says. */
-static inline void annex_a_bound(const member *b, double N_Ed, double *y, double *z)
-{
-  const double *c = b->c;
-  const double by_y = N_Ed * c[ED_PER_N_CR_Y], by_z = N_Ed * c[ED_PER_N_CR_Z], by_T = N_Ed * c[ED_PER_N_CR_T];
-  if (!(by_y < 1.0 && by_z < 1.0 && by_T < 1.0)) {
-    *y = *z = HUGE_VAL;
-    return;
-  }
-  const double C_my = larger(c[ED_C_MY] + larger(c[ED_C_MY_N], 0.0) * by_y, 1.0), C_mz = c[ED_C_MZ] + larger(c[ED_C_MZ_N], 0.0) * by_z;
-  const double C_mLT = larger(C_my * C_my * c[ED_A_LT] / sqrt((1.0 - by_z) * (1.0 - by_T)), 1.0);
-  *y = C_my * C_mLT / (1.0 - by_y) / (b->elastic ? 1.0 : c[ED_ELASTIC_Y]);
-  *z = C_mz / (1.0 - by_z) / (b->elastic ? 1.0 : c[ED_ELASTIC_Z]);
-}
-
 #endif

@@ -210,7 +210,6 @@ class MemberChecker:
             M_Rk = of_members.column("M_y_Rd")[free.members] * self._design.partial_factors.M0
             of_beams = free.resistances(frame, effects, spectral, static_factors, factors, M_Rk)
             M_b[free.members] = of_beams.M_b_Rd
-            of_members.column("M_b_Rd")[:] = M_b.min(axis=1)
         found = member_checks(
             statics=effects.static,
             spectral=spectral,
