@@ -2,88 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
 from functools import cache
-from typing import Literal
 
 from edesign.building.sections.hollow_section import hollow_section
 from edesign.building.sections.profiles import Profile, profile, profile_names
 from edesign.building.sections.section import fillets
-
-DENSITY = 7850.0  # of steel, kg/m3; EN 1991-1-1, Table A.4, and EN 10365
-
-Kind = Literal["I", "RHS", "CHS"]
-
-
-@dataclass(frozen=True)
-class SteelSection:
-    """A doubly symmetric section of steel, in SI; y is the strong axis (of a square hollow section either).
-
-    Attributes:
-        name: as the catalogue has it: `IPE330`, `SHS200x10`.
-        kind: I; RHS: hollow, square or rectangular; CHS: hollow, circular.
-        cold_formed: a hollow section by EN 10219; otherwise hot rolled or hot finished.
-        h, b: height and width, of a CHS its diameter, m.
-        tw, tf: thickness of web and flanges; of hollow sections both the wall, m.
-        r: radius of the fillets of an I section; outer radius of the corners of an RHS; 0 of a CHS; m.
-        A: area, m2.
-        A_vy, A_vz: shear areas of EN 1993-1-1, 6.2.6(3), for forces along y and z, m2.
-        A_y, A_z: shear areas of the elastic shear deformation, m2.
-        I_y, I_z: second moments of area, m4.
-        I_t: St Venant torsion constant, m4.
-        I_w: warping constant, m6; 0 of hollow sections, which hardly warp.
-        W_el_y, W_el_z, W_pl_y, W_pl_z: elastic and plastic section moduli, m3.
-        i_y, i_z: radii of gyration, m.
-        mass: kg/m.
-    """
-
-    name: str
-    kind: Kind
-    cold_formed: bool
-    h: float
-    b: float
-    tw: float
-    tf: float
-    r: float
-    A: float
-    A_vy: float
-    A_vz: float
-    A_y: float
-    A_z: float
-    I_y: float
-    I_z: float
-    I_t: float
-    I_w: float
-    W_el_y: float
-    W_el_z: float
-    W_pl_y: float
-    W_pl_z: float
-
-    @property
-    def webs(self) -> int:
-        """Number of plane webs that carry shear along z."""
-        return {"I": 1, "RHS": 2, "CHS": 0}[self.kind]
-
-    @property
-    def h_w(self) -> float:
-        """Height between the flanges, m."""
-        return self.h - 2.0 * self.tf
-
-    @property
-    def i_y(self) -> float:
-        """Radius of gyration about the strong axis y, m."""
-        return math.sqrt(self.I_y / self.A)
-
-    @property
-    def i_z(self) -> float:
-        """Radius of gyration about the weak axis z, m."""
-        return math.sqrt(self.I_z / self.A)
-
-    @property
-    def mass(self) -> float:
-        """Mass of the section, kg/m."""
-        return DENSITY * self.A
+from edesign.codes.ec3.section import SteelSection
 
 
 @cache

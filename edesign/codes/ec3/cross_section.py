@@ -7,14 +7,12 @@ sections with elastic moduli; class 4 is not in it.
 from __future__ import annotations
 
 import math
-from typing import Literal
 
 from edesign.codes.ec3.classes import epsilon
+from edesign.codes.ec3.section import Shape
 
 GAMMA_M0 = 1.0
 """Partial factor of cross-sections. Source: EN 1993-1-1:2005, 6.1(1), recommended."""
-
-Shape = Literal["I", "RHS", "CHS"]
 
 
 def axial_resistance(area: float, yield_stress: float, gamma_M0: float = GAMMA_M0) -> float:
