@@ -15,7 +15,8 @@ import numpy as np
 
 from benchmarks.timing import cpu_seconds
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import Stability, member_constants
+from edesign.building.steel_member import SteelMember
+from edesign.codes.ec3.member import Stability
 from edesign.core.member_checks import (
     BEAM_CHECKS,
     MEMBER_CHECKS,
@@ -76,8 +77,8 @@ def design() -> Loads:
 
 def main() -> None:
     """Print the median for each set."""
-    beam = member_constants(steel_section("IPE400"), 275e6, Stability(7.2, 2.4, 2.4), 1, V_M=200e3)
-    column = member_constants(steel_section("HEB320"), 275e6, Stability(3.5, 3.5, 3.5), 1)
+    beam = SteelMember(steel_section("IPE400"), 275e6, Stability(7.2, 2.4, 2.4), 1, V_M=200e3).constants
+    column = SteelMember(steel_section("HEB320"), 275e6, Stability(3.5, 3.5, 3.5), 1).constants
     members = MemberTable.of([beam] * BEAMS + [column] * (MEMBERS - BEAMS))
     masks = np.zeros((MEMBERS, 4), dtype=int)
     masks[:, :3] = SECTION

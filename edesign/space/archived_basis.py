@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.building.sections.section_class import section_class
-from edesign.building.steel_member import Stability
+from edesign.codes.ec3.member import Stability
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.analysis.effects import largest
 from edesign.space.elastic_design import ElasticDesign

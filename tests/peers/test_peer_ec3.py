@@ -8,7 +8,7 @@ import pytest
 
 from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3 import buckling, lateral_torsional
-from edesign.codes.ec3.interaction import AnnexAMember, annex_a_factors, annex_a_terms, annex_b_factors
+from edesign.codes.ec3.interaction import annex_a_factors, annex_b_factors
 from edesign.codes.ec3.moment_factors import linear_moment_factor_a
 
 pytestmark = pytest.mark.peer
@@ -71,13 +71,11 @@ def test_interaction_factors(seed: int) -> None:
     theirs = peer.eurocode3_member_check(given)
     ours = annex_b_factors(0.7, 0.8, 0.9, lambda_y, lambda_z, n_y, n_z, plastic)
     assert ours == pytest.approx((theirs.kyy, theirs.kyz, theirs.kzy, theirs.kzz), rel=1e-12)
-    member = AnnexAMember(
-        s.A * fy,
-        *(N_cr_y, N_cr_z, N_cr_T, chi_y, chi_z, chi_LT, lambda_y, lambda_z, lambda_0, C1),
-        *(s.W_pl_y, s.W_el_y, s.W_pl_z, s.W_el_z, s.A, s.I_y, s.I_t, s.W_pl_y * fy, s.W_pl_z * fy, plastic),
-    )
+    y, z = buckling.Flexural(lambda_y, N_cr_y, chi_y, 0.0), buckling.Flexural(lambda_z, N_cr_z, chi_z, 0.0)
+    m_y, m_z = M_y / (chi_LT * s.W_pl_y * fy), M_z / (s.W_pl_z * fy)
     C_my_0, C_mz_0 = linear_moment_factor_a(psi_y, N, N_cr_y), linear_moment_factor_a(psi_z, N, N_cr_z)
-    ours = annex_a_factors(member, N, annex_a_terms(member, N, M_y, M_z, C_my_0, C_mz_0))
+    effects = N, M_y, m_y, m_z, C_my_0, C_mz_0
+    ours = annex_a_factors(s, y, z, N_cr_T, lambda_0, C1, s.A * fy, *effects, plastic=plastic)
     given.method = "A"
     theirs = peer.eurocode3_member_check(given)
     assert ours == pytest.approx((theirs.kyy, theirs.kyz, theirs.kzy, theirs.kzz), rel=1e-12)

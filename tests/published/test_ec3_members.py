@@ -14,17 +14,17 @@ import pytest
 
 from edesign.building.sections.section_class import section_class
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import Stability, member_constants
+from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.codes.ec3.interaction import (
-    AnnexAMember,
     annex_a_factors,
-    annex_a_terms,
     annex_b_factors,
     member_interaction,
 )
 from edesign.codes.ec3.materials import E, G
+from edesign.codes.ec3.member import Member, Stability, Strength
 from edesign.codes.ec3.moment_factors import linear_moment_factor_a
+from edesign.codes.trace import Trace
 from edesign.core.member_checks import Check, MemberConstants, MemberTable, mask, member_checks
 from edesign.errors import InputError
 
@@ -85,7 +85,7 @@ def test_buckling_moment_of_a_diagram() -> None:
         ([0.5, 0.0, -0.5, 1.0], lateral_torsional.diagram_factor(1.0, 0.5, 0.0, -0.5)),
     ):
         stability = Stability(5.7, 5.7, 5.7, C1=C1)
-        assert of_diagram(M, 0.0) == pytest.approx(member_constants(s, S235, stability, 1).M_b_Rd, rel=1e-12)
+        assert of_diagram(M, 0.0) == pytest.approx(Strength(Member(s, S235, stability, 1)).M_b_Rd(), rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -189,33 +189,13 @@ def test_annex_a() -> None:
     s = m.section
     assert [*m.N_cr, m.N_cr_T] == pytest.approx([71042.7e3, 3156.6e3, 5880.5e3], rel=1e-3)  # fillets as polygons there
     assert [*m.slenderness, m.lambda_0] == pytest.approx([0.195, 0.93, 0.757], abs=4e-3)
-    member = AnnexAMember(
-        N_Rk=s.A * S235,
-        N_cr_y=m.N_cr[0],
-        N_cr_z=m.N_cr[1],
-        N_cr_T=m.N_cr_T,
-        chi_y=m.chi[0],
-        chi_z=m.chi[1],
-        chi_LT=m.chi_LT,
-        lambda_y=m.slenderness[0],
-        lambda_z=m.slenderness[1],
-        lambda_0=m.lambda_0,
-        C1=1.201,
-        W_pl_y=s.W_pl_y,
-        W_el_y=s.W_el_y,
-        W_pl_z=s.W_pl_z,
-        W_el_z=s.W_el_z,
-        A=s.A,
-        I_y=s.I_y,
-        I_t=s.I_t,
-        M_pl_y=s.W_pl_y * S235,
-        M_pl_z=s.W_pl_z * S235,
-    )
     C_my_0 = 1.0 - 0.18 * m.N / m.N_cr[0]  # Table A.2, load at the middle
     C_mz_0 = linear_moment_factor_a(0.0, m.N, m.N_cr[1])
-    terms = annex_a_terms(member, m.N, m.M_y, m.M_z, C_my_0, C_mz_0)
-    k = annex_a_factors(member, m.N, terms)
-    found = (terms.C_my, terms.C_mz, terms.C_mLT, terms.C_yy, terms.C_yz, k.k_yy, k.k_yz)
+    y, z = (buckling.Flexural(*of, 0.0) for of in zip(m.slenderness, m.N_cr, m.chi, strict=True))
+    trace, member = Trace(), (s, y, z, m.N_cr_T, m.lambda_0, 1.201, s.A * S235)
+    k = annex_a_factors(*member, m.N, m.M_y, m.m_y, m.m_z, C_my_0, C_mz_0, trace=trace)
+    of = {step.symbol: step.value for step in trace.steps}
+    found = tuple(of[symbol] for symbol in ("C_my", "C_mz", "C_mLT", "C_yy", "C_yz", "k_yy", "k_yz"))
     assert found == pytest.approx((1.000, 0.771, 1.137, 0.984, 0.852, 1.164, 0.739), rel=3e-3)  # from rounded steps
     assert member_interaction(k, m.n_y, m.n_z, m.m_y, m.m_z)[0] == pytest.approx(0.872, rel=3e-3)
 
@@ -225,7 +205,7 @@ def test_annex_a_in_the_pass_of_checks() -> None:
     at_no_force = {"C_my": 1.0, "C_mz": linear_moment_factor_a(0.0, 0.0, 1.0)}
     slopes = {"C_my_N": -0.18, "C_mz_N": linear_moment_factor_a(0.0, 1.0, 1.0) - at_no_force["C_mz"]}
     stability = Stability(3.75, 3.75, 3.75, C1=1.201, general=True, **at_no_force, **slopes)
-    member = member_constants(steel_section("IPE500"), S235, stability, 1, annex_a=True)
+    member = SteelMember(steel_section("IPE500"), S235, stability, 1, annex_a=True).constants
     found = utilisations(member, IPE500.N, IPE500.M_y, IPE500.M_z)
     assert found[Check.EQ_6_61] == pytest.approx(0.872, rel=3e-3)
 
@@ -234,7 +214,8 @@ def test_annex_a_of_a_rafter() -> None:
     """The rafter of SSB04, Appendix D: IPE450, S355, 127 kN, 356 kNm uniform, 1.7 m. FERS 0.2.2 finds by Annex A k_yy
     1.0036 and k_zy 0.5256, to the digits printed."""
     uniform = {"C_my": 1.0, "C_mz": 1.0, "C_my_N": 0.2412, "C_mz_N": 0.2412}
-    member = member_constants(steel_section("IPE450"), S355, Stability(1.7, 1.7, 1.7, **uniform), 1, annex_a=True)
+    held = Stability(1.7, 1.7, 1.7, **uniform)
+    member = SteelMember(steel_section("IPE450"), S355, held, 1, annex_a=True).constants
     u = utilisations(member, 127e3, 356e3, 0.0)
     k_yy = (u[Check.EQ_6_61] - 127e3 / member.N_b_y_Rd) / u[Check.M_B]
     k_zy = (u[Check.EQ_6_62] - 127e3 / member.N_b_z_Rd) / u[Check.M_B]

@@ -8,7 +8,7 @@ effective area (Eqs. 6.48 and 6.51), which is smaller. Doubly symmetric I and ho
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from edesign.codes.names import unknown
 from edesign.errors import InputError
@@ -25,6 +25,22 @@ NO_BUCKLING = 0.2
 """Slenderness up to which buckling may be ignored. Source: EN 1993-1-1:2005, 6.3.1.2(4)."""
 
 _S460 = 460e6  # Pa: the right column of Table 6.2 begins with this steel
+
+
+class Flexural(NamedTuple):
+    """Flexural buckling about an axis; without it lambda is 0 and N_cr infinite.
+
+    Attributes:
+        slenderness: lambda.
+        N_cr: elastic critical force, N.
+        chi: reduction factor.
+        N_b_Rd: resistance, N; that of torsional buckling where it is less.
+    """
+
+    slenderness: float
+    N_cr: float
+    chi: float
+    N_b_Rd: float
 
 
 def rolled_i_curve(height: float, width: float, flange: float, axis: Axis, yield_stress: float) -> Curve:

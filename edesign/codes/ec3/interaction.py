@@ -7,8 +7,16 @@ that no shift of the centroid enters.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
 from typing import NamedTuple
+
+from edesign.codes.ec3.buckling import Flexural
+from edesign.codes.ec3.section import SteelSection
+from edesign.codes.trace import Trace, kept
+
+ALL = ("yy", "yz", "zy", "zz")
+"""Indices of the factors k."""
+_TABLE_A1 = "Annex A, Table A.1"
 
 
 class InteractionFactors(NamedTuple):
@@ -51,6 +59,8 @@ def annex_b_factors(
     plastic: bool = True,
     hollow: bool = False,
     twists: bool = True,
+    trace: Trace | None = None,
+    recorded: Sequence[str] = ALL,
 ) -> InteractionFactors:
     """Return the factors of Annex B.
 
@@ -66,6 +76,8 @@ def annex_b_factors(
         hollow: an RHS, whose k_zz is that of k_yy; circular sections are taken as these.
         twists: the member is susceptible to torsional deformation (Table B.2); hollow sections and members whose
             twisting is prevented are not (Table B.1).
+        trace: records the factors.
+        recorded: which of them.
 
     Returns:
         k_yy, k_yz, k_zy and k_zz.
@@ -75,172 +87,210 @@ def annex_b_factors(
     """
     if plastic:
         k_yy = C_my * (1.0 + min(lambda_y - 0.2, 0.8) * n_y)
+        yy = "C_my (1 + min(lambda_y - 0.2, 0.8) n_y)"
         k_zz = C_mz * (1.0 + (min(lambda_z - 0.2, 0.8) if hollow else min(2.0 * lambda_z - 0.6, 1.4)) * n_z)
-        k_yz, k_zy = 0.6 * k_zz, 0.6 * k_yy
-        if twists and lambda_z < 0.4:
+        zz = f"C_mz (1 + min({'lambda_z - 0.2, 0.8' if hollow else '2 lambda_z - 0.6, 1.4'}) n_z)"
+        k_yz, yz = 0.6 * k_zz, f"0.6 {zz}"
+        if not twists:
+            k_zy, zy = 0.6 * k_yy, f"0.6 {yy}"
+        elif lambda_z < 0.4:
             k_zy = min(0.6 + lambda_z, 1.0 - 0.1 * lambda_z / (C_mLT - 0.25) * n_z)
-        elif twists:
+            zy = "min(0.6 + lambda_z, 1 - 0.1 lambda_z / (C_mLT - 0.25) n_z)"
+        else:
             k_zy = 1.0 - 0.1 * min(lambda_z, 1.0) / (C_mLT - 0.25) * n_z
-        return InteractionFactors(k_yy, k_yz, k_zy, k_zz)
-    k_yy = C_my * (1.0 + 0.6 * min(lambda_y, 1.0) * n_y)
-    k_zz = C_mz * (1.0 + 0.6 * min(lambda_z, 1.0) * n_z)
-    k_zy = 1.0 - 0.05 * min(lambda_z, 1.0) / (C_mLT - 0.25) * n_z if twists else 0.8 * k_yy
-    return InteractionFactors(k_yy, k_zz, k_zy, k_zz)
+            zy = "1 - 0.1 min(lambda_z, 1) / (C_mLT - 0.25) n_z"
+    else:
+        k_yy, yy = C_my * (1.0 + 0.6 * min(lambda_y, 1.0) * n_y), "C_my (1 + 0.6 min(lambda_y, 1) n_y)"
+        k_zz, zz = C_mz * (1.0 + 0.6 * min(lambda_z, 1.0) * n_z), "C_mz (1 + 0.6 min(lambda_z, 1) n_z)"
+        k_yz, yz = k_zz, zz
+        if twists:
+            k_zy = 1.0 - 0.05 * min(lambda_z, 1.0) / (C_mLT - 0.25) * n_z
+            zy = "1 - 0.05 min(lambda_z, 1) / (C_mLT - 0.25) n_z"
+        else:
+            k_zy, zy = 0.8 * k_yy, f"0.8 {yy}"
+    factors, expressions = InteractionFactors(k_yy, k_yz, k_zy, k_zz), {"yy": yy, "yz": yz, "zy": zy, "zz": zz}
+    for index in recorded:
+        table = "Annex B, Table B.2" if twists else "Annex B, Table B.1"
+        kept(trace).add(f"k_{index}", getattr(factors, f"k_{index}"), "1", expressions[index], table)
+    return factors
 
 
-@dataclass(frozen=True)
-class AnnexAMember:
-    """Constants of a member for Annex A.
-
-    Attributes:
-        N_Rk: A f_y by gamma_M1, N.
-        N_cr_y, N_cr_z, N_cr_T: elastic critical forces of flexural and torsional buckling, N.
-        chi_y, chi_z, chi_LT: reduction factors.
-        lambda_y, lambda_z: slendernesses in flexural buckling.
-        lambda_0: slenderness in lateral torsional buckling under uniform moment (C1 = 1).
-        C1: of the moment diagram.
-        W_pl_y, W_el_y, W_pl_z, W_el_z: m3.
-        A, I_y, I_t: m2, m4, m4.
-        M_pl_y, M_pl_z: W_pl f_y by gamma_M1, N m.
-        plastic: class 1 or 2; otherwise class 3.
-    """
-
-    N_Rk: float
-    N_cr_y: float
-    N_cr_z: float
-    N_cr_T: float
-    chi_y: float
-    chi_z: float
-    chi_LT: float
-    lambda_y: float
-    lambda_z: float
-    lambda_0: float
-    C1: float
-    W_pl_y: float
-    W_el_y: float
-    W_pl_z: float
-    W_el_z: float
-    A: float
-    I_y: float
-    I_t: float
-    M_pl_y: float
-    M_pl_z: float
-    plastic: bool = True
-
-
-class AnnexATerms(NamedTuple):
-    """Intermediate results of Annex A, which worked examples print; lambda_0_lim is the limit of lambda_0."""
-
-    mu_y: float
-    mu_z: float
-    C_my: float
-    C_mz: float
-    C_mLT: float
-    C_yy: float
-    C_yz: float
-    C_zy: float
-    C_zz: float
-    a_LT: float
-    lambda_0_lim: float
-    w_y: float
-    w_z: float
-    n_pl: float
-    b_LT: float
-    c_LT: float
-    d_LT: float
-    e_LT: float
-
-
-def annex_a_terms(
-    member: AnnexAMember, N_Ed: float, M_y_Ed: float, M_z_Ed: float, C_my_0: float, C_mz_0: float
-) -> AnnexATerms:
-    """Return mu, C_m, C_ij and what they follow from in Annex A.
+def annex_a_factors(
+    section: SteelSection,
+    y: Flexural,
+    z: Flexural,
+    N_cr_T: float,
+    lambda_0: float,
+    C1: float,
+    N_Rk: float,
+    N_Ed: float,
+    M_y_Ed: float,
+    m_y: float,
+    m_z: float,
+    C_my_0: float,
+    C_mz_0: float,
+    plastic: bool = True,
+    trace: Trace | None = None,
+    recorded: Sequence[str] = ALL,
+) -> InteractionFactors:
+    """Return the factors of Annex A; infinite, or 0 without moment, where N_Ed reaches an elastic critical force.
 
     Args:
-        member: its constants.
-        N_Ed: compression, N; below N_cr,z and N_cr,T.
+        section: its areas and moduli.
+        y: flexural buckling about y.
+        z: flexural buckling about z.
+        N_cr_T: elastic critical force of torsional buckling, N.
+        lambda_0: slenderness in lateral torsional buckling under uniform moment (C1 = 1); 0 without it.
+        C1: of the moment diagram.
+        N_Rk: A f_y by gamma_M1, N.
+        N_Ed: compression, N.
         M_y_Ed: largest moment about y along the member, N m.
-        M_z_Ed: largest moment about z along the member, N m.
+        m_y: M_y,Ed / (chi_LT M_y,Rk / gamma_M1).
+        m_z: M_z,Ed / (M_z,Rk / gamma_M1).
         C_my_0: factor of the moments about y by Table A.2.
         C_mz_0: factor of the moments about z by Table A.2.
+        plastic: class 1 or 2; otherwise class 3.
+        trace: records the factors k and the terms of Table A.1 that they follow from.
+        recorded: which factors.
 
     Returns:
-        The terms of Table A.1.
+        k_yy, k_yz, k_zy and k_zz.
 
     Source: EN 1993-1-1:2005 + AC:2009, Table A.1; ECCS publication 119, Rules for member stability in EN 1993-1-1.
         Below the limit of lambda_0 the terms b_LT to e_LT vanish, as in ECCS 119. Public programs differ in C_zz: two
         multiply e_LT by n_pl, as here, one does not.
     """
-    m = member
-    by_y, by_z, by_T = N_Ed / m.N_cr_y, N_Ed / m.N_cr_z, N_Ed / m.N_cr_T
-    mu_y = (1.0 - by_y) / (1.0 - m.chi_y * by_y)
-    mu_z = (1.0 - by_z) / (1.0 - m.chi_z * by_z)
-    a_LT = max(1.0 - m.I_t / m.I_y, 0.0)
-    C_my, C_mz, C_mLT = C_my_0, C_mz_0, 1.0
-    lambda_0 = 0.0  # without lateral torsional buckling
-    lambda_0_lim = 0.2 * math.sqrt(m.C1) * ((1.0 - by_z) * (1.0 - by_T)) ** 0.25
-    if m.lambda_0 > lambda_0_lim:
-        root = math.sqrt(M_y_Ed / N_Ed * m.A / m.W_el_y) if N_Ed > 0.0 else math.inf
-        share = 1.0 if math.isinf(root) else root * a_LT / (1.0 + root * a_LT)
-        C_my = C_my_0 + (1.0 - C_my_0) * share
-        lambda_0 = m.lambda_0
-        C_mLT = max(C_my**2 * a_LT / math.sqrt((1.0 - by_z) * (1.0 - by_T)), 1.0)
-    w_y, w_z = min(m.W_pl_y / m.W_el_y, 1.5), min(m.W_pl_z / m.W_el_z, 1.5)
-    n_pl, most = N_Ed / m.N_Rk, max(m.lambda_y, m.lambda_z)
-    r_y, r_z = M_y_Ed / (m.chi_LT * m.M_pl_y), M_z_Ed / m.M_pl_z
-    b_LT = 0.5 * a_LT * lambda_0**2 * r_y * r_z
-    c_LT = 10.0 * a_LT * lambda_0**2 / (5.0 + m.lambda_z**4) * r_y / C_my
-    d_LT = 2.0 * a_LT * lambda_0 / (0.1 + m.lambda_z**4) * r_y / C_my * r_z / C_mz
-    e_LT = 1.7 * a_LT * lambda_0 / (0.1 + m.lambda_z**4) * r_y / C_my
+    s, steps, a_LT = section, kept(trace), max(1.0 - section.I_t / section.I_y, 0.0)
+    by = {"y": N_Ed / y.N_cr, "z": N_Ed / z.N_cr, "T": N_Ed / N_cr_T}
+    for axis, share in by.items():
+        if share >= 1.0:
+            return beyond_critical(axis, m_y, m_z, trace, recorded)
 
-    def same(w: float, C: float) -> float:
-        return 2.0 - 1.6 / w * C**2 * (most + most**2)
+    def add(symbol: str, value: float, expression: str) -> float:
+        return steps.add(symbol, value, "1", expression, _TABLE_A1)
 
-    def cross(w: float, C: float) -> float:
-        return 2.0 - 14.0 * C**2 * most**2 / w**5
+    C_my, of_my, C_mLT, of_mLT, below = C_my_0, "C_my,0", 1.0, "1", ""
+    lateral = (1.0 - by["z"]) * (1.0 - by["T"])
+    limit = 0.2 * math.sqrt(C1) * lateral**0.25
+    if lambda_0 > 0.0:
+        of_limit = f"0.2 sqrt({C1:.4g}) ((1 - N_Ed / N_cr,z) (1 - N_Ed / N_cr,T))^0.25, C_1 = {C1:.4g}"
+        add("lambda_0,lim", limit, of_limit)
+        below = ", as lambda_0 <= lambda_0,lim"
+    if lambda_0 > limit:
+        add("a_LT", a_LT, "1 - I_t / I_y >= 0")
+        C_my, of_my, below = 1.0, "1, without N_Ed", ""
+        if N_Ed > 0.0:
+            steps.add("W_el,y", s.W_el_y, "m3")
+            epsilon_y = add("epsilon_y", M_y_Ed / N_Ed * s.A / s.W_el_y, "M_y,Ed / N_Ed A / W_el,y")
+            root = math.sqrt(epsilon_y) * a_LT
+            C_my = C_my_0 + (1.0 - C_my_0) * (root / (1.0 + root) if root < math.inf else 1.0)
+            of_my = "C_my,0 + (1 - C_my,0) sqrt(epsilon_y) a_LT / (1 + sqrt(epsilon_y) a_LT)"
+        C_mLT = max(C_my**2 * a_LT / math.sqrt(lateral), 1.0)
+        of_mLT = "C_my^2 a_LT / sqrt((1 - N_Ed / N_cr,z) (1 - N_Ed / N_cr,T)) >= 1"
+    else:
+        lambda_0 = 0.0  # without lateral torsional buckling
+    add("C_my", C_my, f"{of_my}{below}")
+    C_mz = add("C_mz", C_mz_0, "C_mz,0")
+    add("C_mLT", C_mLT, f"{of_mLT}{below}")
+    mu = {"y": (1.0 - by["y"]) / (1.0 - y.chi * by["y"]), "z": (1.0 - by["z"]) / (1.0 - z.chi * by["z"])}
+    chi = {"y": "chi_y", "z": "chi_z" if math.isinf(N_cr_T) else "chi by bending"}
+    for row in dict.fromkeys(index[0] for index in recorded):
+        add(f"mu_{row}", mu[row], f"(1 - N_Ed / N_cr,{row}) / (1 - {chi[row]} N_Ed / N_cr,{row})")
+    of_moment = {"y": C_my * C_mLT / (1.0 - by["y"]), "z": C_mz / (1.0 - by["z"])}
+    k = {index: of_moment[index[1]] * mu[index[0]] for index in ALL}
+    if plastic:
+        n_pl, slender = N_Ed / N_Rk, (y.slenderness, z.slenderness)
+        w_y, w_z = min(s.W_pl_y / s.W_el_y, 1.5), min(s.W_pl_z / s.W_el_z, 1.5)
+        C = _plasticity_factors(s, w_y, w_z, n_pl, slender, a_LT, lambda_0, m_y, m_z, C_my, C_mz, steps, recorded)
+        k = {index: k[index] / C[index] for index in ALL}
+        k["yz"] = k["yz"] * 0.6 * math.sqrt(w_z / w_y)
+        k["zy"] = k["zy"] * 0.6 * math.sqrt(w_y / w_z)
+    for index in recorded:
+        row, column = index[0], index[1]
+        factor = ("C_my C_mLT" if column == "y" else "C_mz") + f" mu_{row} / (1 - N_Ed / N_cr,{column})"
+        if plastic:
+            factor += f" / C_{index}" + (f" 0.6 sqrt(w_{column} / w_{row})" if row != column else "")
+        add(f"k_{index}", k[index], factor)
+    return InteractionFactors(*(k[index] for index in ALL))
 
-    elastic_y, elastic_z = m.W_el_y / m.W_pl_y, m.W_el_z / m.W_pl_z
-    return AnnexATerms(
-        mu_y,
-        mu_z,
-        C_my,
-        C_mz,
-        C_mLT,
-        C_yy=max(1.0 + (w_y - 1.0) * (same(w_y, C_my) * n_pl - b_LT), elastic_y),
-        C_yz=max(1.0 + (w_z - 1.0) * (cross(w_z, C_mz) * n_pl - c_LT), 0.6 * math.sqrt(w_z / w_y) * elastic_z),
-        C_zy=max(1.0 + (w_y - 1.0) * (cross(w_y, C_my) * n_pl - d_LT), 0.6 * math.sqrt(w_y / w_z) * elastic_y),
-        C_zz=max(1.0 + (w_z - 1.0) * (same(w_z, C_mz) - e_LT) * n_pl, elastic_z),
-        a_LT=a_LT,
-        lambda_0_lim=lambda_0_lim,
-        w_y=w_y,
-        w_z=w_z,
-        n_pl=n_pl,
-        b_LT=b_LT,
-        c_LT=c_LT,
-        d_LT=d_LT,
-        e_LT=e_LT,
-    )
+
+def _plasticity_factors(
+    s: SteelSection,
+    w_y: float,
+    w_z: float,
+    n_pl: float,
+    slender: tuple[float, float],
+    a_LT: float,
+    lambda_0: float,
+    m_y: float,
+    m_z: float,
+    C_my: float,
+    C_mz: float,
+    steps: Trace,
+    recorded: Sequence[str],
+) -> dict[str, float]:
+    """Return C_ij of Table A.1 by index."""
+
+    def add(symbol: str, value: float, expression: str) -> float:
+        return steps.add(symbol, value, "1", expression, _TABLE_A1)
+
+    elastic_y, elastic_z = s.W_el_y / s.W_pl_y, s.W_el_z / s.W_pl_z
+    for axis, w in (("y", w_y), ("z", w_z)):
+        for theory in ("el", "pl"):
+            steps.add(f"W_{theory},{axis}", getattr(s, f"W_{theory}_{axis}"), "m3")
+        add(f"w_{axis}", w, f"W_pl,{axis} / W_el,{axis} <= 1.5")
+    add("n_pl", n_pl, "N_Ed / (A f_y / gamma_M1)")
+    most, lambda_z = add("lambda_max", max(slender), "max(lambda_y, lambda_z)"), slender[1]
+    yz, zy = 0.6 * math.sqrt(w_z / w_y), 0.6 * math.sqrt(w_y / w_z)
+    b_LT = 0.5 * a_LT * lambda_0**2 * m_y * m_z
+    c_LT = 10.0 * a_LT * lambda_0**2 / (5.0 + lambda_z**4) * m_y / C_my
+    d_LT = 2.0 * a_LT * lambda_0 / (0.1 + lambda_z**4) * m_y / C_my * m_z / C_mz
+    e_LT = 1.7 * a_LT * lambda_0 / (0.1 + lambda_z**4) * m_y / C_my
+    lateral = {
+        "yy": ("b_LT", b_LT, "0.5 a_LT lambda_0^2 m_y m_z"),
+        "yz": ("c_LT", c_LT, "10 a_LT lambda_0^2 / (5 + lambda_z^4) m_y / C_my"),
+        "zy": ("d_LT", d_LT, "2 a_LT lambda_0 / (0.1 + lambda_z^4) m_y / C_my m_z / C_mz"),
+        "zz": ("e_LT", e_LT, "1.7 a_LT lambda_0 / (0.1 + lambda_z^4) m_y / C_my"),
+    }
+    found = {
+        "yy": (
+            max(1.0 + (w_y - 1.0) * ((2.0 - 1.6 / w_y * C_my**2 * (most + most**2)) * n_pl - b_LT), elastic_y),
+            "1 + (w_y - 1) [(2 - 1.6 / w_y C_my^2 (lambda_max + lambda_max^2)) n_pl - b_LT] >= W_el,y / W_pl,y",
+        ),
+        "yz": (
+            max(1.0 + (w_z - 1.0) * ((2.0 - 14.0 * C_mz**2 * most**2 / w_z**5) * n_pl - c_LT), yz * elastic_z),
+            "1 + (w_z - 1) [(2 - 14 C_mz^2 lambda_max^2 / w_z^5) n_pl - c_LT] >= 0.6 sqrt(w_z / w_y) W_el,z / W_pl,z",
+        ),
+        "zy": (
+            max(1.0 + (w_y - 1.0) * ((2.0 - 14.0 * C_my**2 * most**2 / w_y**5) * n_pl - d_LT), zy * elastic_y),
+            "1 + (w_y - 1) [(2 - 14 C_my^2 lambda_max^2 / w_y^5) n_pl - d_LT] >= 0.6 sqrt(w_y / w_z) W_el,y / W_pl,y",
+        ),
+        "zz": (
+            max(1.0 + (w_z - 1.0) * (2.0 - 1.6 / w_z * C_mz**2 * (most + most**2) - e_LT) * n_pl, elastic_z),
+            "1 + (w_z - 1) [2 - 1.6 / w_z C_mz^2 (lambda_max + lambda_max^2) - e_LT] n_pl >= W_el,z / W_pl,z",
+        ),
+    }
+    for index in recorded:
+        symbol, less, expression = lateral[index]
+        add(symbol, less, expression if lambda_0 > 0.0 else "no lateral torsional buckling")
+        add(f"C_{index}", *found[index])
+    return {index: C_ij for index, (C_ij, _) in found.items()}
 
 
-def annex_a_factors(member: AnnexAMember, N_Ed: float, terms: AnnexATerms) -> InteractionFactors:
-    """Return the factors of Annex A; infinite where N_Ed reaches an elastic critical force of flexural buckling.
+def beyond_critical(
+    axis: str, m_y: float, m_z: float, trace: Trace | None = None, recorded: Sequence[str] = ALL
+) -> InteractionFactors:
+    """Return infinite factors, as N_Ed is not below an elastic critical force; 0 where there is no moment.
 
     Args:
-        member: its constants.
-        N_Ed: compression, N.
-        terms: by `annex_a_terms`.
-
-    Source: EN 1993-1-1:2005, Table A.1.
+        axis: of the critical force: "y", "z" or "T".
+        m_y: see `annex_a_factors`.
+        m_z: see `annex_a_factors`.
+        trace: records the factors.
+        recorded: which of them.
     """
-    left_y, left_z = 1.0 - N_Ed / member.N_cr_y, 1.0 - N_Ed / member.N_cr_z
-    if left_y <= 0.0 or left_z <= 0.0:
-        return InteractionFactors(math.inf, math.inf, math.inf, math.inf)
-    y, z = terms.C_my * terms.C_mLT / left_y, terms.C_mz / left_z
-    if not member.plastic:
-        return InteractionFactors(y * terms.mu_y, z * terms.mu_y, y * terms.mu_z, z * terms.mu_z)
-    return InteractionFactors(
-        y * terms.mu_y / terms.C_yy,
-        z * terms.mu_y / terms.C_yz * 0.6 * math.sqrt(terms.w_z / terms.w_y),
-        y * terms.mu_z / terms.C_zy * 0.6 * math.sqrt(terms.w_y / terms.w_z),
-        z * terms.mu_z / terms.C_zz,
-    )
+    k = {"y": math.inf if m_y > 0.0 else 0.0, "z": math.inf if m_z > 0.0 else 0.0}
+    for index in recorded:
+        why = f"N_Ed is not below N_cr,{axis}" if k[index[1]] > 0.0 else f"without m_{index[1]}"
+        kept(trace).add(f"k_{index}", k[index[1]], "1", why, _TABLE_A1)
+    return InteractionFactors(k["y"], k["z"], k["y"], k["z"])

@@ -6,12 +6,16 @@ The critical moment is not in EN 1993-1-1; it is that of NCCI SN003 (Access Stee
 from __future__ import annotations
 
 import math
+from typing import Any, TypeVar
 
 import numpy as np
 
 from edesign.codes.ec3.buckling import GAMMA_M1, IMPERFECTION, Curve
 from edesign.codes.names import unknown
 from edesign.errors import InputError
+
+Values = TypeVar("Values", float, np.ndarray)
+"""Numbers, or arrays of one shape."""
 
 LAMBDA_LT_0 = 0.4
 """Length of the plateau. Source: EN 1993-1-1:2005, 6.3.2.3(1), recommended."""
@@ -48,7 +52,7 @@ def end_moment_factor(psi: float) -> float:
     return float(np.interp(_ratio(psi), _RATIO, _C1))
 
 
-def diagram_factor(M_max: float, M_quarter: float, M_middle: float, M_three_quarters: float) -> float:
+def diagram_factor(M_max: Values, M_quarter: Values, M_middle: Values, M_three_quarters: Values) -> Values:
     """Return C1 of any moment diagram, from its largest moment and those at the quarter points.
 
     Args:
@@ -60,13 +64,33 @@ def diagram_factor(M_max: float, M_quarter: float, M_middle: float, M_three_quar
     Source: Serna, Lopez, Puente & Yong, Equivalent uniform moment factors for lateral-torsional buckling of steel
         members, J. Constr. Steel Res. 62 (2006), for ends free to warp; 1 without any moment.
     """
-    top = 35.0 * M_max**2
-    if top == 0.0:
-        return 1.0
-    return math.sqrt(top / (M_max**2 + 9.0 * M_quarter**2 + 16.0 * M_middle**2 + 9.0 * M_three_quarters**2))
+    squared = np.square(M_max)
+    weighted = squared + 9.0 * np.square(M_quarter) + 16.0 * np.square(M_middle) + 9.0 * np.square(M_three_quarters)
+    share = np.divide(squared, weighted, out=np.full_like(weighted, 1.0 / 35.0), where=squared > 0.0)
+    return np.sqrt(35.0 * share)
 
 
-def correction_of_factor(C1: float) -> float:
+def quarter_moments(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+    """Return the magnitudes at the quarter points, (3, ...), from those at sixths, (..., 7).
+
+    Those at a quarter come by a parabola through the next three sixths, and of responses by a line.
+
+    Args:
+        steady: static moments with sign.
+        swing: magnitudes of the responses.
+    """
+    middle = np.abs(steady[..., 3]) + swing[..., 3]
+    return np.stack([_quarter(steady, swing), middle, _quarter(steady[..., ::-1], swing[..., ::-1])])
+
+
+def _quarter(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+    return np.asarray(
+        np.abs(3.0 * steady[..., 1] + 6.0 * steady[..., 2] - steady[..., 3]) / 8.0
+        + 0.5 * (swing[..., 1] + swing[..., 2])
+    )
+
+
+def correction_of_factor(C1: Values) -> Values:
     """Return k_c = 1 / sqrt(C1) <= 1, for diagrams that Table 6.6 does not have.
 
     Args:
@@ -74,7 +98,7 @@ def correction_of_factor(C1: float) -> float:
 
     Source: EN 1993-1-1:2022, 8.3.2.3; SCI P362.
     """
-    return min(1.0 / math.sqrt(C1), 1.0)
+    return np.minimum(1.0 / np.sqrt(C1), 1.0)
 
 
 def critical_moment(
@@ -152,18 +176,12 @@ def buckling_moments(
     Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3, Eqs. 6.57 and 6.58; k_c as `correction_of_factor`. M_cr: NCCI SN003,
         Eq. 1; C2 by the energy of one half-wave (Timoshenko & Gere, Theory of Elastic Stability, 6.3).
     """
-    weighted = M_max**2 + 9.0 * M_quarters[0] ** 2 + 16.0 * M_quarters[1] ** 2 + 9.0 * M_quarters[2] ** 2
-    bent = M_max > 0.0
-    C1 = np.sqrt(35.0 * np.divide(M_max**2, weighted, out=np.full_like(M_max, 1.0 / 35.0), where=bent))
-    C2_z_g = C1 * np.divide(tipping, M_max, out=np.zeros_like(M_max), where=bent)
+    C1 = diagram_factor(M_max, *M_quarters)
+    C2_z_g = C1 * np.divide(tipping, M_max, out=np.zeros_like(M_max), where=M_max > 0.0)
     M_cr = C1 * euler * squared / (np.sqrt(squared + C2_z_g**2) + C2_z_g)  # sqrt(s + t2) - t without cancelling
     slender = np.sqrt(M_Rk / M_cr)
-    phi = 0.5 * (1.0 + imperfection * np.maximum(slender - plateau, 0.0) + beta * slender**2)
-    chi = 1.0 / (phi + np.sqrt(np.maximum(phi**2 - beta * slender**2, 0.0)))
-    k_c = np.minimum(1.0 / np.sqrt(C1), 1.0)
-    f = np.minimum(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slender - 0.8) ** 2), 1.0)
-    capped = np.where(slender > plateau, np.minimum(np.minimum(chi, 1.0), 1.0 / slender**2), 1.0)
-    return np.asarray(np.minimum(np.minimum(capped / f, 1.0), 1.0 / slender**2) * M_Rk)
+    chi = _reduction(slender, imperfection, plateau, beta)
+    return modified_reduction_factor(chi, slender, correction_of_factor(C1)) * M_Rk
 
 
 def slenderness(modulus: float, yield_stress: float, critical: float) -> float:
@@ -225,7 +243,7 @@ def reduction_factor_general(slenderness: float, curve: str) -> float:
     Source: EN 1993-1-1:2005, 6.3.2.2(1), Eq. 6.56. Under (4) lateral torsional buckling may be ignored up to
         lambda_LT,0, a jump that is not made use of.
     """
-    return _reduction(slenderness, curve, plateau=0.2, beta=1.0)
+    return float(_reduction(*_checked(slenderness, curve), plateau=0.2, beta=1.0))
 
 
 def reduction_factor(slenderness: float, curve: str, lambda_LT_0: float = LAMBDA_LT_0, beta: float = BETA) -> float:
@@ -245,10 +263,10 @@ def reduction_factor(slenderness: float, curve: str, lambda_LT_0: float = LAMBDA
 
     Source: EN 1993-1-1:2005, 6.3.2.3(1), Eq. 6.57.
     """
-    return _reduction(slenderness, curve, plateau=lambda_LT_0, beta=beta)
+    return float(_reduction(*_checked(slenderness, curve), plateau=lambda_LT_0, beta=beta))
 
 
-def moment_distribution_factor(slenderness: float, k_c: float) -> float:
+def moment_distribution_factor(slenderness: Values, k_c: Values) -> Values:
     """Return f = 1 - 0.5 (1 - k_c) [1 - 2 (lambda_LT - 0.8)2] <= 1.
 
     Args:
@@ -257,10 +275,10 @@ def moment_distribution_factor(slenderness: float, k_c: float) -> float:
 
     Source: EN 1993-1-1:2005, 6.3.2.3(2).
     """
-    return min(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slenderness - 0.8) ** 2), 1.0)
+    return np.minimum(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slenderness - 0.8) ** 2), 1.0)
 
 
-def modified_reduction_factor(chi_LT: float, slenderness: float, k_c: float) -> float:
+def modified_reduction_factor(chi_LT: Values, slenderness: Values, k_c: Values) -> Values:
     """Return chi_LT,mod = chi_LT / f <= 1 and <= 1 / lambda_LT2, f by `moment_distribution_factor`.
 
     Args:
@@ -271,8 +289,7 @@ def modified_reduction_factor(chi_LT: float, slenderness: float, k_c: float) -> 
     Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3(2), Eq. 6.58.
     """
     f = moment_distribution_factor(slenderness, k_c)
-    euler = 1.0 / slenderness**2 if slenderness > 0.0 else math.inf
-    return min(chi_LT / f, 1.0, euler)
+    return np.minimum(np.minimum(chi_LT / f, 1.0), _euler(slenderness))
 
 
 def buckling_moment(chi_LT: float, modulus: float, yield_stress: float, gamma_M1: float = GAMMA_M1) -> float:
@@ -289,15 +306,26 @@ def buckling_moment(chi_LT: float, modulus: float, yield_stress: float, gamma_M1
     return chi_LT * modulus * yield_stress / gamma_M1
 
 
-def _reduction(slenderness: float, curve: str, plateau: float, beta: float) -> float:
+def _checked(slenderness: float, curve: str) -> tuple[float, float]:
+    """Return the slenderness and the imperfection factor of the curve."""
     if curve not in IMPERFECTION:
         raise unknown("buckling curve", curve, IMPERFECTION)
     if not slenderness >= 0.0:
         raise InputError(f"a slenderness of {slenderness:g} is negative")
-    if slenderness <= plateau:
-        return 1.0
-    phi = 0.5 * (1.0 + IMPERFECTION[curve] * (slenderness - plateau) + beta * slenderness**2)
-    return min(1.0 / (phi + math.sqrt(phi**2 - beta * slenderness**2)), 1.0, 1.0 / slenderness**2)
+    return slenderness, IMPERFECTION[curve]
+
+
+def _reduction(slenderness: Values, imperfection: Values, plateau: float, beta: float) -> Values:
+    over = np.maximum(slenderness - plateau, 0.0)
+    phi = 0.5 * (1.0 + imperfection * over + beta * slenderness**2)
+    chi = 1.0 / (phi + np.sqrt(np.maximum(phi**2 - beta * slenderness**2, 0.0)))
+    found: Any = np.where(over > 0.0, np.minimum(np.minimum(chi, 1.0), _euler(slenderness)), 1.0)
+    return found[()]  # a number of numbers
+
+
+def _euler(slenderness: Values) -> Values:
+    """1 / lambda2, beyond any reduction at lambda = 0."""
+    return 1.0 / np.maximum(slenderness**2, np.finfo(float).tiny)
 
 
 def _ratio(psi: float) -> float:

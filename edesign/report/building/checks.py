@@ -8,14 +8,14 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import Stability, SteelMember
+from edesign.codes.ec3.member import Member, Stability
+from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
+from edesign.codes.trace import Step, Trace
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults
 from edesign.report.building.tables import Worst, worst_of_groups
 from edesign.report.tables.table import NumberText, Table, finite, formatted, marked, number, whole
-from edesign.space.checks.written_checks import written_check
-from edesign.space.checks.written_steps import ForcesAlong, FreeBeam, Step
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
@@ -68,25 +68,25 @@ def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
     of = {name: results.values("members", name)[member] for name in ("member", "group", "kind", "section", "material")}
     combination = int(results.values("members", "combination")[member, check])
     name = str(results.values("members", "check")[check])
-    steps: tuple[Step, ...] = ()
+    trace, found = Trace(), None
     if combination:
         forces = _forces(results, member, combination - 1)
         place = results.values("members", "station")[member, check]
         station = int(np.abs(forces.stations - place).argmin())
         beam = _free_beam(results, member, combination - 1)
-        steps = written_check(_member(results, member), forces, name, station, beam)
-    utilisation = float(results.values("members", "utilisation")[member, check])
-    if steps and not math.isclose(float(steps[-1].value), utilisation, rel_tol=SAME, abs_tol=SAME**2):
-        steps = ()
+        found = utilisation(_member(results, member), forces, name, station, beam, trace)
+    archived = float(results.values("members", "utilisation")[member, check])
+    if found is None or not math.isclose(found, archived, rel_tol=SAME, abs_tol=SAME**2):
+        trace.steps.clear()
     return WrittenCheck(
         **{key: str(value) for key, value in of.items()},
         length=float(results.values("members", "length")[member]),
         check=name,
         clause=str(results.values("members", "clause")[check]),
-        utilisation=utilisation,
+        utilisation=archived,
         combination=str(results.values("combinations", "name")[combination - 1]) if combination else "",
         number=combination,
-        steps=steps,
+        steps=tuple(trace.steps),
     )
 
 
@@ -246,7 +246,7 @@ def member_data(results: BuildingResults, name: str) -> dict[str, object]:
     return {**about, "length_m": first.length, "checks": checks}
 
 
-def _member(results: BuildingResults, member: int) -> SteelMember:
+def _member(results: BuildingResults, member: int) -> Member:
     """A member as its checks saw it."""
 
     def of(name: str) -> float:
@@ -254,7 +254,7 @@ def _member(results: BuildingResults, member: int) -> SteelMember:
 
     flags = {name: bool(of(name)) for name in ("twists", "general")}
     lengths = {part.name: of(part.name) for part in fields(Stability) if part.name not in flags}
-    return SteelMember(
+    return Member(
         section=steel_section(str(results.values("members", "section")[member])),
         fy=of("fy"),
         stability=Stability(**lengths, **flags),  # type: ignore[arg-type]

@@ -14,7 +14,7 @@ from functools import cache
 import numpy as np
 
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import Stability, member_constants
+from edesign.codes.ec3.member import Member, Stability, Strength
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Building, Steel
 from edesign.space.analysis.bracing import Bracing
@@ -84,13 +84,8 @@ def buckling_combinations(rows: Sequence[Combination]) -> tuple[Combination, ...
 @cache
 def _buckling_resistance(section: str, steel: Steel, L_cr_y: float, L_cr_z: float, gamma_M1: float) -> float:
     shear_modulus = steel.E / (2.0 * (1.0 + steel.nu))
-    found = member_constants(
-        steel_section(section),
-        steel.fy,
-        Stability(L_cr_y=L_cr_y, L_cr_z=L_cr_z, L_LT=0.0),
-        WITHOUT_EFFECT,
-        modulus=steel.E,
-        shear_modulus=shear_modulus,
-        gamma_M1=gamma_M1,
+    held = Stability(L_cr_y=L_cr_y, L_cr_z=L_cr_z, L_LT=0.0)
+    member = Member(
+        steel_section(section), steel.fy, held, WITHOUT_EFFECT, E=steel.E, G=shear_modulus, gamma_M1=gamma_M1
     )
-    return min(found.N_b_y_Rd, found.N_b_z_Rd)
+    return min(Strength(member).flexural(axis).N_b_Rd for axis in ("y", "z"))

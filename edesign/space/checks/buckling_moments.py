@@ -17,7 +17,7 @@ import numpy as np
 
 from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
-from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
+from edesign.codes.ec3.lateral_torsional import buckling_moments, quarter_moments, rolled_curve
 from edesign.project.building.building import Steel
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.effects import Effects
@@ -130,23 +130,3 @@ class FreeBeams:
             shape = np.where(self._half[of], 2.0, np.sin(math.pi * case.point_position) ** 2)
             np.add.at(found[number], of[of >= 0], (-case.point_force[:, 2] * shape)[of >= 0])
         return found
-
-
-def quarter_moments(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
-    """Return the magnitudes at the quarter points, (3, ...), from those at sixths, (..., 7).
-
-    Those at a quarter come by a parabola through the next three sixths, and of responses by a line.
-
-    Args:
-        steady: static moments with sign.
-        swing: magnitudes of the responses.
-    """
-    middle = np.abs(steady[..., 3]) + swing[..., 3]
-    return np.stack([_quarter(steady, swing), middle, _quarter(steady[..., ::-1], swing[..., ::-1])])
-
-
-def _quarter(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
-    return np.asarray(
-        np.abs(3.0 * steady[..., 1] + 6.0 * steady[..., 2] - steady[..., 3]) / 8.0
-        + 0.5 * (swing[..., 1] + swing[..., 2])
-    )

@@ -18,8 +18,9 @@ import numpy as np
 
 from edesign.building.sections.section_class import section_class
 from edesign.building.sections.steel_section import SteelSection, steel_section
-from edesign.building.steel_member import Stability, SteelMember
+from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3 import cross_section
+from edesign.codes.ec3.member import Stability
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
 from edesign.codes.ec8.capacity import OVERSTRENGTH
 from edesign.codes.ec8.moment_frames import hinge_shear

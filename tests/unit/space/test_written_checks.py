@@ -1,10 +1,9 @@
-"""Checks written out step by step, against the pass of the core over all members and combinations."""
+"""The steps of checks that reports print: formulas give their values, and lead to what archives have."""
 
 from __future__ import annotations
 
 import math
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,119 +13,26 @@ from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
 from edesign.building.sections.section_class import section_class
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import Stability, SteelMember
 from edesign.codes.ec3.buckling import IMPERFECTION
-from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
-from edesign.core.member_checks import Check, MemberTable, mask, member_checks
+from edesign.codes.ec3.lateral_torsional import buckling_moments, quarter_moments, rolled_curve
+from edesign.codes.ec3.member import Member, Stability
+from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
+from edesign.codes.trace import Step, Trace
 from edesign.report.building.checks import written
 from edesign.report.building.results import BuildingResults
-from edesign.space.checks.buckling_moments import quarter_moments
-from edesign.space.checks.written_checks import written_check
-from edesign.space.checks.written_steps import ForcesAlong, FreeBeam
 from edesign.study.run.building import run_building
 
 SAME = 1e-9
 """Both do the same sums of some tens of terms in another order; above rounding by six digits."""
 
-MEMBERS = {
-    "I, class 1": SteelMember(steel_section("HEB320"), 275e6, Stability(3.5, 3.5, 3.5), 1, gamma_M0=1.05),
-    "I, h/b above 2, general case": SteelMember(
-        steel_section("IPE400"), 275e6, Stability(7.2, 2.4, 2.4, C1=1.77, general=True), 1, V_M=200e3
-    ),
-    "I, load on the flange": SteelMember(
-        steel_section("IPE400"), 355e6, Stability(7.2, 2.4, 2.4, 1.348, 0.63, 0.2, C_mLT=0.6), 2, gamma_M1=1.1
-    ),
-    "I, class 3": SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 6.0), 3),
-    "I, held all along": SteelMember(steel_section("IPE330"), 275e6, Stability(7.2, 0.0, 0.0, twists=False), 1),
-    "I, slender web": SteelMember(steel_section("HEA900"), 460e6, Stability(6.0, 6.0, 6.0), 1, V_M=900e3, gamma_M1=1.1),
-    "I, torsion governs": SteelMember(steel_section("HEB200"), 275e6, Stability(3.0, 1.0, 12.0), 1),
-    "square, class 3": SteelMember(steel_section("SHS250x6.3"), 275e6, Stability(5.0, 4.0, 4.0), 3),
-    "square": SteelMember(steel_section("SHS180x10"), 275e6, Stability(8.0, 8.0, 8.0, C_my=1.0, C_mz=1.0), 1),
-    "rectangle, class 1": SteelMember(steel_section("RHS300x200x10"), 275e6, Stability(9.0, 9.0, 9.0), 1),
-    "rectangle": SteelMember(steel_section("RHS300x200x10"), 355e6, Stability(4.0, 5.0, 5.0), 2),
-    "rectangle, class 3": SteelMember(steel_section("RHS300x200x6.3"), 355e6, Stability(4.0, 5.0, 5.0), 3),
-    "circle": SteelMember(steel_section("CHS168.3x8"), 275e6, Stability(4.0, 4.0, 4.0), 1),
-    "circle, class 3": SteelMember(steel_section("CHS406.4x6.3"), 275e6, Stability(6.0, 6.0, 6.0), 3),
-}
-CHECKS = [check for check in Check]
 
-
-def free_beam(member: SteelMember, share: float, steady: np.ndarray, swing: np.ndarray) -> tuple[FreeBeam, float]:
-    """A member as a beam that no slab holds, and its M_b,Rd by the function of arrays.
-
-    The load is a share of the uniform one that gives the largest moment on hinges, 8 M / L, half of which counts.
-    """
-    s, L, GI_t = member.section, 0.9 * member.stability.L_LT, member.G * member.section.I_t
-    M_max = np.asarray((np.abs(steady) + swing).max())
-    load, bending = float(share * 4.0 * M_max / L), math.pi**2 * member.E * s.I_z
-    M_b_Rk = buckling_moments(
-        np.asarray((s.W_pl_y if member.section_class < 3 else s.W_el_y) * member.fy),
-        M_max,
-        quarter_moments(steady, swing),
-        tipping=np.asarray(max(load, 0.0) * L * s.h / 2.0 / math.pi**2),
-        euler=np.asarray(bending / L**2),
-        squared=np.asarray(s.I_w / s.I_z + GI_t * L**2 / bending),
-        imperfection=np.asarray(IMPERFECTION[rolled_curve(s.h, s.b)]),
-    )
-    return FreeBeam(L, load), float(M_b_Rk) / member.gamma_M1
-
-
-CASES = [(name, option) for name in MEMBERS for option in ("annex_a", "annex_b")] + [
-    (name, option)
-    for name, of in MEMBERS.items()
-    if of.section.kind == "I" and of.stability.L_LT > 0.0 and not of.stability.general
-    for option in ("ends", "annex_a, ends")
-]
-
-
-@pytest.mark.parametrize(("name", "option"), CASES)
-def test_every_check_is_that_of_the_core(name: str, option: str) -> None:
-    """Random forces up to 1.2 of each resistance, so that shear and axial force reduce moments, in 60 combinations."""
-    member, random = MEMBERS[name], np.random.default_rng(5)
-    annex_a, ends, checks = "annex_a" in option, "ends" in option, CHECKS
-    if annex_a:
-        uniform = replace(member.stability, C_my=1.0, C_mz=0.79, C_my_N=0.2412, C_mz_N=-0.1188)
-        member = replace(member, stability=uniform, annex_a=True)
-    if option != "annex_b":  # the other checks do not depend on it
-        checks = [Check.M_B, Check.EQ_6_61, Check.EQ_6_62]
-    c = member.constants
-    resistance = np.array([c.N_b_z_Rd, c.V_y_Rd, c.V_z_Rd, 1.0, c.M_y_Rd, c.M_z_Rd])
-    size = resistance * random.uniform(0.0, 1.2, (60, 1, 6)) ** 2
-    steady = size * random.uniform(-0.6, 0.6, (60, 7, 6))
-    swing = size * random.uniform(0.0, 0.6, (60, 7, 6)) * (random.random((60, 1, 1)) > 0.3)
-    stations = np.linspace(0.0, 1.0, 7)
-    seen = set()
-    for k in range(60):
-        beam, table, M_b = None, MemberTable.of([c]), None
-        if ends:
-            beam, least = free_beam(member, random.uniform(-0.5, 2.0), steady[k, :, 4], swing[k, :, 4])
-            table.column("M_b_Rd")[:], M_b = least, np.array([[least]])
-        core = member_checks(
-            statics=steady[k][None, None],
-            spectral=swing[k][None, None],
-            static_factors=np.ones((1, 1)),
-            spectral_factors=np.ones((1, 1)),
-            combination_set=np.zeros(1),
-            gravity=np.ones(1),
-            members=table,
-            masks=np.array([[mask(*checks)]]),
-            M_b=M_b,
-        )
-        forces = ForcesAlong(stations, steady[k], swing[k])
-        for check in checks:
-            steps = written_check(member, forces, check.name, int(core.station[0, check]), beam)
-            assert steps[-1].symbol == "utilisation"
-            assert steps[-1].value == pytest.approx(core.utilisation[0, check], rel=SAME), (check.name, k)
-            seen |= {step.symbol for step in steps}
-    expected = {
-        "N_cr,y": True,
-        "k_yy": True,
-        "rho_z": option == "annex_b",
-        "mu_z": annex_a,
-        "C_zz": annex_a and member.section_class < 3,
-        "C_2 z_g": ends,
-    }
-    assert {symbol for symbol, written in expected.items() if written} <= seen
+def steps_of(
+    member: Member, forces: ForcesAlong, check: str, station: int, free_beam: FreeBeam | None = None
+) -> list[Step]:
+    """The calculation of a check."""
+    trace = Trace()
+    assert utilisation(member, forces, check, station, free_beam, trace) == trace.steps[-1].value
+    return trace.steps
 
 
 SPACED = ("chi by bending", "C_2 z_g")
@@ -153,13 +59,13 @@ def calculated(formula: str, values: dict[str, float]) -> float:
 def test_formulas_of_annex_a_give_their_values(forces: tuple[float, float, float]) -> None:
     """Each formula, worked out with the values of the steps before it."""
     stability = Stability(6.0, 4.0, 4.0, C_my_N=0.2412, C_mz_N=-0.1188, C_my=1.0, C_mz=0.79)
-    member = SteelMember(steel_section("IPE400"), 355e6, stability, 1, gamma_M1=1.1, annex_a=True)
+    member = Member(steel_section("IPE400"), 355e6, stability, 1, gamma_M1=1.1, annex_a=True)
     steady = np.zeros((7, 6))
     steady[:, [0, 4, 5]] = forces
     along, seen = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, np.zeros((7, 6))), set()
     for check in ("EQ_6_61", "EQ_6_62"):
         values: dict[str, float] = {}
-        for step in written_check(member, along, check, 0):
+        for step in steps_of(member, along, check, 0):
             if step.clause.startswith("Annex A"):
                 assert step.value == pytest.approx(calculated(step.expression, values), rel=SAME), step.symbol
                 seen.add(step.symbol)
@@ -177,9 +83,9 @@ def test_a_published_column() -> None:
     Tables of sections print i_z = 3.83 cm, so that lambda_z has a bar of 0.13 %; chi_z changes by 1.3 times as much,
     and N_b has the area of the tables, 38.3 cm2 to 0.13 %, in it too.
     """
-    member = SteelMember(steel_section("UC152x152x30"), 275e6, Stability(4.0, 4.0, 0.0), 1)
+    member = Member(steel_section("UC152x152x30"), 275e6, Stability(4.0, 4.0, 0.0), 1)
     forces = ForcesAlong(np.array([0.0]), np.array([[-200e3, 0.0, 0.0, 0.0, 0.0, 0.0]]), np.zeros((1, 6)))
-    found = {step.symbol: step.value for step in written_check(member, forces, "N_B", 0)}
+    found = {step.symbol: step.value for step in steps_of(member, forces, "N_B", 0)}
     assert found["curve z"] == "c" and found["N_Ed"] == 200e3
     assert found["lambda_z"] == pytest.approx(1.203, rel=1.3e-3)
     assert found["chi_z"] == pytest.approx(0.4323, rel=1.7e-3)
@@ -187,44 +93,14 @@ def test_a_published_column() -> None:
     assert found["utilisation"] == pytest.approx(200.0 / 455.0, rel=3e-3)
 
 
-@pytest.mark.parametrize("moments", [(0.0, 0.0), (20e3, 0.0), (20e3, 5e3)])
-def test_annex_a_beyond_a_critical_force(moments: tuple[float, float]) -> None:
-    """Infinite where there is a moment, n alone without one, as in the core."""
-    for section, held, over in (
-        ("SHS180x10", Stability(9.0, 8.0, 8.0), "y"),
-        ("IPE400", Stability(9.0, 8.0, 8.0), "z"),
-        ("HEB200", Stability(2.0, 2.0, 40.0), "T"),
-    ):
-        member = SteelMember(steel_section(section), 275e6, held, 1, annex_a=True)
-        c, steady = member.constants, np.zeros((7, 6))
-        N_cr = min(1.0 / per for per in (c.per_N_cr_y, c.per_N_cr_z, c.per_N_cr_T) if per > 0.0)
-        steady[:, [0, 4, 5]] = -1.01 * N_cr, *moments
-        core = member_checks(
-            statics=steady[None, None],
-            spectral=np.zeros((1, 1, 7, 6)),
-            static_factors=np.ones((1, 1)),
-            spectral_factors=np.zeros((1, 1)),
-            combination_set=np.zeros(1),
-            gravity=np.ones(1),
-            members=MemberTable.of([c]),
-            masks=np.array([[mask(Check.EQ_6_61, Check.EQ_6_62)]]),
-        )
-        for check in (Check.EQ_6_61, Check.EQ_6_62):
-            forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, np.zeros((7, 6)))
-            steps = written_check(member, forces, check.name, 0)
-            assert steps[-1].value == pytest.approx(core.utilisation[0, check], rel=SAME)
-            assert np.isinf(steps[-1].value) == any(moments)
-            assert any(moments) == (f"N_Ed is not below N_cr,{over}" in {step.expression for step in steps})
-
-
 def test_formulas_of_a_free_beam_give_their_values() -> None:
     """M_b,Rd of an IPE400 of 6 m, worked out from the written moments, which have four digits."""
-    member = SteelMember(steel_section("IPE400"), 275e6, Stability(6.0, 6.0, 6.0), 1)
+    member = Member(steel_section("IPE400"), 275e6, Stability(6.0, 6.0, 6.0), 1)
     steady, swing = np.zeros((2, 7, 6))
     steady[:, 4] = [-90e3, -14e3, 31e3, 46e3, 31e3, -14e3, -90e3]
     swing[:, 4] = np.abs(np.linspace(60e3, -60e3, 7))
     forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, swing)
-    steps = written_check(member, forces, "M_B", 0, FreeBeam(6.0, 92e3))
+    steps = steps_of(member, forces, "M_B", 0, FreeBeam(6.0, 92e3))
     formulas = {step.symbol.replace(" ", "_"): step.expression for step in steps}
     values = {step.symbol.replace(" ", "_"): step.value for step in steps if isinstance(step.value, float)}
     for symbol in ("M_A", "M_C"):
@@ -232,6 +108,31 @@ def test_formulas_of_a_free_beam_give_their_values() -> None:
     for symbol in ("C_1", "C_2_z_g", "M_cr", "lambda_LT", "k_c", "f", "chi_LT,mod", "M_b,Rd"):
         found = calculated(formulas[symbol], values | {"pi": math.pi})
         assert found == pytest.approx(values[symbol], rel=SAME), symbol
+
+
+@pytest.mark.parametrize("name", ["HEB320", "IPE400", "HEA300"])
+def test_a_free_beam_has_the_moment_of_the_function_of_arrays(name: str) -> None:
+    """Random diagrams with and without loads, which may lift: M_b,Rd as `FreeBeams` finds it for all beams at once."""
+    s, draw = steel_section(name), np.random.default_rng(5)
+    member = Member(s, 355e6, Stability(6.0, 6.0, 6.0), 3 if name == "HEA300" else 1, gamma_M1=1.1)
+    bending = math.pi**2 * member.E * s.I_z
+    for _ in range(30):
+        steady, swing = np.zeros((2, 7, 6))
+        steady[:, 4], swing[:, 4] = draw.uniform(-1e5, 1e5, 7), draw.uniform(0.0, 1e5, 7) * draw.integers(0, 2)
+        M_max = np.asarray((np.abs(steady[:, 4]) + swing[:, 4]).max())
+        load = float(draw.uniform(-0.5, 2.0) * 4.0 * M_max / 6.0)  # about that of a uniform one on hinges
+        expected = buckling_moments(
+            np.asarray(getattr(s, f"W_{member.theory}_y") * member.fy),
+            M_max,
+            quarter_moments(steady[:, 4], swing[:, 4]),
+            tipping=np.asarray(max(load, 0.0) * 6.0 * s.h / 2.0 / math.pi**2),
+            euler=np.asarray(bending / 6.0**2),
+            squared=np.asarray(s.I_w / s.I_z + member.G * s.I_t * 6.0**2 / bending),
+            imperfection=np.asarray(IMPERFECTION[rolled_curve(s.h, s.b)]),
+        )
+        forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, swing)
+        values = {step.symbol: step.value for step in steps_of(member, forces, "M_B", 0, FreeBeam(6.0, load))}
+        assert values["M_b,Rd"] == pytest.approx(float(expected) / 1.1, rel=SAME)
 
 
 BUILDING = """
