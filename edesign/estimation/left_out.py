@@ -182,11 +182,6 @@ class Difference:
     total: float
     error: float
 
-    @property
-    def sure(self) -> bool:
-        """Whether the first is better beyond doubt."""
-        return self.total > max(LEAST, 2.0 * self.error)
-
 
 LEAST = 4.0
 """Difference of log densities below which it is small whatever its error (Sivula, Magnusson and Vehtari 2020)."""

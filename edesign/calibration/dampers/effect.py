@@ -26,12 +26,10 @@ class EffectForm(Form[Act, Sizes]):
     Attributes:
         laws: names of the laws that it is made for; (): all.
         refined: times the samples of a fit at which it is predicted: more where motion or force bend between them.
-        alike: forms of which each does the same in all tests that are fitted, and something else in others; (): none.
     """
 
     laws: tuple[str, ...] = ()
     refined: int = REFINED
-    alike: tuple[EffectForm, ...] = ()
 
     @property
     def own(self) -> bool:

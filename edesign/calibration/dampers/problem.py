@@ -127,14 +127,6 @@ class DamperProblem(TestedProblem):
         varied = [one.name for one in values if one.fitted and self.declared[one.name] and one.name not in self._held]
         return tuple(form.effect(self.typical) for form in forms(self.typical, varied) if self._suits(form))
 
-    def alike(self, effect: Effect) -> tuple[Effect, ...]:
-        """Return what an effect may be by the tests that are fitted, which others tell apart; (): one thing alone.
-
-        Args:
-            effect: of the list.
-        """
-        return tuple(form.effect(self.typical) for form in effect.data.form.alike)
-
     def _suits(self, form: EffectForm) -> bool:
         if form.laws and self.law.name not in form.laws:
             return False

@@ -18,11 +18,12 @@ from edesign.calibration.properties.problem import PropertyProblem
 from edesign.calibration.properties.residual_words import describe_residual, relative_errors
 from edesign.calibration.residual.series import STAGES, Errors, Stage
 from edesign.calibration.results.evidence import Evidence
-from edesign.calibration.results.fit import Kept, kept, law_estimates, unbounded
+from edesign.calibration.results.fit import law_estimates, unbounded
 from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.law_file import why_not_carried
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.results.steps import Progress, Steps, searched
+from edesign.calibration.search.adoption import Kept, kept
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -111,7 +112,7 @@ class _Outcome:
         threads: int,
     ) -> _Outcome:
         fitter = unbounded(quick, settings)
-        final = steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best, ()), True)
+        final = steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best), True)
         steps.progress("predicting all rows")
         problem = property_problem(campaign, CYCLES, SAMPLES, threads)
         declared = np.array([one.centre for one in quick.inner.base])

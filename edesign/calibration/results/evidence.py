@@ -9,13 +9,15 @@ from functools import cached_property
 from typing import Any, TypeVar
 
 from edesign.calibration.residual.series import Errors, Stage, Worst
-from edesign.calibration.results.fit import Kept, effect_estimates, estimates, unbounded
+from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
 from edesign.calibration.results.floor import only_noise
 from edesign.calibration.results.models import Posterior, without
+from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import (
     Calibration,
     ComparedModel,
     Effect,
+    Estimate,
     Hypothesis,
     NextTest,
     OtherLaw,
@@ -23,6 +25,7 @@ from edesign.calibration.results.result import (
     Verdict,
 )
 from edesign.calibration.results.steps import Steps
+from edesign.calibration.search.adoption import Dropped, Kept, misleads
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.search import Ending, Found
 from edesign.calibration.search.settings import SearchSettings
@@ -67,7 +70,7 @@ class Evidence:
     def withheld(self) -> str:
         """Why the effects are no part of the corrected model, for people: the validation tests; "" if they are."""
         corrected, refit = (self.every_error[stage].validate for stage in ("corrected", "refit"))
-        if not self.kept.model.effects or corrected <= refit:
+        if not self.kept.model.effects or not misleads(corrected, refit):
             return ""
         return (
             f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %) than without them "
@@ -171,7 +174,10 @@ class Evidence:
             True,
         )
         posterior = self.posterior if found is not None else None
-        dropped = [Hypothesis(self._effect(posterior, m, i, None, corrected), why) for m, i, why in self.kept.dropped]
+        dropped = [
+            Hypothesis(self._effect(posterior, one.model, one.index, None, corrected), why_dropped(one))
+            for one in self.kept.dropped
+        ]
         if found is None:  # interrupted, or failed
             found = tuple(self._effect(None, model, i, i, corrected) for i in every)
         if self.withheld:
@@ -218,6 +224,23 @@ class Evidence:
             meanings=effect.data.meanings,
             titles=titles,
         )
+
+
+def why_dropped(one: Dropped) -> str:
+    """Return why an effect that was found is no part of the corrected model, for people.
+
+    Args:
+        one: the effect.
+    """
+    if one.interval is None:
+        left = f"with it the validation tests are predicted worse ({100.0 * one.with_it:.3g} %) than without it"
+        return f"{left} ({100.0 * one.without:.3g} %)"
+    own = one.model.effects[one.index].parameters
+    values = one.model.fit.values[one.model.places(one.index)].tolist()
+    siblings = {each.name: Estimate.held(value, each.unit) for each, value in zip(own, values, strict=True)}
+    shown = practical(Estimate(values[0], 0.0, own[0].unit, one.interval), siblings)
+    low, high = shown.interval
+    return f"the 95 % interval of {own[0].name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"
 
 
 def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:

@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibration.results.result import ComparedModel
+from edesign.calibration.search.adoption import sure
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
@@ -133,7 +134,7 @@ class Posterior:
         """Models that are not surely behind the best one, with the effects that stand in the place of one of it."""
         for i, model in enumerate(self.models):
             others = sorted((one for one in model.effects if one.name not in self.best.names), key=lambda one: one.name)
-            if name not in model.names and others and self.odds(i) >= LEAST and not self.behind(i).sure:
+            if name not in model.names and others and self.odds(i) >= LEAST and not sure(self.behind(i)):
                 yield i, others
 
     def odds(self, i: int) -> float:
@@ -147,7 +148,7 @@ class Posterior:
 
     def rivals(self) -> tuple[int, ...]:
         """Indices of the probable models with other effects than the best one, which is the first."""
-        far = [self.odds(i) < LEAST or self.behind(i).sure for i in range(len(self.models))]
+        far = [self.odds(i) < LEAST or sure(self.behind(i)) for i in range(len(self.models))]
         return (0, *(i for i, m in enumerate(self.models) if m.names != self.best.names and not far[i]))
 
     def compared(self) -> tuple[ComparedModel, ...]:

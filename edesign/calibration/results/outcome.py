@@ -13,15 +13,7 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import FEWEST, Errors, Series, Stage
 from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import Evidence
-from edesign.calibration.results.fit import (
-    Kept,
-    at_full_rate,
-    kept,
-    law_estimates,
-    told_by_validation,
-    unbounded,
-    validated,
-)
+from edesign.calibration.results.fit import at_full_rate, law_estimates, unbounded
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
@@ -29,6 +21,7 @@ from edesign.calibration.results.other_law import other_law
 from edesign.calibration.results.predictions import errors_of, predicted, validation_error
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.results.steps import Steps
+from edesign.calibration.search.adoption import Kept, kept, placed, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
@@ -74,14 +67,14 @@ class Outcome:
         def fitted() -> tuple[FittedModel, Kept]:
             refit = at_full_rate(fitter, found.base)
             if not found.best.effects:
-                return refit, Kept(refit, ())
+                return refit, Kept(refit)
 
             def error(model: FittedModel) -> float:
                 return validation_error(whole, model.effects, model.fit.values)
 
             sure = kept(fitter, at_full_rate(fitter, found.best))
-            placed = replace(sure, model=told_by_validation(sure.model, error))
-            return refit, validated(fitter, placed, error(refit), error)
+            sure = replace(sure, model=placed(sure.model, error))
+            return refit, validated(fitter, sure, error(refit), error)
 
         def at_all_samples() -> tuple[FittedModel, Kept] | None:
             try:
@@ -89,7 +82,7 @@ class Outcome:
             except PredictionError:  # larger steps hid that the model has no prediction; at those it has one
                 return None
 
-        sure = steps.guard("weighing effects", lambda: kept(thin, found.best), Kept(found.best, ()))
+        sure = steps.guard("weighing effects", lambda: kept(thin, found.best), Kept(found.best))
         instead: tuple[FittedModel, Kept] | None = (found.base, sure)
         full = steps.take("fitting all samples", at_all_samples, instead, True)
         if full is None:

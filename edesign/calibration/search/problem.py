@@ -28,6 +28,7 @@ class Effect:
         own: whether it adds shares that are each test's own.
         data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
         cost: of a prediction, in those of the base model.
+        alike: what it may be by the tests that are fitted, which others tell apart; (): one thing alone.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Effect:
     own: bool = False
     data: Any = None
     cost: float = 1.0
+    alike: tuple[Effect, ...] = ()
 
     @property
     def label(self) -> str:

@@ -1,38 +1,24 @@
-"""The search of the effects that a model lacks: screening, a beam of models, one rule of adoption."""
+"""The search of the effects that a model lacks: screening, a beam of models, and the gates of `adoption.py`."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
+from edesign.calibration.search.adoption import Adoption, Tried, sure
 from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter, Start
 from edesign.calibration.search.problem import Problem
-from edesign.calibration.search.pruning import Pruning
 from edesign.calibration.search.screening import Screening, screen
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.calibration.search.variants import Variants
-from edesign.estimation.left_out import LEAST, Difference
+from edesign.estimation.left_out import LEAST
 from edesign.estimation.noise import Noise
 
 Ending = Literal["complete", "effort_spent", "interrupted"]
 Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True)
-class Tried:
-    """A model that was compared with the best one so far.
-
-    Attributes:
-        model: fitted to the end.
-        difference: by how much it predicts better.
-    """
-
-    model: FittedModel
-    difference: Difference
 
 
 @dataclass(frozen=True)
@@ -94,9 +80,8 @@ class Search:
         """Search until the next depth, fully searched, does not pass the rule, or until the effort is spent."""
         base = self._base()
         self._best, self._depths, self._rivals = base, list[Depth](), list[tuple[Tried, ...]]()
-        self._visited = {base.names}
         self._variants = Variants(self._fitter, base)
-        self._pruning = Pruning(self._fitter, self._variants)
+        self._adoption = Adoption(self._fitter, self._variants, base)
         ending: Ending = "complete"
         try:
             self._grow()
@@ -117,12 +102,7 @@ class Search:
             adopted = self._depths[-1].adopted
             if adopted is None:
                 break
-            self._adopt(adopted)
-
-    def _adopt(self, model: FittedModel) -> None:
-        """Make a model the best one; no set of effects is that twice, so that the search comes to its end."""
-        self._best = model
-        self._visited.add(model.names)
+            self._best = self._adoption.take(adopted)
 
     def _swap(self) -> bool:
         """Try other effects in the place of each one; return whether one of them is surely better, and was taken.
@@ -140,26 +120,13 @@ class Search:
             noise = self._fitter.noise(best, rest)
             others = self._variants.in_place(effect, rest)
             tried = [Tried(one, self._fitter.difference(one, best, noise, rest)) for one in others]
-            # what equations may be wrong by, of an effect that does much, must not hide that less is explained
-            better = [
-                one
-                for one in tried
-                if one.difference.sure
-                and one.model.names not in self._visited
-                and self._predicts_better(one.model, best)
-                and not self._pruning.insignificant_effects(one.model)
-            ]
-            if better:
-                leader = max(better, key=lambda one: one.difference.total).model
-                self._adopt(self._variants.with_best_forms(leader, noise))
+            leader = self._adoption.in_place(tried, best)
+            if leader is not None:
+                self._best = self._adoption.take(self._variants.with_best_forms(leader, noise))
                 return True
-            alike = [one for one in tried if not self._fitter.difference(best, one.model, noise, rest).sure]
+            alike = [one for one in tried if not sure(self._fitter.difference(best, one.model, noise, rest))]
             self._rivals.append(tuple(alike))
         return False
-
-    def _predicts_better(self, one: FittedModel, other: FittedModel) -> bool:
-        """Return whether a model predicts better than another one beside what this one leaves alone."""
-        return self._fitter.score(one, other.noise).total > self._fitter.score(other, other.noise).total
 
     def _base(self) -> FittedModel:
         """Return the base model, fitted."""
@@ -187,18 +154,7 @@ class Search:
             d = one.difference
             left = f"NRMS {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}"
             self._progress(f"  {one.model.label}: {left}")
-        adopted, most = None, -math.inf
-        for one in tried:
-            # of those that pass, the best by what is needed of it; parts of it may be less than the next one
-            if not one.difference.sure or one.difference.total <= most:
-                continue
-            if not self._pruning.identified_among(leaders, one.model, best, noise):
-                continue
-            needed = self._pruning.pruned(self._variants.with_best_forms(one.model, noise), best)
-            if needed is not None and needed.names not in self._visited:
-                total = self._fitter.difference(needed, best, noise, best).total
-                if total > most:
-                    adopted, most = needed, total
+        adopted = self._adoption.best_of(tried, best, noise)
         return Depth(best, screening, fitter.fitted - before, tuple(tried), adopted)
 
     def _children(self, model: FittedModel, screening: Screening, noise: Noise) -> list[FittedModel]:

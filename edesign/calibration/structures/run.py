@@ -12,10 +12,11 @@ import numpy as np
 
 from edesign.calibration.residual.series import STAGES, Errors, Series, Stage
 from edesign.calibration.results.evidence import Evidence
-from edesign.calibration.results.fit import Kept, base_estimates, kept, unbounded
+from edesign.calibration.results.fit import base_estimates, unbounded
 from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.result import Calibration, Estimate
 from edesign.calibration.results.steps import Progress, Steps, searched
+from edesign.calibration.search.adoption import Kept, kept
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -91,7 +92,7 @@ class _Outcome:
         campaign: StructureCampaign, problem: StructureProblem, found: Found, settings: SearchSettings, steps: Steps
     ) -> _Outcome:
         fitter = unbounded(found.base.problem, settings)
-        final = steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best, ()), True)
+        final = steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best), True)
         steps.progress("predicting all tests")
         centres = np.array([one.centre for one in problem.base])
         histories: dict[Stage, Sequence[np.ndarray]] = {

@@ -8,7 +8,9 @@ from dataclasses import replace
 import numpy as np
 from damper_problems import problem
 
-from edesign.calibration.results.fit import kept, unbounded, validated
+from edesign.calibration.results.evidence import why_dropped
+from edesign.calibration.results.fit import unbounded
+from edesign.calibration.search.adoption import kept, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.settings import SETTINGS
 from edesign.estimation.noise import Noise
@@ -38,17 +40,18 @@ def test_a_size_that_may_be_nothing_is_taken_off_and_told() -> None:
     model = fitted(mass=0.0)
     found = kept(unbounded(model.problem, SETTINGS), model)
     assert [one.label for one in found.model.effects] == ["offset.constant"]
-    ((before, index, why),) = found.dropped
-    assert before is model and model.effects[index].name == "inertia"
+    (one,) = found.dropped
+    assert one.model is model and model.effects[one.index].name == "inertia"
+    why = why_dropped(one)
     assert why.startswith("the 95 % interval of mass, 0 to ") and why.endswith(" kg, holds zero")  # none is below zero
 
 
 def test_the_interval_of_a_size_is_told_in_units_of_a_laboratory() -> None:
     model = fitted(mass=2000.0, zero=0.0)
-    ((_, index, why),) = kept(unbounded(model.problem, SETTINGS), model).dropped
-    low, high = re.fullmatch(r"the 95 % interval of \w+, (\S+) to (\S+) kN, holds zero", why).groups()  # type: ignore[union-attr]
+    (one,) = kept(unbounded(model.problem, SETTINGS), model).dropped
+    low, high = re.fullmatch(r"the 95 % interval of \w+, (\S+) to (\S+) kN, holds zero", why_dropped(one)).groups()  # type: ignore[union-attr]
     # noise of 0.1 kN over hundreds of samples leaves the mean of a force to far less than its own size
-    assert model.effects[index].name == "offset" and -0.1 < float(low) < 0.0 < float(high) < 0.1
+    assert model.effects[one.index].name == "offset" and -0.1 < float(low) < 0.0 < float(high) < 0.1
 
 
 def test_sizes_that_the_tests_tell_stay() -> None:
@@ -68,9 +71,9 @@ def test_an_effect_that_misleads_goes_and_the_others_stay() -> None:
 
     found = validated(fitter, sure, 0.05, error)
     assert [one.name for one in found.model.effects] == ["offset"]
-    ((before, index, why),) = found.dropped
-    assert before is model and model.effects[index].name == "inertia"
-    assert why == "with it the validation tests are predicted worse (11 %) than without it (1 %)"
+    (one,) = found.dropped
+    assert one.model is model and model.effects[one.index].name == "inertia"
+    assert why_dropped(one) == "with it the validation tests are predicted worse (11 %) than without it (1 %)"
     # no better than none: all are withheld, which is told elsewhere
     assert validated(fitter, sure, 0.001, error) is sure
     assert validated(fitter, sure, 0.2, error).model is model

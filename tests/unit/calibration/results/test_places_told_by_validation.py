@@ -9,8 +9,9 @@ import pytest
 from damper_problems import problem
 
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.results.fit import Kept, told_by_validation, unbounded, validated
+from edesign.calibration.results.fit import unbounded
 from edesign.calibration.results.predictions import validation_error
+from edesign.calibration.search.adoption import Kept, placed, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.settings import SETTINGS
 from edesign.damper.testing.measured_histories import Use
@@ -41,12 +42,12 @@ def test_a_gain_that_changed_begins_where_validation_tests_say(first: int) -> No
     def error(of: FittedModel) -> float:
         return validation_error(tests, of.effects, of.fit.values)
 
-    told = told_by_validation(model, error)
+    told = placed(model, error)
     assert told.label == f"gain.force_from_test_{first}"
     assert told.effects[0].data.constants == {"first_test": float(first)}
     assert np.array_equal(told.fit.values, model.fit.values) and told.nrms == model.nrms
     assert error(told) < 1e-9  # the tests have no noise; a gain of 8 % at the wrong place leaves 0.6 % of the power
-    assert validated(fitter, Kept(told, ()), error(refit), error).model is told
+    assert validated(fitter, Kept(told), error(refit), error).model is told
     if first == 3:
         assert error(model) > error(refit)  # which had the effect refused
 
@@ -58,4 +59,4 @@ def test_what_fitted_tests_tell_is_left_as_it_is() -> None:
     values = np.array([*(one.centre for one in tests.base), GAIN])
     model = unbounded(tests, SETTINGS).fit((sought,), values, Noise.white(tests.deviations), 0)
     assert model is not None
-    assert told_by_validation(model, lambda _: 1.0) is model
+    assert placed(model, lambda _: 1.0) is model

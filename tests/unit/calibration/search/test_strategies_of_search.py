@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from curve_problem import DRAG, OWN, Change, CurveProblem, effect
 
+from edesign.calibration.search.adoption import Adoption, sure
 from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.problem import Effect
-from edesign.calibration.search.pruning import Pruning
 from edesign.calibration.search.search import Found, Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.estimation.left_out import Difference, score
@@ -86,7 +86,7 @@ def test_the_best_model_may_be_unsure_and_another_one_sure() -> None:
     problem = CurveProblem(effects=(same, small), truth=((varies, (1.0,)), (small, (0.1,))))
     result = found(problem)
     first, *others = result.depths[0].tried
-    assert "same" in first.model.names and not first.difference.sure
+    assert "same" in first.model.names and not sure(first.difference)
     assert result.best.names == {"small"} and "small.x" in [one.model.label for one in others]
 
 
@@ -337,8 +337,8 @@ def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
 
 def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = better_than_all(monkeypatch)
-    monkeypatch.setattr(Search, "_predicts_better", lambda *_: True)
-    monkeypatch.setattr(Pruning, "insignificant", lambda *_: False)
+    monkeypatch.setattr(Adoption, "_predicts_better", lambda *_: True)
+    monkeypatch.setattr(Adoption, "insignificant", lambda *_: False)
     assert found(problem, depth=1, pairs=0).ending == "complete"
 
 
