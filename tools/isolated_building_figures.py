@@ -10,8 +10,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from edesign.calibration import calibrate
 from edesign.calibration.structures.campaign import load_structure_campaign
-from edesign.calibration.structures.run import calibrate_structure
 from edesign.report.calibration.figures import calibration_figures
 
 WANTED = {"peaks": "peaks", "history-ICA50": "history"}
@@ -19,7 +19,7 @@ WANTED = {"peaks": "peaks", "history-ICA50": "history"}
 
 def main(campaign: Path, folder: Path) -> None:
     """Write the figures."""
-    found = calibrate_structure(load_structure_campaign(campaign), progress=lambda what: print(what, flush=True))
+    found = calibrate(load_structure_campaign(campaign), progress=lambda what: print(what, flush=True))
     for name, _, figure in calibration_figures(found):
         if name in WANTED:
             figure.savefig(folder / f"isolated_building_{WANTED[name]}.svg")

@@ -3,21 +3,22 @@
 `search` holds what a problem owes the search for effects, `signals` what is known of measured channels. `form.py` is a
 form of an effect, `problems.py` what problems have in common. These are `dampers`, tests of dampers, `properties`,
 tables of their moduli, and `structures`, records of buildings; `residual` is what a model leaves of tests. Parameters,
-priors and fits are those of `estimation`. `results` makes of what a search found what the user gets. `run.py` does all
-of it for tests of dampers: `calibrate(campaign)`; `properties` and `structures` have a `run.py` of their own.
+priors and fits are those of `estimation`. `results` makes of what a search found what the user gets. `campaign.py`
+reads any campaign: `load(path)`; `run.py` calibrates by it: `calibrate(campaign)`; `write.py` makes the files.
 """
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
-__all__ = ["calibrate"]
+__all__ = ["calibrate", "load"]
+
+_PLACES = {"calibrate": "run", "load": "campaign"}
 
 
 def __getattr__(name: str) -> Any:
-    """Load `calibrate` when it is first asked for, so that other parts of the package stay quick."""
-    if name != "calibrate":
+    """Load a function when it is first asked for, so that other parts of the package stay quick."""
+    if name not in _PLACES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from edesign.calibration.run import calibrate
-
-    return calibrate
+    return getattr(import_module(f"{__name__}.{_PLACES[name]}"), name)

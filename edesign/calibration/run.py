@@ -1,19 +1,28 @@
-"""Calibrate a damper law by a campaign: from the tests to what the user gets."""
+"""Calibrate a declared model by a campaign: from the tests to what the user gets."""
 
 from __future__ import annotations
 
 import time as clock
 from dataclasses import replace
 
+from edesign.calibration.campaign import Campaign, DamperCampaign
 from edesign.calibration.dampers.from_campaign import damper_problem
-from edesign.calibration.results.outcome import Outcome
+from edesign.calibration.properties.campaign import PropertyCampaign
+from edesign.calibration.properties.from_campaign import property_problem
+from edesign.calibration.properties.outcome import TableOutcome
+from edesign.calibration.results.outcome import DamperOutcome
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.results.steps import Progress, Steps, searched
+from edesign.calibration.search.problem import Problem
+from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.calibration.structures.campaign import StructureCampaign
+from edesign.calibration.structures.from_campaign import structure_problem
+from edesign.calibration.structures.outcome import StructureOutcome
 from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
-from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.clipping import clipping_notes
 from edesign.one_thread import one_thread
 
 
@@ -21,33 +30,67 @@ from edesign.one_thread import one_thread
 def calibrate(
     campaign: Campaign, settings: SearchSettings = SETTINGS, threads: int = 2, progress: Progress = lambda _: None
 ) -> Calibration:
-    """Find what the law of a campaign lacks, and correct it.
+    """Find what the declared law or building of a campaign lacks, and correct it.
 
     An interrupt (Ctrl-C) ends the search, and what it has found is returned with the ending `interrupted`.
 
     Args:
-        campaign: tests, and the declared law; a law without parameters is fitted to the tests first.
+        campaign: tests, and the declared model; a law without parameters is fitted to tests of a damper first.
         settings: numbers of the search, its effort among them.
         threads: of predictions, at most so many. Results do not depend on it.
         progress: told what is done.
 
+    Returns:
+        Errors before and after, effects, and what the tests cannot tell; of a table a `PropertyCalibration`.
+
     Raises:
-        InputError: the campaign is wrong, or its law cannot be fitted to the tests.
-        KeyboardInterrupt: before the law was fitted.
+        InputError: the campaign is wrong, or its model cannot predict the tests or be fitted to them.
+        KeyboardInterrupt: before the model was fitted.
     """
     begin = clock.perf_counter()
-    campaign = with_fitted_law(campaign, threads, progress)
-    progress("preparing the tests")
-    problem = damper_problem(campaign, threads)
-    progress("fitting the law alone")
-    found = searched(problem, settings, progress, campaign.path, "law")
+    if isinstance(campaign, DamperCampaign):
+        campaign = with_fitted_law(campaign, threads, progress)
+        progress("preparing the tests")
+    problem = _problem(campaign, threads)
+    structure = isinstance(campaign, StructureCampaign)
+    progress(f"fitting the {'building' if structure else 'law'} alone")
+    found = searched(problem, settings, progress, campaign.path, "structure" if structure else "law")
     steps = Steps(progress, found.ending)
     with steps.held():
-        calibration = Outcome.of(campaign, found, settings, steps).calibration(steps)
+        calibration = _outcome(campaign, found, settings, steps).calibration(steps)
     return replace(calibration, seconds=clock.perf_counter() - begin)
 
 
-def with_fitted_law(campaign: Campaign, threads: int = 1, progress: Progress = lambda _: None) -> Campaign:
+def _problem(campaign: Campaign, threads: int) -> Problem:
+    """Return what the search works on."""
+    if isinstance(campaign, PropertyCampaign):
+        return property_problem(campaign, threads=threads)
+    if isinstance(campaign, StructureCampaign):
+        return structure_problem(campaign, threads).thinned()
+    return damper_problem(campaign, threads)
+
+
+def _outcome(
+    campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps
+) -> DamperOutcome | TableOutcome | StructureOutcome:
+    """Return what the search found, held against all samples of all tests."""
+    if isinstance(campaign, PropertyCampaign):
+        return TableOutcome.of(campaign, found, settings, steps)
+    if isinstance(campaign, StructureCampaign):
+        return StructureOutcome.of(campaign, found, settings, steps)
+    return DamperOutcome.of(campaign, found, settings, steps)
+
+
+def notes_of(campaign: Campaign) -> tuple[str, ...]:
+    """Return what should be known of a campaign before the search: how its tests were read, what of them is clipped.
+
+    Args:
+        campaign: that was read.
+    """
+    return (*campaign.notes, *clipping_notes(campaign.tests)) if isinstance(campaign, DamperCampaign) else ()
+
+
+def with_fitted_law(campaign: DamperCampaign, threads: int = 1, progress: Progress = lambda _: None) -> DamperCampaign:
     """Return the campaign with parameters of its law: as they are if it has any, else fitted to its tests.
 
     Args:

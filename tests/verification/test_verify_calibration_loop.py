@@ -16,7 +16,7 @@ from kelvin_voigt_campaign import NOISE, C, Hidden, K, campaign, lawful
 from edesign.calibration import calibrate
 from edesign.calibration.results import outcome
 from edesign.calibration.results.law_file import law_text
-from edesign.calibration.results.write import calibration_json
+from edesign.calibration.write import calibration_json
 from edesign.report.calibration.verdict import verdict_text
 
 MASS, OFFSET, LATE = 400.0, 250.0, 0.005  # kg, N, s

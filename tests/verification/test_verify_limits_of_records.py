@@ -10,7 +10,7 @@ import pytest
 from kelvin_voigt_campaign import NOISE, C, K, campaign
 
 from edesign.calibration import calibrate
-from edesign.calibration.results.write import calibration_json
+from edesign.calibration.write import calibration_json
 from edesign.report.calibration.error_tables import each_test_table
 from edesign.report.tables.text import plain
 

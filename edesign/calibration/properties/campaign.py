@@ -23,7 +23,6 @@ from edesign.damper.testing.measured_histories import Use
 from edesign.damper.testing.property_table import SAME_LEVEL, SAME_TEMPERATURE, PropertyTable, read_property_table
 from edesign.damper.testing.specimen import Specimen
 from edesign.damper.thesis_tables import measured
-from edesign.errors import InputError
 from edesign.project.document import Document
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio
@@ -31,7 +30,6 @@ from edesign.project.reading.base import Model
 from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
-from edesign.project.reading.yaml_nodes import parse
 
 KEY = "properties"
 PUBLISHED = "thesis_appendix_a"
@@ -109,6 +107,7 @@ class PropertyCampaign:
         groups: of the rows.
         path: the campaign file.
         title: for people.
+        text: of the campaign file.
         document: for the cover of a report.
     """
 
@@ -118,16 +117,13 @@ class PropertyCampaign:
     groups: tuple[Group, ...]
     path: Path
     title: str = ""
+    text: str = ""
     document: Document = Document()
 
-
-def is_property_campaign(path: Path | str) -> bool:
-    """Whether a YAML file has the key `properties`; False of one that cannot be read, which its reader tells."""
-    try:
-        root, _ = parse(read_yaml_text(Path(path), _WHAT))
-    except InputError:
-        return False
-    return root.child(KEY) is not None
+    @property
+    def label(self) -> str:
+        """The title, or else the name of the specimen."""
+        return self.title or self.specimen.name
 
 
 def load_property_campaign(path: Path | str) -> PropertyCampaign:
@@ -138,7 +134,8 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
         CampaignError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
-    file, problems = check_model(read_yaml_text(path, _WHAT), PropertyCampaignFile, _WHAT, _BEGINS)
+    text = read_yaml_text(path, _WHAT)
+    file, problems = check_model(text, PropertyCampaignFile, _WHAT, _BEGINS)
     if file is None:
         raise CampaignError(path, problems.found)
     check_specimen(file.specimen, problems)
@@ -171,7 +168,8 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
         )
     if problems.found:
         raise CampaignError(path, problems.found)
-    return PropertyCampaign(file.specimen.specimen, file.law.choice, table, groups, path, file.title, file.document)
+    of_file = path, file.title, text, file.document
+    return PropertyCampaign(file.specimen.specimen, file.law.choice, table, groups, *of_file)
 
 
 def published() -> PropertyTable:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import ClassVar, Generic, TypeVar
 
-from edesign.calibration.residual.series import Errors, Stage, Worst
+import numpy as np
+
+from edesign.calibration.residual.series import STAGES, Errors, Stage, Worst
 from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
 from edesign.calibration.results.floor import only_noise
 from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import (
+    Calibrated,
     Calibration,
     ComparedModel,
     Effect,
@@ -25,13 +29,16 @@ from edesign.calibration.results.result import (
     Verdict,
 )
 from edesign.calibration.results.steps import Steps
-from edesign.calibration.search.adoption import Dropped, Kept, misleads
+from edesign.calibration.search.adoption import Dropped, Kept, kept, misleads
 from edesign.calibration.search.models import FittedModel, Fitter
+from edesign.calibration.search.problem import Effect as SearchedEffect
 from edesign.calibration.search.search import Ending, Found
 from edesign.calibration.search.settings import SearchSettings
 from edesign.damper.testing.measured_histories import Use
+from edesign.estimation.model import PredictionError
 
 T = TypeVar("T")
+S = TypeVar("S")
 MODELS = "comparing the models of the search"
 NEXT_TEST = "asking which further test would tell more"
 OTHER_LAW = "asking whether another law does better"
@@ -40,31 +47,106 @@ NOT_DESCRIBED = "more than noise, which could not be described"
 
 
 @dataclass(frozen=True, eq=False)
-class Evidence:
-    """What the models of a search say of the effects that it found.
+class Evidence(ABC, Generic[T]):
+    """What the models of a search say of the effects that it found, and of all tests of a campaign.
+
+    What tests are of says which class below this one it is: its predictions T of all tests, errors, floor and words.
 
     Attributes:
+        found: by the search.
         settings: of the search.
-        found: by it.
         refit: the base model fitted again.
         kept: the model that stands, and what was taken off it.
-        every_error: of the tests by stage; corrected: with the effects, even if they are withheld in the end.
-        validate: NRMS of the validation tests by a model; nan: it cannot predict them.
-        not_carried: why no file carries an effect of a model, by its index, for people; "" if one does.
     """
 
-    settings: SearchSettings
     found: Found
+    settings: SearchSettings
     refit: FittedModel
     kept: Kept
-    every_error: Mapping[Stage, Errors]
-    validate: Callable[[FittedModel], float]
-    not_carried: Callable[[FittedModel, int], str]
+
+    asked: ClassVar[tuple[str, ...]] = (NEXT_TEST,)
+    """Further steps that are taken."""
+
+    @abstractmethod
+    def predict(self, effects: Sequence[SearchedEffect], values: np.ndarray) -> T:
+        """Return what a model predicts of all tests.
+
+        Args:
+            effects: of the model.
+            values: (p,) SI.
+
+        Raises:
+            PredictionError: there is no prediction.
+        """
+
+    @abstractmethod
+    def errors_of(self, predicted: T) -> Errors:
+        """Return the errors of a prediction.
+
+        Args:
+            predicted: of all tests.
+        """
+
+    @abstractmethod
+    def not_carried(self, model: FittedModel, index: int) -> str:
+        """Return why no file carries an effect of a model, for people; "" if one does.
+
+        Args:
+            model: fitted.
+            index: of the effect.
+        """
+
+    @abstractmethod
+    def floor(self) -> tuple[Mapping[Use, float], Worst | None]:
+        """Return the NRMS of what no model can predict by the use of tests, and the test that leaves more than that."""
+
+    @abstractmethod
+    def shape(self) -> str:
+        """Return in words what is left."""
+
+    @abstractmethod
+    def calibrated(self) -> Calibrated:
+        """Return the campaign, and its model at each stage."""
+
+    def next_test(self) -> NextTest | None:
+        """Return which further test would tell more."""
+        raise NotImplementedError
+
+    def other_law(self) -> OtherLaw | None:
+        """Return a law that does better. It is asked for where more than noise is left."""
+        raise NotImplementedError
+
+    @cached_property
+    def every_prediction(self) -> dict[Stage, T]:
+        """Predictions of all tests by stage; corrected: with the effects, even if they are withheld."""
+        declared, stands = np.array([one.centre for one in self.found.base.fit.model.parameters]), self.kept.model
+        return {
+            "declared": self.predict((), declared),
+            "refit": self.predict((), self.refit.fit.values),
+            "corrected": self.predict(stands.effects, stands.fit.values),
+        }
+
+    def validate(self, model: FittedModel) -> float:
+        """Return the NRMS of the validation tests by a model; nan: it cannot predict them.
+
+        Args:
+            model: fitted.
+        """
+        try:
+            error = self.errors_of(self.predict(model.effects, model.fit.values)).validate
+        except PredictionError:
+            return math.nan
+        return error if math.isfinite(error) else math.nan
 
     @cached_property
     def fitter(self) -> Fitter:
         """Fits models at the sampling of the search, without a limit."""
         return unbounded(self.found.base.problem, self.settings)
+
+    @cached_property
+    def every_error(self) -> dict[Stage, Errors]:
+        """Errors by stage; corrected: with the effects, even if they are withheld."""
+        return {stage: self.errors_of(self.every_prediction[stage]) for stage in STAGES}
 
     @cached_property
     def withheld(self) -> str:
@@ -85,51 +167,38 @@ class Evidence:
     @property
     def errors(self) -> dict[Stage, Errors]:
         """Errors by stage."""
-        return self.staged(self.every_error)
+        return self._staged(self.every_error)
 
-    def staged(self, every: Mapping[Stage, T]) -> dict[Stage, T]:
-        """Return what each stage has: the corrected one that of the refit where the effects are withheld.
+    @property
+    def predicted(self) -> dict[Stage, T]:
+        """Predictions of all tests by stage."""
+        return self._staged(self.every_prediction)
 
-        Args:
-            every: by stage; corrected: with the effects.
-        """
+    def _staged(self, every: Mapping[Stage, S]) -> dict[Stage, S]:
+        """Return what each stage has: the corrected one that of the refit where the effects are withheld."""
         return {**every, "corrected": every["refit"]} if self.withheld else dict(every)
 
-    def calibration(
-        self,
-        steps: Steps,
-        floor: Mapping[Use, float],
-        worst: Worst | None,
-        shape: Callable[[], str],
-        next_test: Callable[[], NextTest | None] | None = None,
-        other_law: Callable[[], OtherLaw | None] | None = None,
-        **facts: Any,
-    ) -> Calibration:
+    def calibration(self, steps: Steps) -> Calibration:
         """Return all of it for people and files.
 
         Args:
             steps: taken after the search.
-            floor: NRMS of what no model can predict, by the use of tests.
-            worst: test that leaves more than noise.
-            shape: says in words what is left.
-            next_test: asks which further test would tell more.
-            other_law: asks whether another law does better; it is asked where more than noise is left.
-            facts: all else of a calibration, by its names there.
         """
-        errors = self.errors
+        errors, calibrated, (floor, worst) = self.errors, self.calibrated(), self.floor()
         reached = only_noise(errors["corrected"], floor, worst)
         effects, hypotheses = self.effects(steps)
         verdict = verdict_of(reached, bool(effects), steps.ending)
         further = better = None
-        if next_test is not None:
-            further = steps.take(NEXT_TEST, next_test, None)
-        if other_law is not None and not reached:
-            better = steps.take(OTHER_LAW, other_law, None)
-        left = "" if reached else steps.guard("describing what is left", shape, NOT_DESCRIBED)
+        if NEXT_TEST in self.asked:
+            further = steps.take(NEXT_TEST, self.next_test, None)
+        if OTHER_LAW in self.asked and not reached:
+            better = steps.take(OTHER_LAW, self.other_law, None)
+        left = "" if reached else steps.guard("describing what is left", self.shape, NOT_DESCRIBED)
         compared: tuple[ComparedModel, ...] = ()
         if steps.ending != "interrupted":
             compared = steps.guard(MODELS, lambda: self.posterior.compared(), ())
         return Calibration(
+            **vars(calibrated),
             verdict=verdict,
             ending=steps.ending,
             errors=errors,
@@ -148,7 +217,6 @@ class Evidence:
             other_law=better,
             worst=worst,
             failed=dict(steps.failed),
-            **facts,
         )
 
     @cached_property
@@ -224,6 +292,18 @@ class Evidence:
             meanings=effect.data.meanings,
             titles=titles,
         )
+
+
+def weighed(found: Found, settings: SearchSettings, steps: Steps) -> Kept:
+    """Return what a search found without effects that may be nothing, at its sampling.
+
+    Args:
+        found: by the search.
+        settings: of it.
+        steps: taken after it.
+    """
+    fitter = unbounded(found.base.problem, settings)
+    return steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best), True)
 
 
 def why_dropped(one: Dropped) -> str:

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.result import Estimate
 from edesign.calibration.search.adoption import STEPS
 from edesign.calibration.search.models import FittedModel, Fitter
@@ -91,3 +92,15 @@ def law_estimates(problem: DamperProblem, model: FittedModel | None) -> dict[str
     if model is not None:
         found |= base_estimates(model)
     return found
+
+
+def law_stages(problem: DamperProblem, refit: FittedModel, final: FittedModel) -> dict[Stage, dict[str, Estimate]]:
+    """Return the parameters of the law by stage and name.
+
+    Args:
+        problem: of the tests.
+        refit: the law fitted again.
+        final: the corrected model.
+    """
+    models: dict[Stage, FittedModel | None] = {"declared": None, "refit": refit, "corrected": final}
+    return {stage: law_estimates(problem, model) for stage, model in models.items()}

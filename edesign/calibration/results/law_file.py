@@ -7,7 +7,7 @@ damper, as it has no such form, says so.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -40,6 +40,8 @@ from edesign.errors import InputError
 _STRAIGHT = 1e9  # K: p2 of Ferry's shift, beside which any difference of temperatures is nothing
 _APART = 2.5  # K between rows of a table of gamma_T, beside those at the temperatures of the tests
 _CONSTANT = "constant"
+LAW = "law.yaml"
+"""Name of the file of a corrected law."""
 ARRANGEMENT = "arrangement"
 """Name of the effect that tables of moduli may show: other arrangements of the law's elements."""
 
@@ -237,18 +239,50 @@ def own_temperature(problem: DamperProblem) -> GammaT | None:
 
 
 def law_text(found: Calibration, campaign: Campaign) -> str:
-    """Return the law file: parameters, effects of the damper, specimen, what the tests covered."""
-    law, file = law_of(found.law), found.law_file
-    data: dict[str, object] = {"type": found.law, "parameters": write_parameters(law, file.parameters)}
-    if file.amendments:
-        data["effects"] = write_effects(file.amendments)
+    """Return the law file of tests of a damper.
+
+    Args:
+        found: by the calibration.
+        campaign: the tests.
+    """
+    parameters = write_parameters(law_of(found.law), found.law_file.parameters)
+    effects = write_effects(found.law_file.amendments)
+    return law_file_text(found, parameters, effects, campaign.specimen, _tested(found, campaign.specimen), _head(found))
+
+
+def law_file_text(
+    found: Calibration,
+    parameters: Mapping[str, object],
+    effects: Sequence[Mapping[str, object]],
+    specimen: Specimen | None,
+    tested: Mapping[str, str],
+    head: Sequence[str],
+) -> str:
+    """Return the law file: parameters, effects of the damper, specimen, what the tests covered.
+
+    Args:
+        found: by the calibration.
+        parameters: of the law as the file has them.
+        effects: of the damper as the file has them.
+        specimen: what was tested; None: it has no layers.
+        tested: ranges, as text.
+        head: comments at the top, before what the law lacks.
+    """
+    file = found.law_file
+    data: dict[str, object] = {"type": found.law, "parameters": parameters}
+    if effects:
+        data["effects"] = effects
     if file.temperature is not None:
-        data["temperature_law"] = temperature_block(file.temperature)
-    if campaign.specimen is not None:
-        data["prototype"] = prototype_block(campaign.specimen)
-    data["tested"] = _tested(found, campaign.specimen)
-    head = "".join(f"# {line}\n" for line in _head(found))
-    return head + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
+        data["temperature_law"] = _temperature_block(file.temperature)
+    if specimen is not None:
+        data["prototype"] = {
+            "layers": specimen.layers,
+            "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
+            "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
+        }
+    data["tested"] = tested
+    lines = "".join(f"# {line}\n" for line in head)
+    return lines + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 
 
 def _head(found: Calibration) -> list[str]:
@@ -302,16 +336,7 @@ def law_lines(found: Calibration) -> list[str]:
     return lines
 
 
-def prototype_block(specimen: Specimen) -> dict[str, object]:
-    """Return what was tested as the block `prototype` of a law file."""
-    return {
-        "layers": specimen.layers,
-        "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
-        "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
-    }
-
-
-def temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
+def _temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
     """Return a change with temperature as the block `temperature_law` of a law file."""
     if isinstance(law, FerryShift):
         return {"ferry": {"p1": law.p1, "p2": f"{law.p2:.12g} K", "reference": f"{law.reference:g} degC"}}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from pathlib import Path
+from typing import Literal, Protocol
 
 from edesign.calibration.residual.series import Errors, Series, Stage, Worst
 from edesign.calibration.search.problem import Kind
@@ -12,6 +13,7 @@ from edesign.calibration.search.search import Ending
 from edesign.damper.amendments import Amendment
 from edesign.damper.temperature import FerryShift, GammaOf, GammaT
 from edesign.notebook import facts_html
+from edesign.project.document import Document
 
 Subject = Literal["damper", "structure", "table"]
 """What was measured: tests of a damper, records of a structure, a table of a damper's moduli."""
@@ -209,15 +211,69 @@ class OtherLaw:
     own_validate: float
 
 
-@dataclass(frozen=True, eq=False)
-class Calibration:
-    """What a calibration found in a campaign: of tests of a damper, records of a structure, or a table of moduli.
+class Tested(Protocol):
+    """A campaign, whatever its tests are of."""
+
+    @property
+    def path(self) -> Path:
+        """The campaign file."""
+
+    @property
+    def text(self) -> str:
+        """Text of the campaign file."""
+
+    @property
+    def label(self) -> str:
+        """Title, or else the name of what was tested."""
+
+    @property
+    def document(self) -> Document:
+        """For the cover of a report."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Calibrated:
+    """What was calibrated: a campaign, and its model at each stage.
+
+    Attributes:
+        campaign: of tests of a damper, records of a structure, or a table of moduli.
+        subject: what was measured.
+        law: name of the declared law; "" of a structure on a fixed base.
+        parameters: of the law, by stage.
+        law_held: whether the campaign has the declared parameters held.
+        held: parameters of the law that are not fitted, as others do what they do: with the reason.
+        law_file: the law as the law file has it; of a structure that of its isolation layer, if it has one.
+        series: of each test, or each channel of it; () of a table.
+        lasting: whether the law remembers extremes from test to test.
+        gamma_of: what gamma_T of an MGMM multiplies.
+        fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
+    """
+
+    campaign: Tested
+    subject: Subject
+    law: str
+    parameters: Mapping[Stage, Mapping[str, Estimate]]
+    law_held: bool
+    held: Mapping[str, str] = field(default_factory=dict)
+    law_file: LawFile
+    series: tuple[Series, ...] = ()
+    lasting: bool = False
+    gamma_of: GammaOf = "parameters"
+    fitted_first: bool = False
+
+    @property
+    def title(self) -> str:
+        """Title of the campaign, or else the name of what was tested."""
+        return self.campaign.label
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Calibration(Calibrated):
+    """What a calibration found in a campaign.
 
     Errors are NRMS: of a table the mean squares of relative errors of G', G_eq and loss factor.
 
     Attributes:
-        title: of the campaign.
-        law: name of the declared law; "" of a structure on a fixed base.
         verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
             than noise is left; nothing_found: something is missing, and no effect known here passes; not_searched:
             something is missing, and the search ended before all known effects were screened. Noise is left where it
@@ -228,9 +284,6 @@ class Calibration:
             changes; `noise_floor_fit` in the others.
         effects: in the order of adoption, and in a round of what they explain.
         hypotheses: effects that were found and are no part of the corrected law.
-        parameters: of the law, by stage.
-        law_held: whether the campaign has the declared parameters held.
-        series: of each test, or each channel of it; () of a table.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
         unexplained_shape: for people; "" if only noise is left.
         models: of the search, the most probable first.
@@ -238,20 +291,12 @@ class Calibration:
         forms: number of forms of effects that the tests may show.
         effort: weighted evaluations that the search took, of at most `most_effort`.
         next_test: what would separate look-alikes; None: nothing is left to separate, or no test would.
-        law_file: the law as the law file has it; of a structure that of its isolation layer, if it has one.
         other_law: a law that does better; None: none does, or none was asked for.
         worst: test that leaves most over its noise, of those that leave more than noise; None: none does.
         seconds: that the calibration took.
-        held: parameters of the law that are not fitted, as others do what they do: with the reason.
-        lasting: whether the law remembers extremes from test to test.
-        gamma_of: what gamma_T of an MGMM multiplies.
-        fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
-        subject: what was measured.
         failed: steps after the search that failed, by what they do, with the reason, for people.
     """
 
-    title: str
-    law: str
     verdict: Verdict
     ending: Ending
     errors: Mapping[Stage, Errors]
@@ -259,9 +304,6 @@ class Calibration:
     noise_floor_fit: float
     effects: tuple[Effect, ...]
     hypotheses: tuple[Hypothesis, ...]
-    parameters: Mapping[Stage, Mapping[str, Estimate]]
-    law_held: bool
-    series: tuple[Series, ...]
     unexplained_share: float
     unexplained_shape: str
     models: tuple[ComparedModel, ...]
@@ -269,16 +311,10 @@ class Calibration:
     forms: int
     effort: float
     most_effort: float
-    next_test: NextTest | None
-    law_file: LawFile
+    next_test: NextTest | None = None
     other_law: OtherLaw | None = None
     worst: Worst | None = None
     seconds: float = 0.0
-    held: Mapping[str, str] = field(default_factory=dict)
-    lasting: bool = False
-    gamma_of: GammaOf = "parameters"
-    fitted_first: bool = False
-    subject: Subject = "damper"
     failed: Mapping[str, str] = field(default_factory=dict)
 
     def __repr__(self) -> str:

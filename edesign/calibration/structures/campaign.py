@@ -20,7 +20,6 @@ from edesign.project.document import Document
 from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
-from edesign.project.reading.yaml_nodes import parse
 from edesign.tables.compressed import read_table
 from edesign.tables.table import Table
 
@@ -72,10 +71,10 @@ class StructureCampaign:
     text: str = ""
     document: Document = Document()
 
-
-def is_structure_campaign(path: Path | str) -> bool:
-    """Whether a campaign file is one of a structure: it has the key `structure`."""
-    return parse(read_yaml_text(Path(path), _WHAT))[0].child("structure") is not None
+    @property
+    def label(self) -> str:
+        """The title, or else the name of the structure."""
+        return self.title or self.name
 
 
 def load_structure_campaign(path: Path | str) -> StructureCampaign:

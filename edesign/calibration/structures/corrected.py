@@ -10,9 +10,9 @@ import yaml
 
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
+from edesign.calibration.results.law_file import LAW
 from edesign.calibration.results.result import Calibration, LawFile
 from edesign.calibration.results.result import Effect as FoundEffect
-from edesign.calibration.results.write import LAW, STRUCTURE
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.structures.building import Building
@@ -25,6 +25,7 @@ from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 
+STRUCTURE = "structure.yaml"
 BOUC_WEN, FRICTION = "law_beside_bouc_wen.yaml", "law_beside_elastic_plastic.yaml"
 FILES = (STRUCTURE, LAW, BOUC_WEN, FRICTION)
 """Files of a corrected building; those of laws are of isolated ones."""

@@ -163,6 +163,11 @@ class StructureProblem(TestedProblem):
         shortest = min(test.base.size for test in self.tests)
         return replace(self, every=_in_steps(min(int(1.0 / (_PER_CYCLE * fastest)), shortest // _FEWEST)))
 
+    @property
+    def full_rate(self) -> StructureProblem:
+        """The problem with all samples compared."""
+        return replace(self, every=1)
+
     def flat(self, test: int, values: np.ndarray) -> np.ndarray:
         """Return channels (t, channels), SI, as the search takes them (n_i,), one after the other.
 

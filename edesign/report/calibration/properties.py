@@ -7,40 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.properties.residual_words import relative_errors
-from edesign.calibration.properties.run import PropertyCalibration
 from edesign.damper.testing.steady_state import PropertyRows
 from edesign.report.calibration.error_tables import STAGES
-from edesign.report.calibration.tables import (
-    effect_parameters_table,
-    effects_table,
-    hypotheses_table,
-    law_table,
-    models_table,
-)
 from edesign.report.calibration.units import percent
 from edesign.report.damper.property_figures import QUANTITIES, property_figure, residual_figure
 from edesign.report.tables.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-
-def property_tables(calibration: PropertyCalibration) -> list[Table]:
-    """All tables, in the order of a report on a terminal."""
-    return [
-        property_errors_table(calibration),
-        each_group_table(calibration),
-        *property_effect_tables(calibration),
-        law_table(calibration.found),
-    ]
-
-
-def property_effect_tables(calibration: PropertyCalibration) -> list[Table]:
-    """Effects, their parameters, hypotheses and the models that were compared; those without rows left out."""
-    found = calibration.found
-    tables = effects_table(found), effect_parameters_table(found), hypotheses_table(found), models_table(found)
-    return [table for table in tables if table.rows]
 
 
 def property_errors_table(calibration: PropertyCalibration) -> Table:
@@ -68,7 +44,7 @@ def each_group_table(calibration: PropertyCalibration) -> Table:
         name="property_errors_by_condition",
     )
     for group in calibration.campaign.groups:
-        errors = [calibration.found.errors[stage].tests[group.name] for stage in STAGES]
+        errors = [calibration.errors[stage].tests[group.name] for stage in STAGES]
         table.rows.append([group.name, group.use, *(percent(float(np.sqrt(e))) for e in errors)])
     return table
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 
 from edesign.calibration.dampers.effects import TABLES
+from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.law_file import parameters_in_law_files
 from edesign.calibration.results.practical_units import practical
@@ -13,6 +14,7 @@ from edesign.calibration.results.result import Calibration, Effect, Estimate
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.error_tables import MODELS, each_test_table, errors_table, starts_table
+from edesign.report.calibration.properties import each_group_table, property_errors_table
 from edesign.report.calibration.units import UNKNOWN, interval_text, percent, value_text
 from edesign.report.calibration.words import name_of, numbers_text, probability_text, searched
 from edesign.report.tables.table import Table, formatted
@@ -26,17 +28,22 @@ def tables_of(calibration: Calibration) -> list[Table]:
     Args:
         calibration: what was found.
     """
-    tables = [
-        errors_table(calibration),
-        each_test_table(calibration),
-        starts_table(calibration),
-        effects_table(calibration),
-        effect_parameters_table(calibration),
-        hypotheses_table(calibration),
-        models_table(calibration),
-        law_table(calibration),
-    ]
+    if isinstance(calibration, PropertyCalibration):
+        first = [property_errors_table(calibration), each_group_table(calibration)]
+    else:
+        first = [errors_table(calibration), each_test_table(calibration), starts_table(calibration)]
+    tables = [*first, *effect_tables(calibration), law_table(calibration)]
     return [table for table in tables if table.rows]
+
+
+def effect_tables(calibration: Calibration) -> list[Table]:
+    """Return effects, their parameters, hypotheses and the models that were compared; those without rows left out.
+
+    Args:
+        calibration: what was found.
+    """
+    makers = effects_table, effect_parameters_table, hypotheses_table, models_table
+    return [table for make in makers if (table := make(calibration)).rows]
 
 
 def effects_table(calibration: Calibration) -> Table:

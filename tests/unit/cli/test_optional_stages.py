@@ -161,7 +161,7 @@ CASES = {
         CALIBRATED,
     ),
     "calibrate table": Case(
-        *(_table, "edesign.report.page.property_calibration.property_calibration_page", "the report"),
+        *(_table, "edesign.report.page.calibration.calibration_page", "the report"),
         CALIBRATED[:2],
     ),
     "fit figures": Case(
@@ -351,7 +351,7 @@ def test_a_law_file_that_cannot_be_made_leaves_all_that_was_found(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = _campaign(*CALIBRATE)()
-    _break(monkeypatch, "edesign.calibration.results.write.law_text", KeyError("T0"))
+    _break(monkeypatch, "edesign.calibration.write.law_text", KeyError("T0"))
     assert main(words) == 5
     said = capsys.readouterr().err
     assert "the corrected model failed: an error in edesign itself (KeyError: 'T0')" in said
@@ -361,7 +361,7 @@ def test_a_law_file_that_cannot_be_made_leaves_all_that_was_found(
     monkeypatch.undo()
     monkeypatch.chdir(tmp_path)
     assert main([*words, "--no-page", "--quiet"]) == 0
-    _break(monkeypatch, "edesign.calibration.results.write.law_text", KeyError("T0"))
+    _break(monkeypatch, "edesign.calibration.write.law_text", KeyError("T0"))
     assert main([*words, "--no-page", "--quiet"]) == 5
     assert "out/calibration.json is written (out/law.yaml is of an earlier run)" in capsys.readouterr().err
 
@@ -370,7 +370,7 @@ def test_a_section_of_a_calibration_says_why_it_is_not_there(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = _campaign(*CALIBRATE)()
-    _break(monkeypatch, "edesign.report.page.sections.calibration.effects_table", KeyError("T0"))
+    _break(monkeypatch, "edesign.report.calibration.tables.effects_table", KeyError("T0"))
     _break(monkeypatch, "edesign.report.page.sections.calibration.loop_figures", ValueError("no loop"))
     assert main(words) == 5
     said = capsys.readouterr().err

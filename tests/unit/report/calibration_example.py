@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from edesign.calibration.results.result import (
     NextTest,
     SearchDepth,
 )
+from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.measured_histories import Use
 
 K, C = 2.0e6, 4.0e4  # N/m, N s/m
@@ -106,7 +108,8 @@ def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE)
     found = (gain(),) if effects is None else effects
     labels = tuple(one.label for one in found)
     return Calibration(
-        title="two sines",
+        campaign=Campaign(None, None, (), Path("campaign.yaml"), "two sines"),
+        subject="damper",
         law="kelvin_voigt",
         errors=errors,
         noise_floor=floors[1],

@@ -377,7 +377,8 @@ def test_the_page_tells_all_numbers_without_script_or_links() -> None:
 
 
 def test_a_page_without_effects_shows_what_is_left() -> None:
-    page = page_text_of(replace(example.more_is_left(), title="<b>a & b</b>"))
+    found = example.more_is_left()
+    page = page_text_of(replace(found, campaign=replace(found.campaign, title="<b>a & b</b>")))  # type: ignore[type-var]
     assert "&lt;b&gt;a &amp; b&lt;/b&gt;" in page and "<b>a" not in page
     text = text_of(page)
     assert "Nothing found" in text and "no effect known here explains what is left" in text

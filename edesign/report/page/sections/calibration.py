@@ -22,13 +22,7 @@ from edesign.report.calibration.figures import Figures
 from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
 from edesign.report.calibration.residual_figures import dependence_figures, map_figures
 from edesign.report.calibration.structure_figures import history_figures, peak_figures, spectrum_figures
-from edesign.report.calibration.tables import (
-    effect_parameters_table,
-    effects_table,
-    hypotheses_table,
-    law_table,
-    models_table,
-)
+from edesign.report.calibration.tables import effect_tables, law_table
 from edesign.report.calibration.units import percent, scale_of
 from edesign.report.calibration.verdict import no_next_test, verdict_paragraphs
 from edesign.report.calibration.view import View
@@ -91,10 +85,10 @@ def errors(view: View) -> Section:
 def effects(view: View) -> Section:
     """Return effects, their parameters with intervals, and the models that were compared."""
     found = view.calibration
-    tables = (effects_table(found), effect_parameters_table(found), hypotheses_table(found), models_table(found))
-    parts: list[Part] = [table for table in tables if table.rows]
     text = () if found.effects else ("No effect was adopted.",)
-    return Section("effects", "Effects, and how sure they are", text, (*parts, *_pictures(view, effect_figures)))
+    return Section(
+        "effects", "Effects, and how sure they are", text, (*effect_tables(found), *_pictures(view, effect_figures))
+    )
 
 
 def open_questions(view: View) -> Section:

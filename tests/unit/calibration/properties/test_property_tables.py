@@ -9,20 +9,21 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from edesign.calibration import calibrate, load
 from edesign.calibration.properties.campaign import load_property_campaign
 from edesign.calibration.properties.corrected import table_law
 from edesign.calibration.properties.from_campaign import property_problem
 from edesign.calibration.properties.next_test import next_test
+from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.properties.problem import PropertyProblem
 from edesign.calibration.properties.repeatability import QUANTITIES, repeatability
-from edesign.calibration.properties.run import PropertyCalibration, calibrate_properties
-from edesign.calibration.properties.write import write_property_files
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.fit import unbounded
 from edesign.calibration.results.models import Posterior
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.settings import SETTINGS
+from edesign.calibration.write import write_files
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
@@ -173,33 +174,35 @@ def _calibrated(folder: Path, c: float = 0.0, alpha: float = 1.0, peak: float = 
             lines.append(f"20,{100 * strain:g},{frequency:g},{1e-6 * G:.5f},{1e-6 * G_eq:.5f},{n:.5f}")
     (folder / "table.csv").write_text("\n".join(lines) + "\n")
     (folder / "campaign.yaml").write_text(MADE)
-    return calibrate_properties(load_property_campaign(folder / "campaign.yaml"), threads=1)
+    found = calibrate(load(folder / "campaign.yaml"), threads=1)
+    assert isinstance(found, PropertyCalibration)
+    return found
 
 
 def _left(found: PropertyCalibration, stage: Stage) -> float:
     """Relative error of rows held out, rms."""
-    return float(np.sqrt(found.found.errors[stage].validate))
+    return float(np.sqrt(found.errors[stage].validate))
 
 
 def test_nothing_is_found_where_nothing_is(tmp_path: Path) -> None:
     found = _calibrated(tmp_path)
-    assert (found.found.verdict, found.found.effects) == ("none", ())
+    assert (found.verdict, found.effects) == ("none", ())
     assert 0.9 * NOISE < found.repeats < 1.6 * NOISE  # the upper end of what the table leaves open
     for name, true in (("k0", K0), ("k1", K1), ("c1", C1)):
-        assert found.found.parameters["corrected"][name].value == pytest.approx(true, rel=0.06)
+        assert found.parameters["corrected"][name].value == pytest.approx(true, rel=0.06)
     assert _left(found, "corrected") < 1.3 * NOISE
 
 
 def test_a_peak_read_too_large_is_no_part_of_the_damper(tmp_path: Path) -> None:
     """No law makes G_eq 8 % too large at one G' and loss factor."""
     found = _calibrated(tmp_path, peak=0.08)
-    (effect,) = found.found.effects
-    assert (effect.label, found.found.verdict) == ("peak_reading.share", "explained")
+    (effect,) = found.effects
+    assert (effect.label, found.verdict) == ("peak_reading.share", "explained")
     low, high = effect.parameters["share"].interval
     assert effect.parameters["share"].value == pytest.approx(0.08, abs=0.005) and low < 0.08 < high
-    law = found.found.law_file
+    law = found.law_file
     assert law.amendments == () and law.measurement_effects[0].startswith("peak_reading.share (instrument)")
-    paths = write_property_files(found, tmp_path)
+    paths = write_files(found, tmp_path)
     assert [path.name for path in paths] == ["calibration.json", "law.yaml"]
     written = resolve(*read_law_file(tmp_path / "law.yaml"), None)
     assert written.values["k0"] == pytest.approx(K0, rel=0.03)
@@ -212,7 +215,7 @@ def test_a_peak_read_too_large_is_no_part_of_the_damper(tmp_path: Path) -> None:
 def test_a_power_of_the_velocity(tmp_path: Path) -> None:
     """A dashpot of 6 kN at 0.1 m/s with alpha = 0.3 beside a Zener solid: about a sixth of the force."""
     found = _calibrated(tmp_path, 6e3 / 0.1**0.3, 0.3)
-    assert "velocity_exponent" in {one.name for one in found.found.effects}
+    assert "velocity_exponent" in {one.name for one in found.effects}
     assert _left(found, "corrected") < 1.5 * NOISE
     assert _left(found, "refit") > 3.0 * NOISE
 

@@ -15,10 +15,10 @@ from edesign.calibration.results.evidence import verdict_of
 from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.law_file import law_text
 from edesign.calibration.results.result import Calibration
-from edesign.calibration.results.write import calibration_json
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Search
 from edesign.calibration.search.settings import SETTINGS
+from edesign.calibration.write import calibration_json
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.testing.campaign import Campaign

@@ -12,13 +12,13 @@ import yaml
 from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
+from edesign.calibration import calibrate
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.structures.building import Building, Damping
 from edesign.calibration.structures.campaign import Isolation, StructureCampaign
 from edesign.calibration.structures.corrected import corrected_texts
 from edesign.calibration.structures.record import Channel, StructureTest
-from edesign.calibration.structures.run import calibrate_structure
 
 STEP, SAMPLES = 0.01, 700
 MASSES, STOREYS, RATIO = np.array([1e5, 1e5, 8e4]), np.array([9e7, 8e7, 6e7]), 0.03
@@ -112,7 +112,7 @@ def isolated(strength: float = 0.0, yielding: float = 0.004) -> Made:
 
 def calibrated(made: Made, on_layer: bool = False, late: int = 0, declared: float = 1.0) -> Calibration:
     """What the search says of a campaign."""
-    return calibrate_structure(campaign_of(made, on_layer, late, declared), threads=1)
+    return calibrate(campaign_of(made, on_layer, late, declared), threads=1)
 
 
 def campaign_of(made: Made, on_layer: bool = False, late: int = 0, declared: float = 1.0) -> StructureCampaign:
@@ -163,7 +163,7 @@ def test_nothing_is_found_in_a_building_as_declared(on_layer: bool) -> None:
 )
 def test_what_a_building_hides(made: Made, label: str, value: float, key: str, expected: list[float]) -> None:
     campaign = campaign_of(made)
-    found = calibrate_structure(campaign, threads=1)
+    found = calibrate(campaign, threads=1)
     assert found.verdict == "explained"
     # the damping of few cycles is less sure than frequencies are
     assert sizes(found) == {label: pytest.approx(value, rel=0.05)}

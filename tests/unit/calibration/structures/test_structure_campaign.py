@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from edesign.calibration.structures.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
+from edesign.calibration import load as load_campaign
+from edesign.calibration.structures.campaign import StructureCampaign, load_structure_campaign
 from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.problem import StructureProblem
 from edesign.errors import InputError
@@ -117,7 +118,7 @@ def fitted(of: StructureProblem, label: str | None) -> tuple[np.ndarray, list[fl
 
 def test_file_becomes_si(folder: Path) -> None:
     campaign = load(folder, ISOLATED)
-    assert is_structure_campaign(campaign.path)
+    assert isinstance(load_campaign(campaign.path), StructureCampaign)
     assert campaign.building.masses.tolist() == [1e5, 1e5, 8e4]
     assert campaign.building.stiffness.tolist() == [0.0, 2e8, 1.5e8]
     assert campaign.isolation is not None and campaign.isolation.values == {"k": 3e6, "c": 2e5}

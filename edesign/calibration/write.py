@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -16,73 +16,72 @@ from edesign.archive.dataset import Group, Variable
 from edesign.archive.files import check_file, check_own_yaml, make_folder, source_file, write_text, write_yaml
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
+from edesign.calibration.campaign import Campaign, DamperCampaign
+from edesign.calibration.properties.outcome import PropertyCalibration
+from edesign.calibration.properties.write import property_law_text, rows_json
 from edesign.calibration.residual.series import STAGES
-from edesign.calibration.results.law_file import law_text
-from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile
-from edesign.damper.testing.campaign import Campaign
+from edesign.calibration.results.law_file import LAW, law_text
+from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, Tested
+from edesign.calibration.structures.campaign import StructureCampaign
+from edesign.calibration.structures.corrected import FILES, STRUCTURE, corrected_texts
 from edesign.input_files import spare_inputs
 from edesign.optional_stages import earlier, optional
 
-JSON, LAW, STRUCTURE, ARCHIVE = "calibration.json", "law.yaml", "structure.yaml", "calibration.h5"
-_BESIDE = (JSON, "calibration.html", ARCHIVE)
-NAMES = (*_BESIDE, LAW)
-"""Files that are written with tests of a damper, in place of earlier ones of the same campaign."""
+JSON, PAGE, ARCHIVE = "calibration.json", "calibration.html", "calibration.h5"
 
 
-def check_files(
-    campaign: Path, title: str, folder: Path, overwrite: bool = False, models: Sequence[str] = (LAW,)
-) -> None:
+def model_names(campaign: Campaign) -> tuple[str, ...]:
+    """Return the names of all files of the corrected model that a calibration may write.
+
+    Args:
+        campaign: by which the model is calibrated.
+    """
+    return FILES if isinstance(campaign, StructureCampaign) else (LAW,)
+
+
+def model_texts(found: Calibration) -> dict[str, str]:
+    """Return the files of the corrected model by name.
+
+    Args:
+        found: by the calibration.
+    """
+    if isinstance(found, PropertyCalibration):
+        return {LAW: property_law_text(found)}
+    if isinstance(found.campaign, StructureCampaign):
+        return corrected_texts(found, found.campaign)
+    assert isinstance(found.campaign, DamperCampaign)
+    return {LAW: law_text(found, found.campaign)}
+
+
+def check_files(campaign: Campaign, folder: Path, overwrite: bool = False) -> None:
     """Refuse to write over inputs, and over laws and archives that are no results of this campaign.
 
     Args:
-        campaign: the campaign file.
-        title: of the calibration.
+        campaign: by which the model is calibrated.
         folder: where the files go.
         overwrite: whether results of other campaigns, and laws that edesign did not write, may be replaced.
-        models: names of all files of the corrected model that may be written.
 
     Raises:
         InputError: a file of the calibration would stand in the place of something else.
         ArchiveError: likewise, of an archive; or a file cannot be written.
     """
-    files = [folder / name for name in (*_BESIDE, *models)]
+    models = [folder / name for name in model_names(campaign)]
+    files = [*(folder / name for name in (JSON, PAGE, ARCHIVE)), *models]
     spare_inputs(*files)
     for file in files:
         check_file(file)
-    for name in models:
-        check_own_yaml(folder / name, campaign, overwrite)
-    check_owner(folder / ARCHIVE, _root(campaign, title, folder), overwrite)
+    for model in models:
+        check_own_yaml(model, campaign.path, overwrite)
+    check_owner(folder / ARCHIVE, _root(campaign, folder), overwrite)
 
 
-def write_files(found: Calibration, campaign: Campaign, folder: Path) -> list[Path]:
-    """Write calibration.json, law.yaml and calibration.h5; each appears when it is whole.
+def write_files(found: Calibration, folder: Path) -> list[Path]:
+    """Write calibration.json, the files of the corrected model, and of tests and records calibration.h5.
 
-    Args:
-        found: by the calibration.
-        campaign: the tests.
-        folder: where the files go.
-
-    Returns:
-        The files.
-
-    Raises:
-        ArchiveError: one cannot be written.
-    """
-    return write_calibration(found, campaign.path, campaign.text, lambda: {LAW: law_text(found, campaign)}, folder)
-
-
-def write_calibration(
-    found: Calibration, campaign: Path, text: str, models: Callable[[], Mapping[str, str]], folder: Path
-) -> list[Path]:
-    """Write calibration.json, files of the corrected model and calibration.h5; each appears when it is whole.
-
-    The first has all that was found: it stands where the others cannot be made.
+    Each appears when it is whole. The first has all that was found: it stands where the others cannot be made.
 
     Args:
         found: by the calibration.
-        campaign: the campaign file.
-        text: of it.
-        models: makes the text of each file of the corrected model by name.
         folder: where the files go.
 
     Returns:
@@ -95,20 +94,20 @@ def write_calibration(
     told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
     write_text(told, folder / JSON)
     texts: Mapping[str, str] = {}
-    kept, models_there = f"{folder / JSON} is written", earlier(folder / LAW, folder / STRUCTURE)
-    with optional("the corrected model", kept + models_there):
-        texts = models()
+    kept = f"{folder / JSON} is written"
+    with optional("the corrected model", kept + earlier(folder / LAW, folder / STRUCTURE)):
+        texts = model_texts(found)
     for name, model in texts.items():
-        write_yaml(model, folder / name, campaign)
-    groups = None
+        write_yaml(model, folder / name, found.campaign.path)
+    groups: Mapping[str, Group] = {}
     with optional(ARCHIVE, kept + earlier(folder / ARCHIVE)):
         groups = archive_groups(found)
-    if groups is None:
+    if not groups:  # a table has no histories
         return [folder / name for name in (JSON, *texts)]
-    root = _root(campaign, found.title, folder)
+    root = _root(found.campaign, folder)
     root.attributes |= {"verdict": found.verdict, "search": found.ending}
     root.add("calibration", (), told, "", JSON)
-    root.add("campaign", (), text, "", "the campaign file")
+    root.add("campaign", (), found.campaign.text, "", "the campaign file")
     with ArchiveWriter(folder / ARCHIVE, root) as writer:
         for name, group in groups.items():
             writer.write(name, group)
@@ -116,8 +115,9 @@ def write_calibration(
     return [folder / name for name in (JSON, *texts, ARCHIVE)]
 
 
-def _root(campaign: Path, title: str, folder: Path) -> Group:
-    about = {"title": title, "kind": "calibration", "source_file": source_file(campaign, folder / ARCHIVE)}
+def _root(campaign: Tested, folder: Path) -> Group:
+    source = source_file(campaign.path, folder / ARCHIVE)
+    about = {"title": campaign.label, "kind": "calibration", "source_file": source}
     return Group(attributes={**about, "planned": [], "edesign_version": __version__})
 
 
@@ -193,6 +193,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "held": dict(found.held),
         "seconds": round(found.seconds, 2),
+        **(rows_json(found) if isinstance(found, PropertyCalibration) else {}),
     }
 
 
