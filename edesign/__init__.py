@@ -12,6 +12,13 @@ The functions behind the commands, loaded when first used:
     run_project(project, ...) -> RunSummary   edesign run
     run_study(study, ...) -> RunSummary       edesign run
     run_building(building, ...)               edesign run
+    load_rts_file(path) -> RtsFile            edesign rts check
+    run_tests(file, ...)                      edesign rts run
+    calibrate(campaign) -> Calibration        edesign calibrate
+    fit_law(law, tests, ...) -> Fit           edesign fit
+    match_records(records, target, ...)       edesign match
+    response_spectra(acceleration, ...)       edesign spectrum
+    translate(source, target, ...)            edesign translate
     open_archive(path) -> OpenArchive         edesign show, edesign export
     summarise(archive) -> dict                edesign show --json
     data_frames(tables) -> dict               tables of any report, by name
@@ -26,19 +33,26 @@ from edesign._version import __version__
 
 __all__ = [
     "__version__",
+    "calibrate",
     "check_building",
     "check_project",
     "check_study",
     "data_frames",
+    "fit_law",
     "load_building",
     "load_project",
+    "load_rts_file",
     "load_study",
+    "match_records",
     "new_project",
     "open_archive",
+    "response_spectra",
     "run_building",
     "run_project",
     "run_study",
+    "run_tests",
     "summarise",
+    "translate",
 ]
 
 _PLACES = {
@@ -55,6 +69,13 @@ _PLACES = {
     "run_project": "edesign.study.run.run",
     "run_study": "edesign.study.run.run",
     "summarise": "edesign.report.archive.summary",
+    "calibrate": "edesign.calibration.run",
+    "fit_law": "edesign.damper.fitting.law_fit",
+    "load_rts_file": "edesign.project.substructure.loader",
+    "match_records": "edesign.study.run.match",
+    "response_spectra": "edesign.ground_motion.response_spectrum",
+    "run_tests": "edesign.substructure.run",
+    "translate": "edesign.exchange.formats",
 }
 
 

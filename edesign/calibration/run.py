@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import time as clock
 from dataclasses import replace
+from pathlib import Path
 
-from edesign.calibration.campaign import Campaign, DamperCampaign
+from edesign.calibration.campaign import Campaign, DamperCampaign, load
 from edesign.calibration.dampers.from_campaign import damper_problem
 from edesign.calibration.properties.campaign import PropertyCampaign
 from edesign.calibration.properties.from_campaign import property_problem
@@ -28,14 +29,18 @@ from edesign.one_thread import one_thread
 
 @one_thread()
 def calibrate(
-    campaign: Campaign, settings: SearchSettings = SETTINGS, threads: int = 2, progress: Progress = lambda _: None
+    campaign: Campaign | Path | str,
+    settings: SearchSettings = SETTINGS,
+    threads: int = 2,
+    progress: Progress = lambda _: None,
 ) -> Calibration:
     """Find what the declared law or building of a campaign lacks, and correct it.
 
     An interrupt (Ctrl-C) ends the search, and what it has found is returned with the ending `interrupted`.
 
     Args:
-        campaign: tests, and the declared model; a law without parameters is fitted to tests of a damper first.
+        campaign: tests, and the declared model, or the path of their file; a law without parameters is fitted to tests
+            of a damper first.
         settings: numbers of the search, its effort among them.
         threads: of predictions, at most so many. Results do not depend on it.
         progress: told what is done.
@@ -46,8 +51,17 @@ def calibrate(
     Raises:
         InputError: the campaign is wrong, or its model cannot predict the tests or be fitted to them.
         KeyboardInterrupt: before the model was fitted.
+
+    Examples:
+        Tests of a template, whose law lacks something:
+
+        >>> found = edesign.calibrate(edesign.new_project("tests", kind="calibration"))
+        >>> found.verdict, [effect.name for effect in found.effects]
+        ('explained', ['payne'])
     """
     begin = clock.perf_counter()
+    if isinstance(campaign, Path | str):
+        campaign = load(campaign)
     if isinstance(campaign, DamperCampaign):
         campaign = with_fitted_law(campaign, threads, progress)
         progress("preparing the tests")

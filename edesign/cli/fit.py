@@ -20,8 +20,7 @@ from edesign.damper.fitting import (
     Fit,
     compare,
     cross_validate,
-    fit_forces,
-    fit_properties,
+    fit_law,
     prediction_errors,
 )
 from edesign.damper.fitting.solve import Progress
@@ -198,13 +197,12 @@ def _fit(
 ) -> Iterator[_Result]:
     """Yield the fit, then what more was found about it."""
     progress = None if quiet else _progress(law.name)
-    if given.table is not None:
-        assert given.specimen is not None  # moduli are of layers
-        yield _Result(fit_properties(law, given.table, given.specimen, begin, progress=progress, **options), None, {})
-        return
-    found = fit_forces(law, given.tests, begin, specimen=given.specimen, progress=progress, **options)
+    measured = given.tests if given.table is None else given.table
+    found = fit_law(law, measured, begin, specimen=given.specimen, progress=progress, **options)
     result = _Result(found, None, {})
     yield result
+    if given.table is not None:
+        return
     low, high = found.tested.temperature_C
     for test in () if quiet else given.validation:
         if not low <= test.temperature_C <= high:

@@ -22,7 +22,7 @@ from edesign.report.archive.figures import draw_figures
 from edesign.report.drawing.style import check_format
 from edesign.report.ground_motion.record_tables import choice_table, record_tables
 from edesign.report.tables.text import print_tables
-from edesign.study.run.match import choose_recordings, match_recordings
+from edesign.study.run.match import choose_recordings, match_records
 
 
 def match(
@@ -110,7 +110,7 @@ def match(
         spare_inputs(*(csv / f"{name}.csv" for name in found))
     path = archive or Path(f"{name}_matched.h5")
     with listener(quiet) as listen:
-        summary = match_recordings(
+        summary = match_records(
             found,
             target,
             settings,

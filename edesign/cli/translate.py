@@ -9,16 +9,10 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_file, check_own_yaml, write_yaml
-from edesign.building.building_file import load_building
-from edesign.building.project_file import load_project
+from edesign.archive.files import check_file
 from edesign.cli.shared.stages import Tell, in_stages
 from edesign.errors import InputError
-from edesign.exchange.formats import FORMATS, TAKEN, Translation, check_own_files, find_format, write_translation
-from edesign.exchange.sap2000.translate import take_model
-from edesign.file_kinds import BUILDING, STUDY, kind_of
-from edesign.project.building.building import Building
-from edesign.project.project import Project
+from edesign.exchange import formats
 from edesign.report.tables.visible import visible_line
 
 
@@ -46,19 +40,20 @@ def translate(
     """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign."""
     if target is None or to is not None:
         raise InputError(f"{'--to: there is no such option: ' if to is not None else ''}{_without_target(source)}")
-    if source.suffix.lower() in TAKEN:
-        _take(source, target, overwrite)
+    if source.suffix.lower() in formats.TAKEN:
+        taken = formats.take(source, target, overwrite)
+        _tell(f"{target} written, a {taken.kind} file. Next: edesign check {target}", taken.left_out)
         return
-    form = find_format(target)
+    form = formats.find_format(target)
     check_file(target)  # rather than after the records are fitted
 
-    def work(tell: Tell) -> Translation:
+    def work(tell: Tell) -> formats.Translation:
         tell(f"reading {source}")
-        return form.translate(_read(source), target, without_dampers, tell)
+        return form.translate(formats.read_source(source), target, without_dampers, tell)
 
     found = in_stages(work, quiet)
-    check_own_files(found, overwrite)
-    write_translation(found)
+    formats.check_own_files(found, overwrite)
+    formats.write_translation(found)
     others = len(found.files) - 1
     beside = f", and {others} file{'s' * (others > 1)} beside it" if others else ""
     _tell(
@@ -71,30 +66,10 @@ def translate(
 def _without_target(source: Path) -> str:
     """What to write after the source, by examples with its own name."""
     command = f"edesign translate {shlex.quote(str(source))} {shlex.quote(source.stem)}"
-    if source.suffix.lower() in TAKEN:
+    if source.suffix.lower() in formats.TAKEN:
         return f"name the file to write after it: {command}.yaml"
-    examples = "".join(f"\n  {known.program + ':':<11} {command}{known.suffix}" for known in FORMATS)
+    examples = "".join(f"\n  {known.program + ':':<11} {command}{known.suffix}" for known in formats.FORMATS)
     return f"name the file to write after the source; its ending says for which program:{examples}"
-
-
-def _read(source: Path) -> Project | Building:
-    kind = kind_of(source)
-    if kind is STUDY:
-        raise InputError(
-            f"{source}: this is {STUDY.described}, and a project or building file is needed: name that of its "
-            "`project`; dampers that a design found come into its `dampers` by `edesign show ARCHIVE --devices DESIGN`"
-        )
-    return load_building(source) if kind is BUILDING else load_project(source)
-
-
-def _take(source: Path, target: Path, overwrite: bool) -> None:
-    """Write a SAP2000 model as a project or building file."""
-    if target.suffix.lower() not in (".yaml", ".yml"):
-        raise InputError(f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml")
-    taken = take_model(source, target)
-    check_own_yaml(target, source, overwrite)
-    write_yaml(taken.text, target, source)
-    _tell(f"{target} written, a {taken.kind} file. Next: edesign check {target}", taken.left_out)
 
 
 def _tell(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:

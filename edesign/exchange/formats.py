@@ -6,14 +6,19 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
-from edesign.archive.files import check_file, write_text
+from edesign.archive.files import check_file, check_own_yaml, write_text, write_yaml
+from edesign.building.building_file import load_building
+from edesign.building.project_file import load_project
 from edesign.errors import InputError
-from edesign.file_kinds import head_of
+from edesign.file_kinds import BUILDING, STUDY, head_of, kind_of
 from edesign.input_files import spare_inputs
 from edesign.project.building.building import Building
 from edesign.project.project import Project
+
+if TYPE_CHECKING:
+    from edesign.exchange.sap2000.translate import TakenModel
 
 MARK = "Written by edesign"
 """In the first line of every model that a translation writes, in a comment of its language."""
@@ -101,6 +106,87 @@ FORMATS = (
         "translate_building",
     ),
 )
+
+
+def translate(
+    source: Project | Building | Path | str,
+    target: Path | str,
+    without_dampers: bool = False,
+    overwrite: bool = False,
+    tell: Tell = lambda stage: None,
+) -> Translation:
+    """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign.
+
+    Args:
+        source: a project or building, the path of its file, or that of SAP2000's text (.s2k).
+        target: the file to write. Its ending says for which program: .py OpenSeesPy, .tcl OpenSees, .s2k SAP2000; .yaml
+            for edesign, from .s2k.
+        without_dampers: whether dampers, isolators and tuned masses are left out.
+        overwrite: whether files that edesign did not write are replaced.
+        tell: takes the name of each stage of the work at its beginning.
+
+    Returns:
+        The files, and sentences on what they lack and what the program does in another way.
+
+    Raises:
+        InputError: the program lacks something that the model has, or a file stands there that edesign did not write.
+        ArchiveError: a file cannot be written.
+
+    Examples:
+        >>> found = edesign.translate(edesign.new_project("frame"), "frame/model.py", without_dampers=True)
+        >>> [path.name for path in found.files][0]
+        'model.py'
+    """
+    target = Path(target)
+    if not isinstance(source, Project | Building):
+        source = Path(source)
+        if source.suffix.lower() in TAKEN:
+            taken = take(source, target, overwrite)
+            return Translation({target: taken.text}, taken.left_out)
+        source = read_source(source)
+    form = find_format(target)
+    check_file(target)  # rather than after the records are fitted
+    found = form.translate(source, target, without_dampers, tell)
+    check_own_files(found, overwrite)
+    write_translation(found)
+    return found
+
+
+def read_source(source: Path) -> Project | Building:
+    """Return the project or building of a file.
+
+    Raises:
+        InputError: it is another file, or wrong.
+    """
+    kind = kind_of(source)
+    if kind is STUDY:
+        raise InputError(
+            f"{source}: this is {STUDY.described}, and a project or building file is needed: name that of its "
+            "`project`; dampers that a design found come into its `dampers` by `edesign show ARCHIVE --devices DESIGN`"
+        )
+    return load_building(source) if kind is BUILDING else load_project(source)
+
+
+def take(source: Path, target: Path, overwrite: bool = False) -> TakenModel:
+    """Write a SAP2000 model as a project or building file.
+
+    Args:
+        source: SAP2000's text.
+        target: the file of edesign.
+        overwrite: whether a file is replaced that edesign did not write.
+
+    Raises:
+        InputError: the model does not fit into a file of edesign, or another file stands there.
+        ArchiveError: the file cannot be written.
+    """
+    from edesign.exchange.sap2000.translate import take_model
+
+    if target.suffix.lower() not in (".yaml", ".yml"):
+        raise InputError(f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml")
+    taken = take_model(source, target)
+    check_own_yaml(target, source, overwrite)
+    write_yaml(taken.text, target, source)
+    return taken
 
 
 def find_format(path: Path) -> Format:

@@ -57,6 +57,15 @@ def response_spectra(
             or a damping ratio out of range.
 
     Source: Nigam & Jennings (1969); docs/theory/response_spectra.md for what is done between samples.
+
+    Examples:
+        Fifty cycles of 1 m/s2 in resonance approach 1/(2 zeta), ten times the motion:
+
+        >>> import numpy as np
+        >>> motion = np.sin(2.0 * np.pi * np.arange(0.0, 50.0, 0.01))
+        >>> spectra = edesign.response_spectra(motion, 0.01, periods=[0.0, 1.0], dampings=[0.05])
+        >>> [f"{value:.1f}" for value in spectra.psa[0]]
+        ['1.0', '10.0']
     """
     motion, step = checked_motion(acceleration, time_step)
     period, ratio = checked_periods(periods), checked_dampings(dampings)

@@ -58,6 +58,12 @@ def run_tests(
         InputError: structure, law, compensator or record cannot be used so; two CSV files would have one name.
         ArchiveError: the archive cannot be written, or is that of something else.
         KeyboardInterrupt: by Ctrl-C; nothing is left then.
+
+    Examples:
+        >>> file = edesign.load_rts_file(edesign.new_project("rts", kind="substructure"))
+        >>> archive, results, _ = edesign.run_tests(file)
+        >>> archive.name, {run.outcome for run in results[0].runs}
+        ('rts.h5', {'done'})
     """
     file.check_unchanged()
     path = Path(archive_path) if archive_path is not None else file.archive_path

@@ -6,6 +6,7 @@ from edesign.damper.fitting.compare import Comparison, compare_laws
 from edesign.damper.fitting.cross_validation import CrossValidation, cross_validate, prediction_errors
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.forces import fit_forces
+from edesign.damper.fitting.law_fit import fit_law
 from edesign.damper.fitting.property_fit import fit_properties
 
 __all__ = [
@@ -16,6 +17,7 @@ __all__ = [
     "compare_laws",
     "cross_validate",
     "fit_forces",
+    "fit_law",
     "fit_properties",
     "prediction_errors",
 ]

@@ -20,6 +20,7 @@ from edesign.codes.spectrum import Spectrum
 from edesign.errors import AnalysisError, Interrupted
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.plausibility import unusual_scales
+from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import choice_facts
 from edesign.ground_motion.selection import Selection, select_records
 from edesign.ground_motion.selection_scaling import SelectionOptions
@@ -54,8 +55,8 @@ class MatchSummary:
         return tuple(motion for motion in self.motions.values() if motion.failure)
 
 
-def match_recordings(
-    recordings: Mapping[str, Found],
+def match_records(
+    recordings: Mapping[str, Found | Record],
     target: Spectrum,
     options: MatchOptions,
     archive_path: str | os.PathLike[str],
@@ -70,7 +71,7 @@ def match_recordings(
     """Fit recordings to a spectrum and archive originals, results, spectra, measures and criteria.
 
     Args:
-        recordings: by a name that is unique and can stand in an archive.
+        recordings: by a name that is unique and can stand in an archive; records, or what says where they are from.
         target: the elastic spectrum.
         options: method, band, bounds.
         archive_path: the archive; replaced when all is done.
@@ -89,21 +90,35 @@ def match_recordings(
         ArchiveError: the archive cannot be written, or is that of something else.
         AnalysisError: none of the recordings can be fitted.
         Interrupted: stopped by the user; nothing is written.
+
+    Examples:
+        A simulated motion, scaled to the elastic spectrum of a project at the level of its design earthquake:
+
+        >>> from edesign.ground_motion.formats.read import read_record_file
+        >>> from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
+        >>> from edesign.ground_motion.matching import MatchOptions
+        >>> project = edesign.load_project(edesign.new_project("frame"))
+        >>> records = {"simulated": read_record_file("frame/records/simulated_4.AT2")}
+        >>> target = elastic_spectrum(checked_hazard(project))
+        >>> found = edesign.match_records(records, target, MatchOptions("scale"), "matched.h5")
+        >>> f"{found.motions['simulated'].scale:.2f}"
+        '1.53'
     """
     started = time.monotonic()
+    given = {key: Found(one, "file", one.source) if isinstance(one, Record) else one for key, one in recordings.items()}
     tell = progress or silent
     done: list[str] = []
 
     def report(motion: Motion) -> None:
         done.append(motion.name)
         text = motion.failure.removeprefix(f"{motion.name} ") or outcome(motion)
-        tell(Progress("end", motion.name, len(done), len(recordings), 1.0, text, time.monotonic() - started))
+        tell(Progress("end", motion.name, len(done), len(given), 1.0, text, time.monotonic() - started))
 
     root = Group(
         attributes={
             "title": title,
             "target": target.label,
-            "record_checksums": {name: found.record.checksum for name, found in recordings.items()},
+            "record_checksums": {name: found.record.checksum for name, found in given.items()},
             "planned": [],
             "status": "running",
             **versions(),
@@ -116,8 +131,8 @@ def match_recordings(
         try:
             with stop_on_signals() as stop:
                 prepare = partial(fit, target=target, options=options)
-                motions = prepare_motions(recordings, prepare, workers, report, stop.is_set)
-                if len(motions) < len(recordings):
+                motions = prepare_motions(given, prepare, workers, report, stop.is_set)
+                if len(motions) < len(given):
                     raise Interrupted(f"interrupted; {writer.path} is unchanged")
             motions = {item.name: item for item in raise_suite(list(motions.values()), target, fundamental_period)}
             fitted = [motion for motion in motions.values() if not motion.failure]

@@ -236,7 +236,7 @@ def test_places_are_checked_before_the_work(folder: Path, monkeypatch: pytest.Mo
     def no_work(*_: object, **__: object) -> None:
         raise AssertionError("the work has begun")
 
-    monkeypatch.setattr("edesign.cli.fit.fit_forces", no_work)
+    monkeypatch.setattr("edesign.damper.fitting.law_fit.fit_forces", no_work)
     monkeypatch.setattr("edesign.cli.test.run_programme", no_work)
     monkeypatch.setattr("edesign.cli.characterise.properties", no_work)
     code = ArchiveError.exit_code

@@ -403,7 +403,7 @@ def test_an_interrupt_of_the_second_law_leaves_the_first(
             raise KeyboardInterrupt
         return fitted(law, *given, **options)
 
-    monkeypatch.setattr("edesign.cli.fit.fit_forces", interrupted)
+    monkeypatch.setattr("edesign.damper.fitting.law_fit.fit_forces", interrupted)
     assert main(words) == 130
     said = capsys.readouterr()
     assert "interrupted at the fit of maxwell; fitted before it: kelvin_voigt" in said.err

@@ -1,0 +1,60 @@
+"""Fit a damper law to what was measured, whatever that is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from edesign.damper.fitting.fit import Fit
+from edesign.damper.fitting.forces import fit_forces
+from edesign.damper.fitting.property_fit import PropertyColumns, fit_properties
+from edesign.damper.law import Law
+from edesign.damper.laws import law as law_of
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
+from edesign.errors import InputError
+
+
+def fit_law(
+    law: Law | str,
+    measured: Sequence[DamperTest] | PropertyColumns,
+    start: Mapping[str, float] | None = None,
+    *,
+    specimen: Specimen | None = None,
+    **options: Any,
+) -> Fit:
+    """Fit a damper law to measured forces, or to a table of properties.
+
+    Args:
+        law: the law, or its name.
+        measured: tests with forces (`Campaign.tests`), or the properties of steady sinusoidal tests (`PropertyTable`).
+        start: values to start from, SI; those not given come from the data.
+        specimen: the layers that were tested; properties need them, forces only for the tested range as strain.
+        options: of `fit_forces` or of `fit_properties`, such as `fixed`, `bounds`, `starts`, `temperature`, `workers`.
+
+    Returns:
+        The fitted parameters with their uncertainty, and the errors of each test.
+
+    Raises:
+        InputError: something is wrong with law, data or options, or the data cannot carry so many parameters.
+        AnalysisError: the law gives no force at the start.
+
+    Source: thesis Eqs. 4.30 to 4.32.
+
+    Examples:
+        A spring of 2 kN/mm beside a dashpot of 0.04 kN s/mm, in a test of two sinusoidal cycles of 10 mm:
+
+        >>> import numpy as np
+        >>> from edesign.damper.testing.measured_histories import DamperTest
+        >>> time = np.linspace(0.0, 2.0, 401)
+        >>> u, v = 0.01 * np.sin(np.pi * time), 0.01 * np.pi * np.cos(np.pi * time)
+        >>> fit = edesign.fit_law("kelvin_voigt", [DamperTest("sine", time, u, 2e6 * u + 4e4 * v)])
+        >>> {name: f"{value:.3g}" for name, value in fit.values.items()}
+        {'k': '2e+06', 'c': '4e+04'}
+    """
+    known = law_of(law) if isinstance(law, str) else law
+    if isinstance(measured, Sequence):
+        return fit_forces(known, measured, start, specimen=specimen, **options)
+    if specimen is None:
+        raise InputError(f"{known.name}: a fit to properties needs the specimen, whose layers they are of")
+    return fit_properties(known, measured, specimen, start, **options)
