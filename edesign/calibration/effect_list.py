@@ -117,9 +117,6 @@ def known_effects() -> tuple[KnownEffect, ...]:
 def effects_named(name: str) -> tuple[KnownEffect, ...]:
     """Return the effects of a name: of dampers and of structures, some have the same.
 
-    Args:
-        name: of the effect.
-
     Raises:
         InputError: there is none; tells the nearest name.
     """

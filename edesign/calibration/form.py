@@ -66,19 +66,11 @@ class Form(Generic[A, S]):
         return False
 
     def of(self, sizes: S) -> FormInCampaign:
-        """Return the form with the numbers that a campaign fixes.
-
-        Args:
-            sizes: of the campaign.
-        """
+        """Return the form with the numbers that a campaign fixes."""
         return FormInCampaign(self, self.constants(sizes), tuple(one.name for one in self.parameters(sizes)))
 
     def effect(self, sizes: S) -> Effect:
-        """Return the form as the search takes it.
-
-        Args:
-            sizes: of the campaign.
-        """
+        """Return the form as the search takes it."""
         parameters = self.parameters(sizes)
         first = parameters[0] if parameters else None
         linear = self.proportional and first is not None and not first.logarithmic and first.lower <= 0.0 <= first.upper

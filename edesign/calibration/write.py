@@ -40,11 +40,7 @@ def model_names(campaign: Campaign) -> tuple[str, ...]:
 
 
 def model_texts(found: Calibration) -> dict[str, str]:
-    """Return the files of the corrected model by name.
-
-    Args:
-        found: by the calibration.
-    """
+    """Return the files of the corrected model by name."""
     if isinstance(found, PropertyCalibration):
         return {LAW: property_law_text(found)}
     if isinstance(found.campaign, StructureCampaign):

@@ -117,10 +117,6 @@ class TableOutcome(Evidence[PropertyRows]):
         )
 
     def calibration(self, steps: Steps) -> PropertyCalibration:
-        """Return all of it for people and files.
-
-        Args:
-            steps: taken after the search.
-        """
+        """Return all of it for people and files."""
         found = super().calibration(steps)
         return PropertyCalibration(**vars(found), rows=self.predicted, repeats=self.problem.repeats)

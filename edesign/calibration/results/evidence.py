@@ -81,20 +81,11 @@ class Evidence(ABC, Generic[T]):
 
     @abstractmethod
     def errors_of(self, predicted: T) -> Errors:
-        """Return the errors of a prediction.
-
-        Args:
-            predicted: of all tests.
-        """
+        """Return the errors of a prediction."""
 
     @abstractmethod
     def not_carried(self, model: FittedModel, index: int) -> str:
-        """Return why no file carries an effect of a model, for people; "" if one does.
-
-        Args:
-            model: fitted.
-            index: of the effect.
-        """
+        """Return why no file carries an effect of a model, for people; "" if one does."""
 
     @abstractmethod
     def floor(self) -> tuple[Mapping[Use, float], Worst | None]:
@@ -127,11 +118,7 @@ class Evidence(ABC, Generic[T]):
         }
 
     def validate(self, model: FittedModel) -> float:
-        """Return the NRMS of the validation tests by a model; nan: it cannot predict them.
-
-        Args:
-            model: fitted.
-        """
+        """Return the NRMS of the validation tests by a model; nan: it cannot predict them."""
         try:
             error = self.errors_of(self.predict(model.effects, model.fit.values)).validate
         except PredictionError:
@@ -179,11 +166,7 @@ class Evidence(ABC, Generic[T]):
         return {**every, "corrected": every["refit"]} if self.withheld else dict(every)
 
     def calibration(self, steps: Steps) -> Calibration:
-        """Return all of it for people and files.
-
-        Args:
-            steps: taken after the search.
-        """
+        """Return all of it for people and files."""
         errors, calibrated, (floor, worst) = self.errors, self.calibrated(), self.floor()
         reached = only_noise(errors["corrected"], floor, worst)
         effects, hypotheses = self.effects(steps)
@@ -228,11 +211,7 @@ class Evidence(ABC, Generic[T]):
         return Posterior.of(self.fitter, self.found, best)
 
     def effects(self, steps: Steps) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
-        """Return the effects of the corrected model, and those that were found and are no part of it.
-
-        Args:
-            steps: taken after the search.
-        """
+        """Return the effects of the corrected model, and those that were found and are no part of it."""
         model, corrected = self.kept.model, self.every_error["corrected"].validate
         every = range(len(model.effects))
         found = steps.take(
@@ -295,23 +274,13 @@ class Evidence(ABC, Generic[T]):
 
 
 def weighed(found: Found, settings: SearchSettings, steps: Steps) -> Kept:
-    """Return what a search found without effects that may be nothing, at its sampling.
-
-    Args:
-        found: by the search.
-        settings: of it.
-        steps: taken after it.
-    """
+    """Return what a search found without effects that may be nothing, at its sampling."""
     fitter = unbounded(found.base.problem, settings)
     return steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best), True)
 
 
 def why_dropped(one: Dropped) -> str:
-    """Return why an effect that was found is no part of the corrected model, for people.
-
-    Args:
-        one: the effect.
-    """
+    """Return why an effect that was found is no part of the corrected model, for people."""
     if one.interval is None:
         left = f"with it the validation tests are predicted worse ({100.0 * one.with_it:.3g} %) than without it"
         return f"{left} ({100.0 * one.without:.3g} %)"

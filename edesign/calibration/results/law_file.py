@@ -239,12 +239,7 @@ def own_temperature(problem: DamperProblem) -> GammaT | None:
 
 
 def law_text(found: Calibration, campaign: Campaign) -> str:
-    """Return the law file of tests of a damper.
-
-    Args:
-        found: by the calibration.
-        campaign: the tests.
-    """
+    """Return the law file of tests of a damper."""
     parameters = write_parameters(law_of(found.law), found.law_file.parameters)
     effects = write_effects(found.law_file.amendments)
     return law_file_text(found, parameters, effects, campaign.specimen, _tested(found, campaign.specimen), _head(found))

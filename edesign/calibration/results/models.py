@@ -92,11 +92,7 @@ class Posterior:
         return np.asarray(weights / weights.sum())
 
     def behind(self, i: int) -> Difference:
-        """Return by how much a model is behind the best one.
-
-        Args:
-            i: index of the model.
-        """
+        """Return by how much a model is behind the best one."""
         known = self.searched.get(_key(self.models[i]))
         if known is not None:
             return Difference(-known.total, known.error)
@@ -138,11 +134,7 @@ class Posterior:
                 yield i, others
 
     def odds(self, i: int) -> float:
-        """Return the odds of a model beside the best one.
-
-        Args:
-            i: index of the model.
-        """
+        """Return the odds of a model beside the best one."""
         behind = self.behind(i).total
         return 0.0 if math.isnan(behind) else math.exp(min(-behind, _FAR))
 

@@ -48,14 +48,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
     @staticmethod
     def of(campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps) -> DamperOutcome:
-        """Return the outcome of a search, which is fitted to all samples, and held against the validation tests.
-
-        Args:
-            campaign: tests.
-            found: by the search.
-            settings: of it.
-            steps: taken after it.
-        """
+        """Return the outcome of a search, which is fitted to all samples, and held against the validation tests."""
         problem: DamperProblem = found.base.problem  # type: ignore[assignment]
         whole, thin = problem.full_rate, unbounded(problem, settings)
         fitter = unbounded(whole, settings)

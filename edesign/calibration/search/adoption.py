@@ -127,10 +127,6 @@ class Adoption:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
 
         A share of a whole may be all of it.
-
-        Args:
-            model: fitted.
-            index: of the effect.
         """
         size = model.places(index)[:1]
         if not size:

@@ -143,12 +143,7 @@ class FittedModel:
 
 
 class Fitter:
-    """Fits models of a problem and scores them, counting the effort; what was fitted is kept.
-
-    Args:
-        problem: of the tests.
-        settings: numbers of the search.
-    """
+    """Fits models of a problem and scores them, counting the effort; what was fitted is kept."""
 
     def __init__(self, problem: Problem, settings: SearchSettings) -> None:
         self.problem, self.settings = problem, settings

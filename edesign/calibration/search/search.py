@@ -62,13 +62,7 @@ class Found:
 
 
 class Search:
-    """Searches the effects that the base model of a problem lacks.
-
-    Args:
-        problem: of the tests.
-        settings: numbers of the search.
-        progress: told what is done.
-    """
+    """Searches the effects that the base model of a problem lacks."""
 
     def __init__(
         self, problem: Problem, settings: SearchSettings = SETTINGS, progress: Progress = lambda _: None

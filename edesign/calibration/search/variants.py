@@ -26,12 +26,7 @@ class Variants:
         self._beside = dict[frozenset[str], dict[str, FittedModel]]()
 
     def omitting(self, model: FittedModel, index: int) -> FittedModel | None:
-        """Return a model without one of its effects, fitted; None: it cannot predict then.
-
-        Args:
-            model: fitted.
-            index: of the effect.
-        """
+        """Return a model without one of its effects, fitted; None: it cannot predict then."""
         others, values = model.without(index)
         if not others:
             return self._base

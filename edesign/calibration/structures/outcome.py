@@ -46,14 +46,7 @@ class StructureOutcome(Evidence[Sequence[np.ndarray]]):
 
     @staticmethod
     def of(campaign: StructureCampaign, found: Found, settings: SearchSettings, steps: Steps) -> StructureOutcome:
-        """Return the outcome of a search.
-
-        Args:
-            campaign: records.
-            found: by the search.
-            settings: of it.
-            steps: taken after it.
-        """
+        """Return the outcome of a search."""
         final = weighed(found, settings, steps)
         steps.progress("predicting all tests")
         thinned: StructureProblem = found.base.problem  # type: ignore[assignment]

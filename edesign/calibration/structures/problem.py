@@ -109,11 +109,7 @@ class StructureProblem(TestedProblem):
         return tuple(float(np.sqrt(np.mean(y**2))) for y in self.model(()).measured)
 
     def channel_noise(self, test: int) -> np.ndarray:
-        """Return the standard deviation of broadband noise of each channel (channels,), SI.
-
-        Args:
-            test: its index.
-        """
+        """Return the standard deviation of broadband noise of each channel (channels,), SI."""
         return np.array([white_noise(values, self.tests[test].time) for values in self.tests[test].values.T])
 
     @cached_property

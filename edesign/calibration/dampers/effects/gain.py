@@ -53,9 +53,6 @@ def from_test(s: Sizes) -> tuple[EffectForm, ...]:
     """Return gains that changed between two tests, one form for each place, which no search could move.
 
     Where other tests stand between two that are fitted to, these two leave open before which test it was.
-
-    Args:
-        s: sizes of the campaign.
     """
     fitted = [order + 1 for order, of in enumerate(s.fitted) if of] if s.between else []
     return tuple(
