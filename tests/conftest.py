@@ -10,6 +10,9 @@ import os
 for _library in ("OPENBLAS", "OMP", "MKL"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
+# commands that tests start would compile all they import, each time
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 # workers of pytest-xdist have the width of the terminal; tables in a pipe, as tests read them, would be folded to it
 os.environ.pop("COLUMNS", None)
 
