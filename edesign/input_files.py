@@ -41,22 +41,14 @@ def noting_inputs() -> Iterator[None]:
 
 
 def note_input(path: Path) -> None:
-    """Note that a file was read; one that the command itself wrote before is no input.
-
-    Args:
-        path: of the file.
-    """
+    """Note that a file was read; one that the command itself wrote before is no input."""
     notes, identity = _notes.get(), _identity(path)
     if notes is not None and identity is not None and identity not in notes.written.values():
         notes.read.setdefault(identity, path)
 
 
 def note_output(path: Path) -> None:
-    """Note that a new file was written; an inode that it took over from a deleted one is no input any more.
-
-    Args:
-        path: of the file.
-    """
+    """Note that a new file was written; an inode that it took over from a deleted one is no input any more."""
     notes, identity = _notes.get(), _identity(path)
     if notes is not None and identity is not None:
         notes.written[path] = identity
@@ -65,9 +57,6 @@ def note_output(path: Path) -> None:
 
 def spare_inputs(*paths: Path) -> None:
     """Refuse paths of outputs at which inputs stand.
-
-    Args:
-        *paths: of the outputs.
 
     Raises:
         InputError: one of them is, or leads to, a file that this command has read.

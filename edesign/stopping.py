@@ -110,7 +110,6 @@ def in_threads(
     requests of the thread that calls count in the others.
 
     Args:
-        work: on an item.
         items: to work on.
         workers: threads; with one the work is done in that of the caller.
         closing: is set when what runs shall end, for work that asks for it; made here if None.

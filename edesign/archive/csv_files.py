@@ -27,7 +27,6 @@ def write_csv_file(
     Args:
         headers: of the columns, with their units.
         rows: cells; None is an empty cell, true and false are written in small letters.
-        path: the file.
         digits: significant ones of numbers; all of them, so that reading gives the same numbers, if None.
 
     Raises:

@@ -38,7 +38,6 @@ class StoredVariable(Variable):
 
     Args:
         dims: one name per axis of `values`.
-        values: numbers or text.
         read: returns unit and long name.
     """
 
@@ -125,7 +124,6 @@ class Group:
         """Add a variable to the group.
 
         Args:
-            name: of the variable.
             dims: names of its dimensions, each of which has a coordinate in the group.
             values: anything that `numpy.asarray` takes.
             unit: SI unit; "1" for ratios and counts, "" for texts.

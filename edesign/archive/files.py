@@ -135,7 +135,6 @@ def source_file(source: Path, result: Path) -> str:
 
     Args:
         source: the file that the result is computed from.
-        result: the file of results.
     """
     return Path(os.path.relpath(os.path.realpath(source), os.path.realpath(result.parent))).as_posix()
 
@@ -145,7 +144,6 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
 
     Args:
         path: where the results go.
-        source: the file that they are of.
         overwrite: whether they may take the place of any other file.
 
     Raises:
@@ -193,7 +191,6 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     Its folder is made if it does not exist.
 
     Args:
-        path: the file.
         write: writes to the path that it is given, beside the file and with its suffix.
 
     Raises:

@@ -39,7 +39,6 @@ def write_group(target: h5py.Group, group: Group) -> None:
 
     Args:
         target: the empty HDF5 group.
-        group: what is written.
 
     Raises:
         ValueError: a dimension has no coordinate, or lengths disagree (a mistake of the caller, not of the user).
@@ -81,8 +80,6 @@ def join(target: h5py.File, root: Group, images: Iterable[tuple[str, bytes]]) ->
     """Write groups into an empty file, each with what is in it.
 
     Args:
-        target: the file.
-        root: its root.
         images: place and HDF5 file of each other group; a group comes before those in it.
     """
     put(target, root)
@@ -160,7 +157,6 @@ def chunk_shape(shape: tuple[int, ...], itemsize: int) -> tuple[int, ...]:
 
     Args:
         shape: of the array, without a zero.
-        itemsize: bytes of a value.
     """
     chunk = list(shape)
     for axis, length in enumerate(shape):

@@ -23,7 +23,6 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
     One of an earlier state of the file is: what the file no longer asks for goes.
 
     Args:
-        path: where an archive is to be written.
         root: of this archive; the attribute `source_file` says what it is of. Of an archive without it, of an older
             version, the names and the title in it do.
         overwrite: whether the archive of something else may be replaced.

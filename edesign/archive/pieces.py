@@ -51,11 +51,7 @@ class Pieces:
 
 
 def find_pieces(content: bytes) -> Pieces:
-    """Find the groups in the content of a file; one is there only if its checksum is right.
-
-    Args:
-        content: of the whole file.
-    """
+    """Find the groups in the content of a file; one is there only if its checksum is right."""
     found, view = Pieces(), memoryview(content)
     for line in _LINE.finditer(content):
         checksum, text = line[1].decode(), line[3]

@@ -17,10 +17,6 @@ _BLOSC = 32001  # its number among the registered filters of HDF5
 def read_array(path: str | os.PathLike[str], place: str) -> np.ndarray:
     """Return a one-dimensional data set of an HDF5 file.
 
-    Args:
-        path: of the file.
-        place: of the data set in it.
-
     Raises:
         KeyError: there is no such data set.
         OSError: the file cannot be read.
@@ -35,10 +31,6 @@ def read_table(path: str | os.PathLike[str], place: str) -> dict[str, np.ndarray
     """Return the columns of a table that pandas wrote in its form `table`, each (rows,), by name.
 
     Args, Raises: as of `read_array`.
-
-    Args:
-        path: of the file.
-        place: of the table in the file.
     """
     with h5py.File(path, "r") as file:
         item = file[place]["table"]

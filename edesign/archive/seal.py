@@ -21,7 +21,6 @@ def seal_of(file: BinaryIO, size: int) -> bytes:
     """Return the seal of the first bytes of a file.
 
     Args:
-        file: the file.
         size: number of bytes that the seal covers.
     """
     return b"\nedesign archive seal: sha256 %b of %020d bytes\n" % (_sha256(file, size).encode(), size)

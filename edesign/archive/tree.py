@@ -127,7 +127,6 @@ class Tree:
         """Return the names of the groups in a group, by attribute `order`, then name.
 
         Args:
-            place: of the group.
             without: places that are left out.
 
         Raises:
@@ -168,10 +167,6 @@ class Tree:
     def values(self, place: str, name: str) -> np.ndarray:
         """Read the values of one variable of a group of a trusted file.
 
-        Args:
-            place: of the group.
-            name: of the variable.
-
         Returns:
             An array of texts, or of numbers, which are in double precision.
 
@@ -183,10 +178,6 @@ class Tree:
 
     def labels(self, place: str, name: str) -> tuple[str, str]:
         """Read the unit and the long name of one variable of a group of a trusted file; see `values`.
-
-        Args:
-            place: of the group.
-            name: of the variable.
 
         Returns:
             Unit and long name.

@@ -114,7 +114,6 @@ class ArchiveWriter:
 
         Args:
             path: place in the archive, such as "analyses/el_centro".
-            group: what is written.
 
         Raises:
             ArchiveError: disk full or another failure; the archive is closed and holds what was written before.
@@ -331,7 +330,6 @@ def _complete(path: Path, source: BinaryIO, size: int, fill: Callable[[h5py.File
     """Write a complete archive beside its place, seal it, and put it there.
 
     Args:
-        path: the archive.
         source: a file of HDF5 that is copied first.
         size: that the archive has at most, bytes. So much is reserved, as HDF5 does not bear a disk that becomes full.
         fill: changes the copy.

@@ -23,7 +23,6 @@ def modes_needed(damping: Damping | None, most: int) -> int:
 
     Args:
         damping: of the project.
-        most: number of modes that the structure has.
     """
     match damping:
         case RayleighDamping(periods=None):

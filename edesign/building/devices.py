@@ -188,7 +188,6 @@ def add_devices(
     """Add the dampers of a project to its model.
 
     Args:
-        project: the validated project.
         model: has the nodes already.
         nodes: ids by name.
         laws: by name; dampers of others are left out.
@@ -253,8 +252,6 @@ def add_attachment(model: Model, attached: Attached, node: int, x: float, y: flo
     """Add a tuned mass beside a node of its floor.
 
     Args:
-        model: of the core.
-        attached: the tuned mass.
         node: of the floor, number in the core.
         x: place of the mass, m.
         y: level of the mass, m.

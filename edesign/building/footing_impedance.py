@@ -179,7 +179,6 @@ def radiation_damping(block: Block, stiffness: Mapping[Way, float], a_0: float) 
     parts, beyond plane waves; here they count once.
 
     Args:
-        block: the footing.
         stiffness: the static stiffness, embedment included, N/m and N m/rad.
         a_0: omega B / V_s.
 

@@ -164,7 +164,6 @@ def project_footings(
     found together. Footings that lift off are then on the ground.
 
     Args:
-        project: the validated project.
         first_period: of the frame on such footings, s; of its dampers only buckling-restrained braces count.
 
     Raises:

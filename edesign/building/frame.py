@@ -45,7 +45,6 @@ def build_frame(
     fixed: nothing else would hold it, and nothing turns it.
 
     Args:
-        project: the validated project.
         model: an empty model to build in; a new one by default.
         laws: of the dampers, by name; those of other laws are left out; None: the frame without dampers.
         attachments: tuned masses.
@@ -150,7 +149,6 @@ def _add_loads(
     """Add loads across a member: on its parts, and on its joints what stands on the halves of their panel zones.
 
     Args:
-        model: of the core.
         pattern: to which they are added.
         nodes: ids by name.
         member: a beam or column.

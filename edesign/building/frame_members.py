@@ -25,8 +25,6 @@ def add_members(
     """Add columns, beams and braces, their hinges and panel zones, to the model of a frame.
 
     Args:
-        project: the validated project.
-        model: of the core.
         nodes: ids by name.
 
     Returns:

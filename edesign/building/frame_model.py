@@ -137,7 +137,6 @@ class FrameModel:
         loads it at a support goes there at once.
 
         Args:
-            support: name of the node.
             degree: 0 ux, 1 uy, 2 rz.
         """
         if degree == 0 and self.isolated is not None:
@@ -152,11 +151,7 @@ class FrameModel:
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
 
     def of_kind(self, kind: Kind) -> list[Member]:
-        """Return the members of a kind in the order of `members`.
-
-        Args:
-            kind: of the members.
-        """
+        """Return the members of a kind in the order of `members`."""
         return [member for member in self.members.values() if member.kind == kind]
 
     def floor_nodes(self, floor: int) -> list[str]:

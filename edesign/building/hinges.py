@@ -90,9 +90,6 @@ Ends = tuple[MemberEnd, MemberEnd]
 def member_ends(project: Project) -> dict[str, Ends]:
     """Return the hinges and joints at the ends of the members that have any, by name.
 
-    Args:
-        project: the validated project.
-
     Raises:
         InputError: the regression does not know a section.
     """
@@ -281,7 +278,6 @@ class MemberBuilder:
     """Adds members with springs at their ends to a model.
 
     Args:
-        model: of the core.
         places: of all nodes by their ids, m; nodes that are added are noted.
 
     Attributes:
@@ -307,7 +303,6 @@ class MemberBuilder:
         """Add a member.
 
         Args:
-            name: of the member.
             nodes: ids of its nodes.
             section: id in the core, elastic if there are hinges.
             EI: bending stiffness of the elastic section, N m2.

@@ -61,11 +61,7 @@ def base_loads(frame: Frame, isolation: Isolation, factors: Combination) -> dict
 
 
 def base_masses(project: Project) -> dict[str, float]:
-    """Return the mass of an isolated base at the feet of the columns, kg, by node.
-
-    Args:
-        project: the validated project.
-    """
+    """Return the mass of an isolated base at the feet of the columns, kg, by node."""
     frame, isolation, masses = project.frame, project.isolation, project.masses
     if isolation is None:
         return {}
@@ -106,7 +102,6 @@ def add_base_beams(project: Project, model: Model, nodes: Mapping[str, int]) -> 
     They stay elastic, and are no members: they carry what the feet turn with to the isolators.
 
     Args:
-        project: the validated project.
         model: has the nodes and the materials already.
         nodes: ids by name.
     """
@@ -134,12 +129,7 @@ def isolator_under(frame: Frame, isolation: Isolation, line: str) -> Isolator | 
 
 
 def goes_with_weight(isolator: Isolator, law: DeviceLaw) -> bool:
-    """Say whether the forces of an isolator follow from the weight that stands on it under gravity.
-
-    Args:
-        isolator: the isolator.
-        law: its law.
-    """
+    """Say whether the forces of an isolator follow from the weight that stands on it under gravity."""
     return law.law.law == WEIGHED and isolator.weight != "law"
 
 
@@ -156,7 +146,6 @@ def add_isolation(
         project: the validated project, with an isolation.
         model: has the nodes already.
         nodes: ids by name.
-        laws: by name.
         weights: on the feet under the gravity combination, N, by node; of those whose isolator needs it.
 
     Raises:

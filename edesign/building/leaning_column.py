@@ -36,7 +36,6 @@ def leaning_loads(project: Project, factors: Combination) -> tuple[float, ...]:
     """Return the load on the leaning column at each floor from the lowest, N downwards; empty without one.
 
     Args:
-        project: the validated project.
         factors: on the permanent and the variable part.
     """
     column, floors = project.frame.leaning_column, project.frame.n_storeys
@@ -47,11 +46,7 @@ def leaning_loads(project: Project, factors: Combination) -> tuple[float, ...]:
 
 
 def leaning_masses(project: Project) -> dict[str, float]:
-    """Return the mass that leans on the frame, kg, by the leading node of each floor; it resists horizontal motion.
-
-    Args:
-        project: the validated project.
-    """
+    """Return the mass that leans on the frame, kg, by the leading node of each floor; it resists horizontal motion."""
     column, masses, floors = project.frame.leaning_column, project.masses, project.frame.n_storeys
     if column is None or masses is None:
         return {}
@@ -69,10 +64,7 @@ def add_leaning_column(project: Project, model: Model, nodes: Mapping[str, int],
     """Add the leaning column beside the frame, and its loads to the pattern of the gravity combination.
 
     Args:
-        project: the validated project.
-        model: of the frame.
         nodes: of the frame, by name.
-        gravity: the pattern.
 
     Returns:
         Its struts; None if the frame has none.

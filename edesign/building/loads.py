@@ -188,7 +188,6 @@ def beam_loads(project: Project, factors: Combination) -> dict[str, MemberLoads]
     The halves of a beam that braces meet in the middle have their names.
 
     Args:
-        project: the validated project.
         factors: on the permanent and the variable part.
     """
     frame, loads = project.frame, project.loads
@@ -213,7 +212,6 @@ def column_loads(project: Project, factors: Combination) -> dict[str, float]:
     """Return the horizontal load along every loaded column in N/m, positive to the right, by name.
 
     Args:
-        project: the validated project.
         factors: on the permanent and the variable part.
     """
     found: dict[str, float] = {}
@@ -229,7 +227,6 @@ def node_loads(project: Project, factors: Combination) -> dict[str, float]:
     """Return the load on every loaded node in N, positive downwards, by name; loads on one node add up.
 
     Args:
-        project: the validated project.
         factors: on the permanent and the variable part.
     """
     found: dict[str, float] = {}
@@ -241,11 +238,7 @@ def node_loads(project: Project, factors: Combination) -> dict[str, float]:
 
 
 def horizontal_load(project: Project) -> float:
-    """Return the sum of the magnitudes of the horizontal loads of the gravity combination on columns, N.
-
-    Args:
-        project: the validated project.
-    """
+    """Return the sum of the magnitudes of the horizontal loads of the gravity combination on columns, N."""
     heights, on_columns = project.frame.storey_heights, column_loads(project, project.loads.gravity)
     return sum(
         abs(on_columns.get(names.column_name(line, storey), 0.0)) * heights[storey - 1]
@@ -255,9 +248,6 @@ def horizontal_load(project: Project) -> float:
 
 def floor_loads(project: Project) -> np.ndarray:
     """Return the loads of the gravity combination on beams, nodes and the leaning column, by floor.
-
-    Args:
-        project: the validated project.
 
     Returns:
         N downwards, shape (storeys + 1,): nodes on the ground, then the floors from the lowest.
@@ -276,9 +266,5 @@ def floor_loads(project: Project) -> np.ndarray:
 
 
 def gravity_load(project: Project) -> float:
-    """Return the sum of the loads of the gravity combination on beams, nodes and the leaning column, N downwards.
-
-    Args:
-        project: the validated project.
-    """
+    """Return the sum of the loads of the gravity combination on beams, nodes and the leaning column, N downwards."""
     return float(floor_loads(project).sum())

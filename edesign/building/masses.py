@@ -21,9 +21,6 @@ def node_masses(project: Project) -> dict[str, float]:
     would bring as a simply supported one, divided by the standard acceleration of gravity. Horizontal loads on columns
     have no mass. That of the leaning column stands at the leading nodes of the floors.
 
-    Args:
-        project: the validated project.
-
     Raises:
         InputError: loads upwards would give a negative mass.
     """
@@ -36,9 +33,6 @@ def node_masses(project: Project) -> dict[str, float]:
 
 def vertical_masses(project: Project) -> dict[str, float]:
     """Return the mass of every node that resists vertical motion, in kg, by name; the leaning column has none.
-
-    Args:
-        project: the validated project.
 
     Raises:
         InputError: loads upwards would give a negative mass.
@@ -53,9 +47,6 @@ def still_beams(project: Project) -> list[str]:
 
     Masses stand at nodes. What a beam carries between two nodes that columns or braces hold up is at these nodes, and
     shakes the columns alone. A beam that is divided by a node with mass that hangs in it vibrates on its own.
-
-    Args:
-        project: the validated project.
 
     Raises:
         InputError: loads upwards would give a negative mass.

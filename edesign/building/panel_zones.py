@@ -95,9 +95,6 @@ def panel_of(beam: float, column: IShape, doubler: float, E: float, fy: float, h
 def panels_of(project: Project) -> dict[str, Panel]:
     """Return the panel zones of a project by the node of their joint; a later entry overrides an earlier one.
 
-    Args:
-        project: the validated project.
-
     Raises:
         InputError: a joint has no I sections, or its column's steel does not yield.
     """
@@ -141,7 +138,6 @@ class PanelBuilder:
     """Adds panel zones to a model, and the nodes at their edges.
 
     Args:
-        model: of the core.
         nodes: ids of the joints by name.
         places: of all nodes by their ids, m; nodes that are added are noted.
         panels: by the node of their joint.
@@ -169,7 +165,6 @@ class PanelBuilder:
         """Return how far from a joint's node a column or beam ends, m.
 
         Args:
-            joint: name of the node.
             kind: "column" or "beam".
         """
         panel = self._panels.get(joint)
@@ -179,10 +174,8 @@ class PanelBuilder:
         """Return the nodes at which a member ends: the joints', or some at the edges of their panels.
 
         Args:
-            member: its name.
             joints: names of the nodes at its start and end.
             EI: bending stiffness, N m2.
-            geometry: of the member.
 
         Returns:
             Numbers of the nodes at its start and its end.
@@ -200,12 +193,9 @@ class PanelBuilder:
         """Return the node at which a member ends: the joint's, or one at the edge of its panel.
 
         Args:
-            joint: name of the node.
-            member: its name.
             towards: unit vector from the joint into the member.
             EI: bending stiffness of the member, N m2, for the stiffness of the arm.
             length: of the member, m.
-            geometry: of the member.
         """
         panel = self._panels.get(joint)
         if panel is None:

@@ -23,9 +23,6 @@ def rigid_ends(project: Project) -> dict[str, Ends]:
     1 the member begins to bend at the face of the joint. A column has none at the base, and a beam none where braces
     meet it in the middle.
 
-    Args:
-        project: the validated project.
-
     Raises:
         InputError: a section has no depth, or rigid ends leave nothing of a member.
     """

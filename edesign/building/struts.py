@@ -83,7 +83,6 @@ def strut(project: Project, section: str, material: str, length: float) -> Strut
     and curve c: its shape is not known. A stack of rectangles is taken as solid.
 
     Args:
-        project: the validated project.
         section: its name in the project.
         material: its name in the project.
         length: L_cr about both axes, m.
@@ -114,7 +113,6 @@ def equivalent_camber(project: Project, section: str, material: str, axis: Secti
     """Return the camber / length with which first yield of a pinned strut is at N_b,Rd.
 
     Args:
-        project: the validated project.
         section: its name in the project.
         material: name of its steel in the project; the steel yields.
         axis: about which the strut buckles; a stack of rectangles has its own only.
@@ -140,12 +138,7 @@ def equivalent_camber(project: Project, section: str, material: str, axis: Secti
 
 
 def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
-    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section.
-
-    Args:
-        project: the validated project.
-        frame: its model.
-    """
+    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section."""
     found = []
     for member in (*frame.of_kind("column"), *frame.of_kind("brace")):
         run = project.frame.members[member.name]

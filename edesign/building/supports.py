@@ -25,9 +25,7 @@ def support_springs(
     """Add the springs that hold a node.
 
     Args:
-        model: of the core.
         name: of the supported node.
-        node: its number in the core.
         place: x and y of the node, m.
         directions: what holds ux, uy, rz; "fixed" and "free" get no spring.
 
@@ -67,11 +65,8 @@ def add_footing(
     Damping that is proportional to stiffness leaves the springs out: the dashpots have the damping of the soil.
 
     Args:
-        model: of the core.
         name: of the supported node.
-        node: its number in the core.
         place: x and y of the node, m.
-        footing: its springs.
         turns: whether anything but the footing holds the rotation of the node; without, it is fixed.
 
     Returns:
@@ -105,11 +100,7 @@ def _spring(model: Model, name: str, ground: int, node: int, degree: int, law: S
 
 
 def vertical_spring(name: str) -> str:
-    """Return the name of the element that supports a node vertically, if a spring does.
-
-    Args:
-        name: of the node.
-    """
+    """Return the name of the element that supports a node vertically, if a spring does."""
     return f"{name}.vertical"
 
 

@@ -135,7 +135,6 @@ def shape(
     """Return a positive parameter that acts non-linearly, its logarithm normal about the scale of the motion.
 
     Args:
-        name: of the parameter.
         unit: SI.
         centre: SI.
         lower: bound, SI.
@@ -152,6 +151,5 @@ def share(name: str, centre: float = 0.5, spread: float = 0.5, upper: float = 1.
         name: of the parameter.
         centre: mean.
         spread: standard deviation.
-        upper: bound.
     """
     return Parameter(name, "", 0.0, upper, centre, spread)

@@ -96,11 +96,7 @@ def _outcome(
 
 
 def notes_of(campaign: Campaign) -> tuple[str, ...]:
-    """Return what should be known of a campaign before the search: how its tests were read, what of them is clipped.
-
-    Args:
-        campaign: that was read.
-    """
+    """Return what should be known of a campaign before the search: how its tests were read, what of them is clipped."""
     return (*campaign.notes, *clipping_notes(campaign.tests)) if isinstance(campaign, DamperCampaign) else ()
 
 

@@ -77,7 +77,6 @@ def write_files(found: Calibration, folder: Path) -> list[Path]:
     Each appears when it is whole. The first has all that was found: it stands where the others cannot be made.
 
     Args:
-        found: by the calibration.
         folder: where the files go.
 
     Returns:

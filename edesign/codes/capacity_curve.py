@@ -138,11 +138,6 @@ def fitting(target: Callable[[float], float], most: float) -> float:
 def zero(function: Callable[[float], float], low: float, high: float) -> float:
     """Find where a function passes from below zero to above, to 1e-9 of `high`.
 
-    Args:
-        function: of one number.
-        low: where the function is below zero.
-        high: where it is above.
-
     Returns:
         The place, between `low` and `high`.
     """

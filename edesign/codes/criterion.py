@@ -73,10 +73,8 @@ def at_most(clause: str, text: str, limit: float, value: float, detail: str = ""
     """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits.
 
     Args:
-        clause: number of the clause.
         text: what is required.
         limit: largest value.
-        value: the ratio.
         detail: place or remark.
     """
     return Criterion(clause, text, limit, value, "", bool(value <= limit * (1.0 + ROUNDING)), detail)
@@ -86,10 +84,7 @@ def at_least(clause: str, text: str, limit: float, value: float, detail: str = "
     """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits.
 
     Args:
-        clause: number of the clause.
         text: what is required.
-        limit: least value.
-        value: the ratio.
         detail: place or remark.
     """
     return Criterion(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail, least=True)

@@ -19,7 +19,6 @@ def log_log(at: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Return the ordinates at places greater than zero, in their shape; beyond the points the outermost lines go on.
 
     Args:
-        at: places.
         x: places of the points of the curve, see `exponents`.
         y: ordinates of the points, see `exponents`.
 

@@ -109,11 +109,7 @@ class SetRules:
         return bool(self.clauses.zero_period)
 
     def of(self, matched: bool) -> SetRules:
-        """Return the rules for motions that were fitted in shape, or only scaled.
-
-        Args:
-            matched: motions were fitted in shape.
-        """
+        """Return the rules for motions that were fitted in shape, or only scaled."""
         if not matched or self.least_ratio_matched is None:
             return self
         return replace(self, least_ratio=self.least_ratio_matched)
@@ -165,7 +161,6 @@ class SetRules:
         """Return why the mean spectrum cannot be compared with a target; "" if it can.
 
         Args:
-            target: its spectrum.
             T_1: fundamental period, s; None: it is not known.
         """
         if T_1 is None:

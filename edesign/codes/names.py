@@ -13,7 +13,6 @@ def unknown(what: str, seen: object, allowed: Iterable[object]) -> InputError:
 
     Args:
         what: kind of the thing.
-        seen: name that was given.
         allowed: names there are.
     """
     names = [str(name) for name in allowed]

@@ -41,9 +41,6 @@ class Spectrum(Protocol):
     def with_damping(self, damping: float) -> Self:
         """Return the spectrum of the same action for another ratio of critical damping.
 
-        Args:
-            damping: ratio of critical.
-
         Raises:
             InputError: the code has no spectrum of this damping.
         """
@@ -79,9 +76,5 @@ class DesignOrdinates(Protocol):
 
 
 def characteristic_period(spectrum: Spectrum) -> float | None:
-    """Return the end of the branch of constant acceleration, T_C or T_S, s; None of a spectrum without corners.
-
-    Args:
-        spectrum: of any code.
-    """
+    """Return the end of the branch of constant acceleration, T_C or T_S, s; None of a spectrum without corners."""
     return spectrum.corners.get("T_C", spectrum.corners.get("T_S"))

@@ -143,9 +143,6 @@ class TabulatedSpectrum:
     def with_damping(self, damping: float) -> Self:
         """Return the spectrum of the same action for another ratio of critical damping.
 
-        Args:
-            damping: ratio of critical.
-
         Raises:
             InputError: the table is of another damping, and has no correction; or the ratio is not between 0 and 1.
         """

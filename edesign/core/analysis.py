@@ -116,7 +116,6 @@ class Analysis:
         Args:
             channels: in the place of all before.
             rows: how many there will be at most, with the one at the start.
-            steps_a_row: from one row to the next.
             limits: as in `history`.
             **kept: which rows are kept, see `Recording`.
 
@@ -135,7 +134,6 @@ class Analysis:
         """Return what a run has recorded, once it has ended.
 
         Args:
-            recording: of the run.
             status: see `Response`.
             reason: see `Response`.
             cpu: s.
@@ -181,7 +179,6 @@ class Analysis:
 
         Args:
             name: a key of `SETTINGS`.
-            value: see the class.
 
         Raises:
             ValueError: there is no such setting.
@@ -337,7 +334,6 @@ class Analysis:
         """Bring a pattern to a factor in equal steps (load control); it stays on for later runs.
 
         Args:
-            pattern: number of the load pattern.
             factor: of the pattern at the end.
             steps: how many.
             channels: what to record.
@@ -361,8 +357,6 @@ class Analysis:
         """Move a degree in equal steps under a pattern of nodal loads (displacement control).
 
         Args:
-            pattern: number of the load pattern.
-            node: number of the node.
             degree: "ux", "uy" or "rz".
             target: displacement at the end, m or rad.
             steps: how many.
@@ -394,7 +388,6 @@ class Analysis:
         Args:
             ground_acceleration: (nt,) m/s2 along x, `dt` s apart; the first sample is at time 0.
             dt: step of the samples, s.
-            method: integrator.
             channels: what to record.
             every: every so many steps are kept, extremes and the balance of the energies count every step. 0: only the
                 start is kept, and energies are not counted in between.

@@ -47,9 +47,6 @@ def compiler() -> list[str]:
 def declarations(header: Path = HEADER) -> str:
     """Return the declarations of a C header as cffi reads them.
 
-    Args:
-        header: path of the header.
-
     Returns:
         The preprocessed text without directives and attributes, preceded by the integer macros ED_* as constants: those
         of this header and of all beside it, which it includes.

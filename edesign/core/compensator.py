@@ -51,9 +51,6 @@ class DifferenceEquation:
     def fill(self, parameters: Any) -> None:
         """Write the compensator into the core's struct.
 
-        Args:
-            parameters: the struct.
-
         Raises:
             ValueError: it has more terms than the core takes.
         """
@@ -86,11 +83,7 @@ class LiveDelay:
     threshold: float
 
     def fill(self, parameters: Any) -> None:
-        """Write the compensator into the core's struct.
-
-        Args:
-            parameters: the struct.
-        """
+        """Write the compensator into the core's struct."""
         parameters.kind = lib.ED_COMPENSATE_LIVE_DELAY
         parameters.order, parameters.share, parameters.threshold = self.order, self.share, self.threshold
         parameters.delay, parameters.least_delay, parameters.largest_delay = self.delay, self.least, self.largest
@@ -123,9 +116,6 @@ class AdaptiveTimeSeries:
 
     def fill(self, parameters: Any) -> None:
         """Write the compensator into the core's struct.
-
-        Args:
-            parameters: the struct.
 
         Raises:
             ValueError: its filter has more sections than the core takes.
@@ -165,7 +155,6 @@ def run_compensator(compensator: Compensator, step: float, target: ArrayLike, me
     """Return the commands (n,) m of a compensator on its own.
 
     Args:
-        compensator: which one.
         step: main step, s.
         target: (n, 3) displacement, velocity, acceleration at the ends of n steps, SI.
         measured: (n,) displacement at the beginnings of these steps, m.

@@ -59,7 +59,6 @@ def least_sizes(compensator: Compensator, step: float) -> Sizes:
     """Return the least sizes with which a compensator does the same as with those of the core.
 
     Args:
-        compensator: which one.
         step: main step, s.
     """
     parameters = compensator_parameters(compensator, step)
@@ -80,7 +79,6 @@ def initialiser(compensator: Compensator, step: float) -> str:
     beside. Members that are 0 are left out.
 
     Args:
-        compensator: which one.
         step: main step, s.
     """
     parameters = compensator_parameters(compensator, step)
@@ -89,9 +87,6 @@ def initialiser(compensator: Compensator, step: float) -> str:
 
 def hexadecimal(value: float) -> str:
     """Return a number as C99 reads it to the same bits.
-
-    Args:
-        value: the number.
 
     Raises:
         ValueError: it is not a number.

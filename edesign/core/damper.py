@@ -49,29 +49,17 @@ class LawValues:
 
 
 def law_number(law: str) -> int:
-    """Return the core's number of a law, ED_LAW_*.
-
-    Args:
-        law: its name.
-    """
+    """Return the core's number of a law, ED_LAW_*."""
     return int(getattr(lib, f"ED_LAW_{law.upper()}"))
 
 
 def amendment_number(kind: str) -> int:
-    """Return the core's number of an amendment, ED_AMEND_*.
-
-    Args:
-        kind: its name.
-    """
+    """Return the core's number of an amendment, ED_AMEND_*."""
     return int(getattr(lib, f"ED_AMEND_{kind.upper().replace('.', '_')}"))
 
 
 def placement_number(placement: Placement) -> int:
-    """Return the core's number of a placement, ED_PLACE_*.
-
-    Args:
-        placement: its name.
-    """
+    """Return the core's number of a placement, ED_PLACE_*."""
     return int(getattr(lib, f"ED_PLACE_{placement.upper()}"))
 
 

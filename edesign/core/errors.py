@@ -19,9 +19,5 @@ class CoreError(AnalysisError):
 
 
 def status_name(status: int) -> str:
-    """Return the name of a status of the core.
-
-    Args:
-        status: its number.
-    """
+    """Return the name of a status of the core."""
     return str(ffi.string(lib.ed_status_name(status)).decode(errors="replace"))

@@ -43,9 +43,6 @@ class FrameNumericalPart:
     def fill(self, data: Any) -> list[Any]:
         """Write the numerical part into the core's struct.
 
-        Args:
-            data: the struct.
-
         Returns:
             What must live until a test has been made of it.
         """

@@ -45,7 +45,6 @@ def linked_histories(
     """Return the states and the forces of the links in tests of one structure, each from rest.
 
     Args:
-        links: dampers.
         seen: (2 links, n) rows that give their deformations, then their velocities, of the state.
         tests: in the order in which they were made.
         carry: whether what amendments of the links remember goes on from test to test.

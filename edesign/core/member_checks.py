@@ -62,11 +62,7 @@ BEAM_CHECKS = (Check.BEAM_M, Check.BEAM_N, Check.BEAM_V)
 
 
 def mask(*checks: Check) -> int:
-    """Return a set of checks as bits.
-
-    Args:
-        *checks: the checks.
-    """
+    """Return a set of checks as bits."""
     return sum({1 << check for check in checks})
 
 

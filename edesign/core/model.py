@@ -59,10 +59,6 @@ class Model:
     def material(self, law: Steel, fatigue: Fatigue | None = None) -> int:
         """Add a uniaxial law, whose fibres break by `fatigue` if it is given.
 
-        Args:
-            law: of the steel.
-            fatigue: at which fibres break.
-
         Returns:
             Number of the material.
         """
@@ -122,18 +118,13 @@ class Model:
         )
 
     def layers(self, section: int) -> int:
-        """Return the number of layers of a fibre section after merging.
-
-        Args:
-            section: its number.
-        """
+        """Return the number of layers of a fibre section after merging."""
         return self._checked(lib.ed_model_section_layers(self._handle, section))
 
     def node(self, name: str, x: float, y: float) -> int:
         """Add a node.
 
         Args:
-            name: of the node.
             x: m.
             y: m.
 
@@ -149,7 +140,6 @@ class Model:
         """Hold degrees of a node.
 
         Args:
-            node: its number.
             ux: hold the horizontal displacement.
             uy: hold the vertical displacement.
             rz: hold the rotation.
@@ -160,8 +150,6 @@ class Model:
         """Let degrees of a node be those of another one (rigid diaphragm: ux).
 
         Args:
-            node: its number.
-            master: number of the other node.
             ux: tie the horizontal displacement.
             uy: tie the vertical displacement.
             rz: tie the rotation.
@@ -172,7 +160,6 @@ class Model:
         """Add lumped mass to a node.
 
         Args:
-            node: its number.
             mx: along x, kg.
             my: along y, kg.
             mrz: against rotation, kg m2.
@@ -231,7 +218,6 @@ class Model:
         """Let the first and the last part of a beam-column not bend; its end forces are those where it begins to.
 
         Args:
-            element: its number.
             start: length of the first part, m.
             end: length of the last part, m.
         """
@@ -244,7 +230,6 @@ class Model:
             name: of the element.
             i: number of the node at its start.
             j: number of the node at its end.
-            material: its number.
             area: m2.
             geometry: "linear", "p_delta" or "corotational".
 
@@ -346,7 +331,6 @@ class Model:
         """Let the ends of an elastic beam leave out flexibilities that springs beside them have.
 
         Args:
-            element: its number.
             at_i: at its start, rad/(N m).
             at_j: at its end, rad/(N m).
         """
@@ -356,7 +340,6 @@ class Model:
         """Multiply the stiffness of an element where damping is proportional to it.
 
         Args:
-            element: its number.
             factor: dimensionless.
         """
         self._checked(lib.ed_model_damping_factor(self._c, element, factor))
@@ -376,7 +359,6 @@ class Model:
         """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
         Args:
-            name: of the damper.
             law: the law with its parameters and amendments.
             terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux, 1
                 uy, 2 rz. They should have mass.
@@ -431,8 +413,6 @@ class Model:
         """Add a force and a moment on a node.
 
         Args:
-            pattern: its number.
-            node: its number.
             fx: N.
             fy: N.
             mz: N m.
@@ -443,8 +423,6 @@ class Model:
         """Add a load along a beam-column in its local axes.
 
         Args:
-            pattern: its number.
-            element: its number.
             axial: N/m.
             transverse: N/m.
         """
@@ -456,8 +434,6 @@ class Model:
         """Add a force on a beam-column in its local axes.
 
         Args:
-            pattern: its number.
-            element: its number.
             position: 0 to 1 of its length.
             axial: N.
             transverse: N.
@@ -470,8 +446,6 @@ class Model:
         """Add a linear load across a beam-column between two positions.
 
         Args:
-            pattern: its number.
-            element: its number.
             start: first position, 0 to 1 of its length.
             end: last position, 0 to 1 of its length.
             at_start: load there, N/m.

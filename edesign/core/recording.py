@@ -28,7 +28,6 @@ class Recording:
 
     Args:
         channels: in the order of the core's.
-        limits: by name of a channel.
         before: statistics of the analysis when the run began.
         rows: how many rows there will be at most, with the one at the start.
         every: one row of so many is kept.
@@ -74,11 +73,7 @@ class Recording:
         return tuple(ffi.from_buffer("double[]", b.ravel()) for b in (self._abscissa, self._values, self._energy))
 
     def take(self, count: int) -> None:
-        """Take over the first rows of the buffers; the core writes the next ones there.
-
-        Args:
-            count: number of rows.
-        """
+        """Take over the first rows of the buffers; the core writes the next ones there."""
         if not count:
             return
         self.end = float(self._abscissa[count - 1])

@@ -120,9 +120,6 @@ class Response:
     def peak(self, name: str) -> float:
         """Return the largest magnitude of a channel.
 
-        Args:
-            name: of the channel.
-
         Returns:
             In the unit of the channel.
         """

@@ -102,7 +102,6 @@ class SpaceModel:
         masters: (f, 2) place of each master in plan, m; often the centre of mass.
         fixed: (n, 6) True where ux, uy, uz, rx, ry, rz is held.
         springs: (n, 6) stiffness to the ground, N/m and N m/rad.
-        members: the members.
         node_names, member_names: for messages.
 
     Raises:

@@ -49,7 +49,6 @@ def buckling_shapes(
         model: of the frame.
         axial: (m,) N, tension positive.
         start: (k, n_equations) K-orthonormal shapes.
-        wanted: gives the numbers of the shapes that are to be found.
         exact_below: factors from here on need not be exact.
 
     Raises:

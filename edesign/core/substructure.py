@@ -64,9 +64,6 @@ class LinearRig:
     def fill(self, model: Any) -> None:
         """Write the rig into the core's struct.
 
-        Args:
-            model: the struct.
-
         Raises:
             ValueError: the rig has more states than the core takes.
         """
@@ -98,11 +95,7 @@ class ServoHydraulicRig:
     delay: float = 0.0
 
     def fill(self, model: Any) -> None:
-        """Write the rig into the core's struct.
-
-        Args:
-            model: the struct.
-        """
+        """Write the rig into the core's struct."""
         model.kind, model.delay, model.gain = lib.ED_RIG_SERVO_HYDRAULIC, self.delay, self.gain
         model.oil, model.valve_lag = self.oil, self.valve_lag
 
@@ -210,7 +203,6 @@ class SubstructureLoop:
         specimen: law and amendments of the damper in it.
         scales: of its force and its deformation, F = scales[0] law(scales[1] u).
         numerical: the structure, linear or a frame that may yield; None: targets are given.
-        limits: of the rig.
         rig_stiffness: between actuator and specimen, N/m; 0: rigid.
         corrected: whether the difference of actuator and specimen is added to the command.
         unseen_delay: main steps between the target and the compensator.

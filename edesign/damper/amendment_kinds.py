@@ -519,7 +519,6 @@ def placed_form(name: str, form: str) -> tuple[str, Placement]:
     """Return the form of an effect as it is called today, and the placement that a former name says with it.
 
     Args:
-        name: of the effect.
         form: of the effect, e.g. "whole" or "whole_inside".
     """
     return FORMER_FORMS.get((name, form), (form, "whole"))

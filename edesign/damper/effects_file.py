@@ -27,9 +27,6 @@ class EffectsError(InputError):
 def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
     """Read the amendments that a file describes.
 
-    Args:
-        effects: blocks of the file.
-
     Raises:
         EffectsError: an effect or form does not exist, or parameters are wrong; tells all of them.
     """

@@ -172,9 +172,6 @@ class BoucWen:
 
     z goes from -z_m to 0 with A + (gamma - beta) |z|^n, and on to z_m with A - (gamma + beta) z^n. The integrals over z
     are cubic Hermite splines between points that Gauss's rule finds to rounding.
-
-    Args:
-        Fy, Y, alpha, A, beta, gamma, n: as of the law.
     """
 
     def __init__(self, Fy: float, Y: float, alpha: float, A: float, beta: float, gamma: float, n: float) -> None:

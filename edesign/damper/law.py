@@ -99,11 +99,7 @@ class Law:
     speed: tuple[str, ...] = ()
 
     def with_branches(self, count: int) -> tuple[Parameter, ...]:
-        """Return all parameters in the order of the core, with those of some branches.
-
-        Args:
-            count: number of branches.
-        """
+        """Return all parameters in the order of the core, with those of some branches."""
         repeated = (
             replace(parameter, name=f"{parameter.name}{i}", meaning=f"{parameter.meaning} {i}")
             for i in range(1, count + 1)

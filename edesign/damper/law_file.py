@@ -84,7 +84,6 @@ def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescript
     """Read a law file.
 
     Args:
-        path: the file.
         content: of the file, if it has been read.
 
     Returns:
@@ -169,9 +168,6 @@ def _culprit(described: LawDescription, message: str) -> tuple[str, ...]:
 
 def strain_of_tests(described: LawDescription) -> float | None:
     """Return the largest shear strain of the tests that the parameters come from; None: not known.
-
-    Args:
-        described: the law of the file.
 
     Returns:
         Dimensionless, or None.

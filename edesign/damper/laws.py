@@ -417,11 +417,7 @@ _ALSO_CALLED = {
 
 
 def unknown_law(name: str) -> str:
-    """Return the message on the name of a law that there is not, with the law that is likely meant.
-
-    Args:
-        name: that was given.
-    """
+    """Return the message on the name of a law that there is not, with the law that is likely meant."""
     words = name.lower().replace("-", "_").split("_")
     meant = _ALSO_CALLED.get(name.lower()) or next((one for one in LAWS if sorted(one.split("_")) == sorted(words)), "")
     hint = f"; did you mean `{meant}`?" if meant else did_you_mean(name, LAWS)
@@ -430,9 +426,6 @@ def unknown_law(name: str) -> str:
 
 def law(name: str) -> Law:
     """Return the law of a name.
-
-    Args:
-        name: of the law.
 
     Raises:
         InputError: there is none; the message names the nearest.

@@ -55,7 +55,6 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
     """Read the parameters of a law.
 
     Args:
-        law: the law.
         values: by name, text with unit (`0.515 kN/mm`), a plain number where there is no dimension; or the name of a
             set in PARAMETER_SETS. An exponent in a unit is that of the law: a number, or the name of the parameter
             (`kN*(s/mm)^0.374`, `kN*(s/mm)^alpha`). A parameter of branches may be given for all of them: `k: [3 kN/mm,
@@ -131,10 +130,6 @@ def _branches_apart(
 def parameter_set(law: Law, name: str) -> ParameterSet:
     """Return a published set of parameters.
 
-    Args:
-        law: the law.
-        name: of the set.
-
     Raises:
         InputError: there is none of that name, or it is of another law.
     """
@@ -151,7 +146,6 @@ def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
     """Return parameters in kN, mm and s as text that `read_parameters` reads back to a relative 1e-12.
 
     Args:
-        law: the law.
         values: by name, SI units.
 
     Raises:
@@ -168,7 +162,6 @@ def practical_units(law: Law, values: Mapping[str, float]) -> dict[str, tuple[fl
     """Return the units in which `write_parameters` writes, by parameter: one of each in SI, and its name.
 
     Args:
-        law: the law.
         values: all parameters by name, SI.
     """
     plain = {p.name: f"{values[p.name]:.{_DIGITS}g}" for p in law.all_parameters(values) if not p.unit}

@@ -133,7 +133,6 @@ class GammaT:
         """Return MGMM parameters at a temperature: Eqs. 4.34-4.36 have the form of Eqs. 4.24-4.29 with these.
 
         Args:
-            law: the law.
             values: complete parameters at the reference, SI.
             temperature_C: degC.
         """
@@ -168,7 +167,6 @@ def at_one_rate(values: Mapping[str, float], gamma: float) -> dict[str, float]:
 
     Args:
         values: parameters by name, SI.
-        gamma: the factor.
     """
     found = dict(values)
     for name in CHANGING:
@@ -264,7 +262,6 @@ class FerryShift:
         """Return parameters with all relaxation times multiplied by a_T; stiffnesses stay.
 
         Args:
-            law: the law.
             values: complete parameters at the reference, SI.
             temperature_C: degC.
         """
@@ -288,7 +285,6 @@ def at(
     """Return the parameters of a law at a temperature.
 
     Args:
-        law: the law.
         values: parameters by name at the reference temperature, SI units.
         temperature_C: degC.
         model: how they change; None: the table of the thesis for the MGMM, no change for other laws.

@@ -118,7 +118,6 @@ def residual_csv(predicted: PropertyRows, measured: PropertyRows) -> str:
     """Return the rows with measured and predicted properties and relative residuals as CSV.
 
     Args:
-        predicted: properties.
         measured: properties of the same tests.
     """
     r = residuals(predicted, measured)

@@ -106,7 +106,6 @@ def sloshing_mass_ratio(length: float, depth: float, mode: int = 1) -> float:
     Args:
         length: of the tank along the motion, m.
         depth: of the liquid, m.
-        mode: number of the mode.
 
     Returns:
         Dimensionless, 0 to 1.

@@ -19,11 +19,7 @@ def robust_deviation(values: np.ndarray) -> float:
 
 
 def difference_gain(order: int) -> float:
-    """Return the standard deviation of a difference of unit white noise: the root of the central binomial coefficient.
-
-    Args:
-        order: of the difference.
-    """
+    """Return the standard deviation of a difference of unit white noise: the root of a central binomial coefficient."""
     return math.sqrt(math.comb(2 * order, order))
 
 

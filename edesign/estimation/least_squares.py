@@ -119,8 +119,6 @@ def weighted(model: Model, noise: Noise, values: np.ndarray, predicted: Tests, s
     (I + Z Z')^(-1/2).
 
     Args:
-        model: of the tests.
-        noise: of the tests.
         values: (p,) SI.
         predicted: (n_i,) of each test.
         slopes: (n_i, p) d predicted / d z.

@@ -61,7 +61,6 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
     Parameters at a bound count as known.
 
     Args:
-        fitted: model with its parameters.
         noise: of the tests.
         wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: their shares, the same in
             all tests, have the prior N(0, 1). None: there are none.
@@ -188,12 +187,7 @@ LEAST = 4.0
 
 
 def difference(better: Score, worse: Score) -> Difference:
-    """Return by how much one model predicts better than another.
-
-    Args:
-        better: score of the one.
-        worse: score of the other.
-    """
+    """Return by how much one model predicts better than another."""
     each = better.left_out - worse.left_out
     promised = better.within - worse.within
     return Difference(float(each.sum()), float(np.sqrt(np.sum((each - promised) ** 2))))

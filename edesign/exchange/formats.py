@@ -172,7 +172,6 @@ def take(source: Path, target: Path, overwrite: bool = False) -> TakenModel:
 
     Args:
         source: SAP2000's text.
-        target: the file of edesign.
         overwrite: whether a file is replaced that edesign did not write.
 
     Raises:

@@ -49,9 +49,6 @@ def checked_hazard(project: Project) -> Hazard: ...
 def checked_hazard(project: Project | Building) -> Hazard:
     """Return the hazard of a project or building after checking everything that its code has to say.
 
-    Args:
-        project: the validated project or building.
-
     Raises:
         InputError: it has no hazard, or names a country, zone or parameter that does not exist or fit; the
             message names the place in the file.
@@ -148,7 +145,6 @@ def factor_of_level(hazard: Hazard, level: str) -> float:
 
     Args:
         hazard: block of the project.
-        level: its name in the hazard.
 
     Raises:
         InputError: there is no such level.
@@ -163,7 +159,6 @@ def objective_level(letter: str, hazard: Hazard | None) -> str | None:
     by a factor, an importance class or a risk have none.
 
     Args:
-        letter: of the objective.
         hazard: the seismic action; None: the project has none.
     """
     if hazard is None:

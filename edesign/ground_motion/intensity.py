@@ -104,9 +104,6 @@ def measures(record: Record) -> Measures:
     Arias intensity is pi / (2 g) times the integral of the squared acceleration, the significant durations run between
     shares of it, and cumulative absolute velocity is the integral of the absolute acceleration.
 
-    Args:
-        record: the record.
-
     Source: Arias (1970); Trifunac & Brady (1975), 5-95 %; Somerville et al. (1997), 5-75 %; EPRI NP-5930 (1988), CAV.
     """
     a, dt = record.acceleration, record.time_step

@@ -36,9 +36,6 @@ class PeerHeader:
 def read_peer_header(path: Path) -> PeerHeader:
     """Read the title of an .AT2 file.
 
-    Args:
-        path: of the file.
-
     Raises:
         InputError: the file cannot be read.
     """
@@ -58,7 +55,6 @@ def same_year(header: PeerHeader, year: int) -> bool:
     """Say whether the title gives this year, with four or two digits.
 
     Args:
-        header: of the file.
         year: of the earthquake.
     """
     return header.year in (year, year % 100)
@@ -74,7 +70,6 @@ def contradictions(
     """List what the title says otherwise; what one side does not say contradicts nothing.
 
     Args:
-        header: of the file.
         event: name of the earthquake; spelling and additions may differ, all words or all numbers may not.
         year: of the earthquake.
         station: its name, compared in this way too.

@@ -26,11 +26,7 @@ class PeerName:
 
     @classmethod
     def parse(cls, text: str) -> PeerName | None:
-        """Read a name such as `RSN6_IMPVALL.I_I-ELC180.AT2`; RSN6_ and .AT2 may be left out. None: it is none.
-
-        Args:
-            text: the name.
-        """
+        """Read a name such as `RSN6_IMPVALL.I_I-ELC180.AT2`; RSN6_ and .AT2 may be left out. None: it is none."""
         for suffix in _SUFFIXES:
             if text.lower().endswith(suffix.lower()):
                 text = text[: -len(suffix)]
@@ -44,11 +40,7 @@ class PeerName:
         return f"{number}{self.event}_{self.component}.AT2"
 
     def is_complete(self, name: str) -> bool:
-        """Say whether a file's name says earthquake and component; RSNn_ may be missing on either side.
-
-        Args:
-            name: of the file.
-        """
+        """Say whether a file's name says earthquake and component; RSNn_ may be missing on either side."""
         number = "[0-9]+" if self.rsn is None else f"0*{self.rsn}"
         endings = "|".join(re.escape(suffix) for suffix in _SUFFIXES)
         return _matches(rf"(rsn{number}_)?{re.escape(f'{self.event}_{self.component}')}({endings})", name)
@@ -57,20 +49,13 @@ class PeerName:
         """Say whether an AT2 file's name ends with the component, but does not say the earthquake in the same way.
 
         I-ELC180.at2, IMPVALL_I-ELC180.AT2 and NGA_no_6_I-ELC180.AT2 are such names, of older editions of the data base.
-
-        Args:
-            name: of the file.
         """
         other = "" if self.rsn is None else rf"(?!rsn(?!0*{self.rsn}_)[0-9])"  # not of another number
         return _matches(rf"{other}(.+_)?{re.escape(self.component)}\.at2", name) and not self.is_complete(name)
 
 
 def may_be_peer(name: str) -> bool:
-    """Say whether a file's name ends like one that is looked for.
-
-    Args:
-        name: of the file.
-    """
+    """Say whether a file's name ends like one that is looked for."""
     return name.lower().endswith(tuple(suffix.lower() for suffix in _SUFFIXES))
 
 

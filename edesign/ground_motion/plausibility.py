@@ -32,11 +32,7 @@ _ROUNDING = 1e-9  # relative: a factor of 3 as written is not beyond 3
 
 
 def doubts(record: Record) -> tuple[str, ...]:
-    """Return what looks wrong about a record or its file, one sentence each; nothing if it looks like an earthquake.
-
-    Args:
-        record: the record.
-    """
+    """Return what looks wrong about a record or its file, one sentence each; nothing if it looks like an earthquake."""
     pga = record.pga
     if pga == 0.0:
         return (*record.remarks, "the record is zero throughout")

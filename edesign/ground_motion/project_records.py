@@ -41,10 +41,6 @@ from edesign.project.records.records import (
 def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
     """Return the references of a record: itself, or one for each of a suite, of those that were chosen, or of a pair.
 
-    Args:
-        project: the validated project.
-        name: of the record in the project.
-
     Raises:
         InputError: there is no such record, the suite cannot be read, or nothing was chosen for it yet.
     """
@@ -107,7 +103,6 @@ def with_folders(project: Project, folders: Sequence[Path]) -> Project:
     """Return the project with more folders for the recordings of its suites, which are searched after its own.
 
     Args:
-        project: the validated project.
         folders: in the order of the search.
 
     Raises:

@@ -73,7 +73,6 @@ def choice_facts(names: Sequence[str], selection: Selection, compared: int) -> d
 
     Args:
         names: of the chosen recordings.
-        selection: the choice.
         compared: how many candidates there were.
     """
     return {

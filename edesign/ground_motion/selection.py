@@ -134,9 +134,7 @@ def selection_periods(rules: SetRules, T_1: float, options: SelectionOptions) ->
     """Return the periods of the code's check, and beyond them those of the band of the options, equally dense.
 
     Args:
-        rules: of the code.
         T_1: fundamental period, s.
-        options: with the band.
 
     Returns:
         (n,) s, rising.

@@ -74,7 +74,6 @@ def find_recording(entry: SuiteEntry, suite: Suite, folders: Sequence[Path], sta
     error: the next place is not tried.
 
     Args:
-        entry: the recording.
         suite: to which it belongs.
         folders: where the user keeps files of the PEER data base; searched with all folders below them.
         stand_ins: whether a simulated motion may take the place of a recording.
@@ -91,7 +90,6 @@ def find_suite(suite: Suite, folders: Sequence[Path], stand_ins: bool = True) ->
     """Find and read all recordings of a suite, in its order.
 
     Args:
-        suite: the suite.
         folders: in which files are looked for.
         stand_ins: see `find_recording`.
 
@@ -140,11 +138,7 @@ def _own_file(entry: SuiteEntry, suite: Suite) -> Found | None:
 
 
 def origin_of_file(path: Path) -> Literal["file", "stand-in"]:
-    """Say whether a file that was read has a motion that edesign simulated, as its first line tells.
-
-    Args:
-        path: of the file.
-    """
+    """Say whether a file that was read has a motion that edesign simulated, as its first line tells."""
     return "stand-in" if (head_of(path) or b"").startswith(SIMULATED.encode()) else "file"
 
 

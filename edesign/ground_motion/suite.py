@@ -162,20 +162,13 @@ class Suite(Model):
         return {number: (entry, second[number]) for number, entry in first.items() if number in second}
 
     def where(self, entry_id: str) -> str:
-        """Return `file:line:column` of a recording; the file alone if it was not made from text.
-
-        Args:
-            entry_id: id of the recording.
-        """
+        """Return `file:line:column` of a recording; the file alone if it was not made from text."""
         mark = self._marks.get(entry_id)
         return f"{self._path}:{mark.line}:{mark.column}" if mark else str(self._path)
 
 
 def load_suite(path: Path | str) -> Suite:
     """Read and check a suite file.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read.

@@ -52,7 +52,6 @@ def parse_project(
     """Check the text of a project file that (supposedly) stands at `path`; otherwise as `load_project`.
 
     Args:
-        text: the text of the file.
         path: where the file stands, for messages and for the files that it names.
         profiles: names of the catalogue's sections, as for `load_project`.
         files: whether the files that it names must exist.

@@ -173,11 +173,7 @@ class Project(RecordFiles, FileModel):
         return self.dampers.isolation if self.dampers is not None else None
 
     def fitted_level(self, record: str) -> str | None:
-        """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels.
-
-        Args:
-            record: name of the record.
-        """
+        """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels."""
         spec, hazard = self.records[record], self.hazard
         if not spec.fitted or hazard is None or not hazard.own_shapes:
             return None

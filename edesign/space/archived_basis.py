@@ -24,11 +24,7 @@ _LENGTHS = {"L_cr_y", "L_cr_z", "L_LT", "z_g"}
 
 
 def basis(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
-    """Yield the groups with their names below that of the building.
-
-    Args:
-        design: of the building.
-    """
+    """Yield the groups with their names below that of the building."""
     yield "materials", _materials(design)
     yield "floors", _floors(design)
     yield "nodes", _nodes(design)

@@ -146,9 +146,6 @@ def _check_lists(building: Building) -> None:
 def building_warnings(building: Building) -> list[str]:
     """List what is allowed and may not be meant: unusual values and ends, columns that grow upwards.
 
-    Args:
-        building: the building.
-
     Returns:
         Sentences, each with its place in the file.
     """

@@ -250,7 +250,6 @@ class ElasticAnalysis:
 
         Args:
             group: of members.
-            section: its name.
 
         Returns:
             Name of the steel, and the steel.

@@ -23,10 +23,6 @@ _NAME = re.compile(r"[A-Z][A-Za-z0-9_]*(?:\.[0-9]+)?")
 def telling_place(building: Building, *keys: str | int) -> Iterator[None]:
     """Give errors of the input inside the place of a block.
 
-    Args:
-        building: the building.
-        *keys: of the block.
-
     Raises:
         InputError: that of the input, with file, line and column.
     """
@@ -39,9 +35,6 @@ def telling_place(building: Building, *keys: str | int) -> Iterator[None]:
 @contextmanager
 def telling_member(building: Building) -> Iterator[None]:
     """Give errors of the numerical core inside the place of the first member, node or support that they name.
-
-    Args:
-        building: the building.
 
     Raises:
         InputError: the core refuses what the file says; with file, line and column.
@@ -60,7 +53,6 @@ def keys_named(building: Building, text: str) -> Keys:
     """Return the entry of the first member or node that a text names; of none of them that of the supports.
 
     Args:
-        building: the building.
         text: of an error.
     """
     places = _members(building)
@@ -70,22 +62,12 @@ def keys_named(building: Building, text: str) -> Keys:
 
 
 def keys_of_member(building: Building, name: str) -> Keys:
-    """Return the entry of `columns`, `beams` or `braces` that gives a member.
-
-    Args:
-        building: the building.
-        name: of the member.
-    """
+    """Return the entry of `columns`, `beams` or `braces` that gives a member."""
     return _members(building)[name]
 
 
 def keys_of_support(building: Building, line: ColumnLine) -> Keys:
-    """Return the entry of `supports` that a column line takes.
-
-    Args:
-        building: the building.
-        line: the column line.
-    """
+    """Return the entry of `supports` that a column line takes."""
     found: Keys = ("supports",)
     if isinstance(building.supports, dict):
         found = ("supports", "default") if "default" in building.supports else found

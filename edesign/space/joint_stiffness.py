@@ -8,11 +8,7 @@ from edesign.project.building.building import Building
 
 
 def unusual_ends(building: Building) -> list[str]:
-    """Return the entries of beams whose semi-rigid ends are as good as pinned or rigid, a sentence each.
-
-    Args:
-        building: the building.
-    """
+    """Return the entries of beams whose semi-rigid ends are as good as pinned or rigid, a sentence each."""
     layout = building.layout
     numbers = {id(run): i for i, run in enumerate(building.beams)}
     found: dict[tuple[int, str], str] = {}

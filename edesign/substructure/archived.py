@@ -37,7 +37,6 @@ def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str
     """Yield the groups of a test with their places: what drove it, the histories of each compensator, the buildings.
 
     Args:
-        results: of the test.
         histories: which are kept, by the names of `outputs: histories`.
     """
     yield f"{PLACE}/{results.name}", _test(results)
@@ -59,7 +58,6 @@ def building_name(test: str, compensator: str = "") -> str:
     """Return the name under which the building of a test stands among the analyses; of its direct one without both.
 
     Args:
-        test: its name.
         compensator: its name; "": the direct response.
     """
     return f"{test}:{compensator}" if compensator else test
@@ -83,11 +81,7 @@ def _analysis(results: TestResults, building: Group, compensator: str = "") -> t
 
 
 def indicators(runs: Sequence[VirtualTest]) -> Group:
-    """Return what was found of each run, side by side.
-
-    Args:
-        runs: of the tests.
-    """
+    """Return what was found of each run, side by side."""
     names = np.array([f"{run.test}/{run.compensator}" for run in runs])
     group = Group(coords={"run": Variable(("run",), names, "", "test/compensator")})
     for name, text in (
@@ -178,7 +172,6 @@ def method_group(results: MethodResults, time: np.ndarray) -> Group:
     """Return a test by another method.
 
     Args:
-        results: of the test.
         time: (n,) s, of the earthquake.
     """
     group = Group(attributes={"kind": results.kind, "outcome": results.outcome, "told": list(results.told)})

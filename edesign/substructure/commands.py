@@ -23,7 +23,6 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
     Derivatives are those of the sines, or of the cubic spline through the samples.
 
     Args:
-        command: of the file.
         step: main step, s.
         folder: that a CSV file is relative to.
 

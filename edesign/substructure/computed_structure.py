@@ -44,12 +44,7 @@ class Direct:
 
 
 class ComputedStructure:
-    """Part of a test that the computer integrates.
-
-    Args:
-        file: of the tests.
-        laboratory: of the file.
-    """
+    """Part of a test that the computer integrates."""
 
     def __init__(self, file: RtsFile, laboratory: Laboratory) -> None:
         self.file, self.laboratory = file, laboratory
@@ -145,7 +140,6 @@ class ComputedStructure:
 
         Args:
             drive: with a ground motion.
-            record: of the loop.
             failed: why the test has no result; empty: it has one.
 
         Returns:
@@ -179,7 +173,6 @@ class ComputedStructure:
         Too fast is one whose vibrations grow even with an ideal rig.
 
         Args:
-            test: its name.
             drive: of the test.
         """
         structure, loop = self.laboratory.structure, self.file.loop

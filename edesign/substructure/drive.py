@@ -43,10 +43,6 @@ class Drive:
 def drive_of(file: RtsFile, test: CommandTest | RecordTest) -> Drive:
     """Return what drives a test.
 
-    Args:
-        file: of substructure tests.
-        test: of the file.
-
     Raises:
         InputError: its record or command cannot be read.
     """

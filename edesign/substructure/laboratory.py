@@ -267,7 +267,6 @@ def rig_transfer(plant: rig_kinds.RigModel, specimen_stiffness: float) -> RigTra
     """Return the transfer function of a rig of a file; a servo-hydraulic one has a spring as specimen.
 
     Args:
-        plant: block of the rig.
         specimen_stiffness: of that spring, N/m.
     """
     match plant:

@@ -38,7 +38,6 @@ def met_limits(record: LoopRecord, time: np.ndarray) -> tuple[MetLimit, ...]:
     """Return the limits that a run met.
 
     Args:
-        record: of the loop.
         time: (n,) s at main steps, evenly spaced, at least as long as the record.
     """
     found = []

@@ -128,7 +128,6 @@ def write_run(run: VirtualTest, path: Path) -> None:
     Where the compensator corrects the force, `APPLIED_FORCE` is a column too.
 
     Args:
-        run: of a virtual test.
         path: of the CSV file.
 
     Raises:
@@ -149,7 +148,6 @@ def _write_method(record: MethodRecord, time: np.ndarray, path: Path) -> None:
     """Write a test by another method as CSV: time of the earthquake, target if it has one, displacement, force.
 
     Args:
-        record: of the test.
         time: (n,) s, of the earthquake.
         path: of the CSV file.
 

@@ -78,12 +78,8 @@ def judged(
     """Return a run of the loop with what is found of it.
 
     Args:
-        computed: structure of the file.
-        test: of the file.
         named: name of the compensator, and what it is.
-        drive: of the test.
         direct: analysis of the structure; None: there is none.
-        record: of the loop.
     """
     count, tracked, group = len(record.target), None, None
     response = peak = of_building = np.nan
@@ -124,8 +120,6 @@ def failed(test: CommandTest | RtsTest, compensator: str, reason: str) -> Virtua
     """Return a run whose loop could not be run to an end, with the reason.
 
     Args:
-        test: block of the test.
-        compensator: its name.
         reason: for people.
     """
     return VirtualTest(
@@ -151,8 +145,6 @@ def without_result(run: VirtualTest, outcome: str, reason: str) -> VirtualTest:
     """Return a run with another outcome, and without indicators, which would be no result.
 
     Args:
-        run: of the test.
-        outcome: of the run.
         reason: for people.
     """
     nan = np.nan
@@ -208,7 +200,6 @@ def lost_in_noise(test: str, sensors: Sensors, deformation: float, force: float)
     """Yield a warning for each channel whose noise, or step of its converter, is not below the motion of a test.
 
     Args:
-        test: its name.
         sensors: of the laboratory.
         deformation: largest of the specimen, m; 0: it has none.
         force: largest of the specimen, N; 0: it has none.

@@ -110,19 +110,11 @@ class VirtualLaboratory:
             yield results
 
     def drive(self, test: CommandTest | RecordTest) -> Drive:
-        """Return what drives a test; errors as `drive_of`.
-
-        Args:
-            test: block of the test.
-        """
+        """Return what drives a test; errors as `drive_of`."""
         return drive_of(self.file, test)
 
     def direct(self, drive: Drive) -> Direct:
-        """Return the response of the structure without laboratory, as `ComputedStructure.direct`.
-
-        Args:
-            drive: of the test.
-        """
+        """Return the response of the structure without laboratory, as `ComputedStructure.direct`."""
         return self.computed.direct(drive)
 
     def in_loop(self) -> Recursion | FrameNumericalPart:
@@ -130,11 +122,7 @@ class VirtualLaboratory:
         return self.computed.in_loop()
 
     def step_warnings(self, test: CommandTest | RtsTest) -> Iterator[str]:
-        """Yield what is doubtful about the main steps of a test, as `ComputedStructure.step_warnings`.
-
-        Args:
-            test: block of the test.
-        """
+        """Yield what is doubtful about the main steps of a test, as `ComputedStructure.step_warnings`."""
         yield from self.computed.step_warnings(test.name, self.drives[test.name])
 
     def moved(self, compensator: str, target: np.ndarray) -> LoopRecord:
@@ -143,7 +131,6 @@ class VirtualLaboratory:
         They have no limits here, as a limit that is met ends what a test can say.
 
         Args:
-            compensator: its name.
             target: (n,) m, at main steps, from rest; or (n, 3) with velocity and acceleration.
 
         Raises:

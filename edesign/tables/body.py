@@ -38,7 +38,6 @@ def without_repeats(body: Body, names: Callable[[str], bool]) -> Body:
     first cell, as far as that is a word.
 
     Args:
-        body: of a table.
         names: whether a cell is a header.
 
     Raises:
@@ -82,11 +81,7 @@ def _stands_above(line: str, body: Body) -> bool:
 
 
 def without_empty_columns(body: Body) -> Body:
-    """Leave out columns at either end that have nothing in all rows, but for a label in the first one.
-
-    Args:
-        body: of a table.
-    """
+    """Leave out columns at either end that have nothing in all rows, but for a label in the first one."""
     sign, headers, lines = SIGNS[body.form.delimiter], body.headers, body.lines
     if sign is None:
         return body

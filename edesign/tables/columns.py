@@ -43,11 +43,7 @@ class Chosen:
         return header in self.columns.values() or names_quantity(header)
 
     def read_of(self, headers: Sequence[str]) -> list[int]:
-        """Return the columns that are read, from 0: those that are said, or else named; all, if there are none.
-
-        Args:
-            headers: of the columns.
-        """
+        """Return the columns that are read, from 0: those that are said, or else named; all, if there are none."""
         said = [_places_of(headers, wanted) for wanted in self.columns.values()]
         places = [at for found in said or candidates(headers).values() for at in found]
         return places if places and all(said) else list(range(len(headers)))
@@ -84,11 +80,7 @@ def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str,
 
 
 def candidates(headers: Sequence[str]) -> dict[str, list[int]]:
-    """Return the columns that may be each quantity, from 0: of plain names, of others where no column has one.
-
-    Args:
-        headers: of the columns.
-    """
+    """Return the columns that may be each quantity, from 0: of plain names, of others where no column has one."""
     names = [name_and_unit(header)[0] for header in headers]
     found: dict[str, list[int]] = {}
     for meaning in (quantity_of, other_quantity_of):
@@ -104,7 +96,6 @@ def unit_of(table: Table, column: int, quantity: str) -> str | None:
     """Return the unit of a column as `QUANTITIES` has it; None: no known unit.
 
     Args:
-        table: the table.
         column: from 0.
         quantity: a key of `QUANTITIES`.
     """
@@ -120,7 +111,6 @@ def need(table: Table, columns: Mapping[str, np.ndarray], *quantities: str) -> N
     Args:
         table: the table, for messages.
         columns: values by quantity.
-        *quantities: those that are needed.
 
     Raises:
         InputError: one is missing.

@@ -85,11 +85,7 @@ class Form:
 
 
 def decimal_said(lines: Sequence[str]) -> Decimal | None:
-    """Return the sign before decimals that the first line of MTS's files says; None: they are of others.
-
-    Args:
-        lines: of the file.
-    """
+    """Return the sign before decimals that the first line of MTS's files says; None: they are of others."""
     match = _MTS_SIGNS.match(lines[0]) if lines else None
     return None if match is None else "comma" if match["decimal"] == "," else "point"
 
@@ -123,7 +119,6 @@ def header_cells(line: str, delimiter: Delimiter, width: int | None = None) -> l
     Two blanks may part names of several words.
 
     Args:
-        line: of headers.
         delimiter: between them.
         width: number of columns, if it is known.
     """
@@ -139,7 +134,6 @@ def find_header(
     """Return the first line with two names or more, and the sign between its columns; None without one.
 
     Args:
-        lines: of the file.
         names: tells whether a cell is a header.
         given: the form that the file of the user states; None: nothing is stated.
 
@@ -166,7 +160,6 @@ def find_blank_header(lines: Sequence[str], names: Callable[[str], bool]) -> int
     A line of units may be between them.
 
     Args:
-        lines: of the file.
         names: tells whether a cell is a header.
 
     Returns:
@@ -185,7 +178,6 @@ def first_numbers(lines: Sequence[str], delimiter: Delimiter) -> int | None:
     """Return the first line with several cells that are all numbers; None without one.
 
     Args:
-        lines: of the file.
         delimiter: the sign between cells.
 
     Returns:
@@ -205,12 +197,7 @@ def delimiter_of(line: str) -> Delimiter:
 
 
 def are_units(row: Sequence[str], width: int) -> bool:
-    """Return whether cells below headers are units: words and no number.
-
-    Args:
-        row: the cells.
-        width: number of the headers.
-    """
+    """Return whether cells below headers are units: words and no number."""
     return len(row) == width and any(row) and not any(map(like_number, row))
 
 
@@ -226,7 +213,6 @@ def decimal_of(
 
     Args:
         text: of the table, for messages.
-        lines: of numbers.
         first: number of the line of the first of them.
         delimiter: between the columns, no comma.
         given: what is said.

@@ -32,11 +32,7 @@ def is_matlab(content: bytes) -> bool:
 
 
 def is_matlab_file(path: Path) -> bool:
-    """Return whether a file is one of MATLAB; False too if it cannot be read, which its reader tells.
-
-    Args:
-        path: the file.
-    """
+    """Return whether a file is one of MATLAB; False too if it cannot be read, which its reader tells."""
     return is_matlab(head_of(path) or b"")
 
 
@@ -45,7 +41,6 @@ def read_signals(path: Path, content: bytes) -> tuple[list[str], np.ndarray]:
 
     Args:
         path: the file, for messages.
-        content: of the file.
 
     Returns:
         Headers: `time (s)`, then the path of each signal with its unit, if the file has it; and rows (n, columns).

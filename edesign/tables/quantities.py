@@ -66,7 +66,6 @@ def scaled_unit(text: str, units: Mapping[str, float]) -> float | None:
     """Return the factor of a unit, also of one with a number as `g/10` or `5 kN`; None: no unit.
 
     Args:
-        text: the unit as written.
         units: factor to SI by unit.
     """
     if text in units:

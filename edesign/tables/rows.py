@@ -52,7 +52,6 @@ def rows_of_numbers(
 
     Args:
         path: of the file, for messages.
-        headers: of the columns.
         numbers: numbers of the lines in the file, from 1.
         lines: of the table below its headers.
         delimiter: the sign between cells.

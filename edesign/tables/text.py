@@ -79,7 +79,6 @@ def table_text(
     """Read the lines of a table.
 
     Args:
-        path: the file.
         what: it is, for messages.
         given: what is said of its format.
         comments: signs with which lines begin that are skipped.
@@ -252,7 +251,6 @@ def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> l
 
     Args:
         path: of the file, for messages.
-        cells: the clock times.
         numbers: numbers of their lines in the file, from 1.
 
     Raises:

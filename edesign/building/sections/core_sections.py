@@ -32,7 +32,6 @@ class CoreSections:
     """Materials and sections of the core's model, each made once; the core wants all materials before any section.
 
     Args:
-        project: the validated project.
         model: of the core, to which they are added.
     """
 
@@ -56,7 +55,6 @@ class CoreSections:
         An elastic section has no layers: its depths are None.
 
         Args:
-            run: column or beam.
             elastic: whether it is to be elastic whatever its steel.
 
         Returns:
@@ -68,18 +66,11 @@ class CoreSections:
         return self._sections[key]
 
     def bending_stiffness(self, run: Run) -> float:
-        """Return E I of a column or beam, N m2.
-
-        Args:
-            run: column or beam.
-        """
+        """Return E I of a column or beam, N m2."""
         return self._project.materials[run.material].E * (self._shape(run).inertia or 0.0)
 
     def brace(self, run: BraceRun) -> tuple[int, float]:
         """Return the material id and the area of a brace; on an elastic section the material is its elastic part.
-
-        Args:
-            run: the brace.
 
         Returns:
             Id in the core; area, m2.
@@ -90,7 +81,6 @@ class CoreSections:
         """Return the ids of the section and of the material of a brace that buckles, and its area.
 
         Args:
-            run: the brace.
             buckling: how the brace buckles.
 
         Returns:

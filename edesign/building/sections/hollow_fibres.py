@@ -16,8 +16,6 @@ def hollow_cross_section(hollow: HollowSection, cut: Fibres, weak: bool = False)
     above. A circular section is cut into `2 web_height` sectors from its bottom to its top, left and right together.
 
     Args:
-        hollow: the section.
-        cut: numbers of fibres.
         weak: it bends about its weak axis.
     """
     if hollow.round:

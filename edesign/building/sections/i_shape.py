@@ -27,12 +27,7 @@ class IShape:
 
 
 def i_shape(project: Project, run: ColumnRun | BeamRun) -> IShape | None:
-    """Return the plates of a member's section; None if it is no I section, or bends about its weak axis.
-
-    Args:
-        project: the validated project.
-        run: column or beam.
-    """
+    """Return the plates of a member's section; None if it is no I section, or bends about its weak axis."""
     own = project.sections.get(run.section)
     if run.axis == "weak":
         return None
@@ -45,12 +40,7 @@ def i_shape(project: Project, run: ColumnRun | BeamRun) -> IShape | None:
 
 
 def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
-    """Return the properties of a member's I section as it is analysed (with fillets or not); None if it has none.
-
-    Args:
-        project: the validated project.
-        run: column or beam.
-    """
+    """Return the properties of a member's I section as it is analysed (with fillets or not); None if it has none."""
     material, plates = project.materials[run.material], i_shape(project, run)
     if isinstance(material, ElasticMaterial) or plates is None:
         return None
@@ -74,9 +64,6 @@ def plastic_modulus(shape: CrossSection) -> float:
     """Return Z of a section that is symmetric about its axis of bending, m3: the sum of |y| over its area.
 
     A fillet counts with its area at its centroid, which is exact.
-
-    Args:
-        shape: the section.
     """
     total = [spot.area * abs(spot.centre - shape.centroid) for spot in shape.spots]
     for strip in shape.strips:

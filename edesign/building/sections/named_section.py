@@ -15,8 +15,6 @@ def cross_section(project: Project, name: str, axis: SectionAxis = "strong") -> 
     """Return a section by its name: an own one of the project, one of the catalogue, or a hollow one.
 
     Args:
-        project: the validated project.
-        name: of the section.
         axis: about which it bends.
 
     Raises:

@@ -174,7 +174,6 @@ def rolled_section(rolled: Profile, cut: Fibres, weak: bool = False) -> CrossSec
 
     Args:
         rolled: entry of the catalogue.
-        cut: numbers of fibres.
         weak: it bends about its weak axis.
     """
     return i_section(rolled.h, rolled.b, rolled.tf, rolled.tw, cut, rolled.r if cut.fillets else 0.0, weak)
@@ -185,19 +184,13 @@ def plate_section(plates: PlateSection, cut: Fibres, weak: bool = False) -> Cros
 
     Args:
         plates: sizes of the plates.
-        cut: numbers of fibres.
         weak: it bends about its weak axis.
     """
     return i_section(plates.height, plates.width, plates.flange, plates.web, cut, weak=weak)
 
 
 def rectangle_section(stack: RectangleSection, cut: Fibres) -> CrossSection:
-    """Return a stack of rectangles, each cut like a web: `web_height` fibres over the depth, `web_thickness` across.
-
-    Args:
-        stack: the rectangles.
-        cut: numbers of fibres.
-    """
+    """Return a stack of rectangles, each cut like a web: `web_height` fibres over the depth, `web_thickness` across."""
     return CrossSection(
         tuple(Strip(r.width, r.depth, r.centre, cut.web_height, cut.web_thickness) for r in stack.rectangles)
     )

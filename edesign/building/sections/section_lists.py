@@ -60,11 +60,7 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
 
 
 def family_of(section: str) -> str:
-    """Return the family of a section: `HEB` of HEB300, `SHS` of SHS200x10.
-
-    Args:
-        section: its name.
-    """
+    """Return the family of a section: `HEB` of HEB300, `SHS` of SHS200x10."""
     return section.rstrip("0123456789.x ").upper()
 
 

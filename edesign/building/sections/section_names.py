@@ -53,11 +53,7 @@ class SectionName:
 
     @staticmethod
     def of(text: str) -> SectionName | None:
-        """Return the parts of a name as somebody writes it; None if it is not letters with numbers.
-
-        Args:
-            text: the name.
-        """
+        """Return the parts of a name as somebody writes it; None if it is not letters with numbers."""
         folded = text.upper().translate(_SIGNS)
         if british := _BRITISH.fullmatch(folded):
             folded = british[2] + british[1] + (f"X{british[3]}" if british[3] else "")

@@ -124,11 +124,7 @@ class Experiment:
         )
 
     def parts(self, refined: float) -> int:
-        """Return into how many parts each step is cut, for so many times the samples that a fit needs.
-
-        Args:
-            refined: times the samples.
-        """
+        """Return into how many parts each step is cut, for so many times the samples that a fit needs."""
         return max(1, math.ceil(refined * self._coarseness - _ROUNDED))
 
     def finer(self, parts: int) -> Motion:

@@ -133,7 +133,6 @@ def length_of(law: Law, values: Mapping[str, float], force: float, displacement:
     """Return the deformation in which a law changes, m: the least that its parameters name, as that at yield.
 
     Args:
-        law: the law.
         values: its parameters by name, SI.
         force: largest of the tests, N; taken where the law has a stiffness and no force.
         displacement: largest of the tests, m; nothing finer than a thousandth of it counts, nothing coarser either.
@@ -151,7 +150,6 @@ def accepted(law: Law, values: Mapping[str, float], amendments: Sequence[Amendme
     """Say whether the core takes amendments with a law.
 
     Args:
-        law: the law.
         values: its parameters by name, in the order of the core, SI.
         amendments: beside or on it.
     """

@@ -71,12 +71,7 @@ class Kept(Generic[T]):
         return value
 
     def of(self, key: Hashable, make: Callable[[], T]) -> T:
-        """Return what is kept, or else make it and keep it.
-
-        Args:
-            key: of the result.
-            make: it.
-        """
+        """Return what is kept, or else make it and keep it."""
         found = self.get(key)
         return self.put(key, make()) if found is None else found
 
@@ -109,7 +104,6 @@ class Prediction:
     parameters, amendments, rig and motion. Results do not depend on what is kept, nor on the number of threads.
 
     Args:
-        law: of the damper.
         experiments: all tests of the campaign.
         gamma: temperature law of the law; None: it has none.
         lasting: whether extremes of one test soften the law in the next.

@@ -42,13 +42,7 @@ class Condition:
 
     @staticmethod
     def of(name: str, fitted: Sequence[float], every: Sequence[float]) -> Condition:
-        """Return a condition by its values in the tests fitted to, and in all.
-
-        Args:
-            name: of it.
-            fitted: values.
-            every: values.
-        """
+        """Return a condition by its values in the tests fitted to, and in all."""
         lowest, highest, mean = min(fitted), max(fitted), sum(fitted) / len(fitted)
         farthest = max(abs(one - mean) for one in every)
         reach = farthest / (highest - lowest) if highest > lowest else 0.0

@@ -37,8 +37,6 @@ def uncertain_inputs(
     is what that softens more than the extremes do that were found.
 
     Args:
-        experiments: all tests.
-        law: name of the law.
         depends_on_temperature: whether the law does.
     """
     found = []

@@ -193,7 +193,6 @@ def groups_of(table: PropertyTable, validate: np.ndarray) -> tuple[Group, ...]:
     """Rows of one temperature, strain and use, ascending in frequency; in the order of temperature and strain.
 
     Args:
-        table: the rows.
         validate: (n,) whether a row is one for validation.
     """
     temperatures, strains, _ = table.levels

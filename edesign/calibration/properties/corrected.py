@@ -27,7 +27,6 @@ def table_law(problem: PropertyProblem, final: FittedModel, refit: FittedModel, 
 
     Args:
         problem: with the cycles of measured tests.
-        final: the corrected model.
         refit: the law fitted again, without effects.
         withheld: why the corrected model is the refit already, for people; "" if it is not.
     """

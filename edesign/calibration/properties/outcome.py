@@ -62,8 +62,6 @@ class TableOutcome(Evidence[PropertyRows]):
 
         Args:
             campaign: table, law and groups of rows.
-            found: by the search.
-            settings: of it.
             steps: taken after it.
         """
         final = weighed(found, settings, steps)

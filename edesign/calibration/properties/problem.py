@@ -208,7 +208,6 @@ def steady_tests(
     """Return the rows of a table as tests.
 
     Args:
-        table: the rows.
         specimen: what was tested.
         groups: of the rows, with their use.
         cycles: full cycles of each test.
@@ -243,9 +242,7 @@ def problem_of(
     """Return the problem of a table.
 
     Args:
-        table: the rows.
         specimen: what was tested.
-        groups: of the rows.
         law: declared.
         declared: its parameters, all of them in the order of the core, SI.
         refit: whether they are only a first guess.

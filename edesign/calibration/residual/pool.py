@@ -69,8 +69,6 @@ class Pool:
     """Samples of all tests.
 
     Args:
-        tests: residuals.
-        motions: of each.
         effective_samples: of each; residuals are correlated, so chance explains more than their samples let one think.
         lag: of the measured force, s; what it changes is one of the things that are tried.
     """

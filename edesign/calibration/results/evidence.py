@@ -72,7 +72,6 @@ class Evidence(ABC, Generic[T]):
         """Return what a model predicts of all tests.
 
         Args:
-            effects: of the model.
             values: (p,) SI.
 
         Raises:
@@ -238,8 +237,6 @@ class Evidence(ABC, Generic[T]):
 
         Args:
             posterior: over the models of the search; None: not asked.
-            model: with the effect.
-            index: of the effect.
             stands: index of it in the model that stands; None: it is not in that.
             corrected: NRMS of the validation tests with it.
         """

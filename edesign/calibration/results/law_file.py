@@ -82,8 +82,6 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
     condition of the tests as at its mean in those fitted to, where most of these effects do nothing.
 
     Args:
-        problem: of the tests.
-        effect: of a model.
         values: of its parameters, SI.
     """
     of: FormInCampaign = effect.data
@@ -170,7 +168,6 @@ def law_file(
 
     Args:
         problem: at full rate.
-        final: the corrected model.
         refit: the law fitted again, without effects.
         withheld: why the corrected model is the refit already, for people; "" if it is not.
         validate: error of what was held out; None: that of the validation tests of the problem.
@@ -256,7 +253,6 @@ def law_file_text(
     """Return the law file: parameters, effects of the damper, specimen, what the tests covered.
 
     Args:
-        found: by the calibration.
         parameters: of the law as the file has them.
         effects: of the damper as the file has them.
         specimen: what was tested; None: it has no layers.

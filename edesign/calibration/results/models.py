@@ -49,7 +49,6 @@ class Posterior:
 
         Args:
             fitter: of the problem at the sampling of a fit.
-            found: by the search.
             best: the model that stands, at that sampling.
         """
         every = {_key(model): model for model in (*_models(found), best)}

@@ -90,10 +90,8 @@ def other_law(
     """Return the law that predicts the tests best, if it surely does better than the declared one fitted again.
 
     Args:
-        campaign: tests.
         base: the declared law fitted again, at the sampling of a fit.
         best: the model with all effects, at that sampling.
-        settings: of the search.
 
     Returns:
         None: no law does, or the declared one with its effects surely does better than any.

@@ -19,8 +19,6 @@ def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndar
     """Return the force (n_i,) N of every test, with what is each test's own taken from its residual.
 
     Args:
-        problem: with all tests.
-        effects: of the model.
         values: (p,) SI, of the law and the effects.
 
     Raises:
@@ -44,7 +42,6 @@ def judged(one: Experiment, values: np.ndarray) -> np.ndarray:
     """Return a history (n,) from the first sample that is judged: what is before depends on how the test started.
 
     Args:
-        one: the test.
         values: (n,).
     """
     return values[one.judged_from :]
@@ -54,7 +51,6 @@ def errors_of(problem: DamperProblem, forces: Sequence[np.ndarray]) -> Errors:
     """Return NRMS over the tests of each use, and of each test.
 
     Args:
-        problem: with all tests.
         forces: (n_i,) N, predicted of every test.
     """
     squared, power = {}, {}
@@ -69,8 +65,6 @@ def validation_error(problem: DamperProblem, effects: Sequence[Effect], values: 
     """Return the NRMS of the validation tests; infinite: they cannot be predicted.
 
     Args:
-        problem: with all tests.
-        effects: of the model.
         values: (p,) SI, of the law and the effects.
     """
     try:

@@ -47,7 +47,6 @@ class Estimate:
 
         Args:
             scale: one of that unit, in the unit so far.
-            unit: the other unit.
         """
         low, high = self.interval
         return replace(

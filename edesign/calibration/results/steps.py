@@ -62,8 +62,6 @@ class Steps:
 
         Args:
             what: is done, for people.
-            step: makes it.
-            instead: of it.
             needed: whether it is taken after an interrupt of the search too.
         """
         if self._left or (self.ending == "interrupted" and not needed):
@@ -84,8 +82,6 @@ class Steps:
 
         Args:
             what: is done, for people.
-            step: makes it.
-            instead: of it.
         """
         with optional(what) as attempt:
             return step()
@@ -99,9 +95,7 @@ def searched(problem: Problem, settings: SearchSettings, progress: Progress, cam
 
     Args:
         problem: of the tests.
-        settings: of the search.
         progress: told what is done.
-        campaign: the campaign file.
         model: what is declared in it, for people.
 
     Raises:

@@ -57,8 +57,6 @@ class Adoption:
     """The gates of a search.
 
     Args:
-        fitter: of the search.
-        variants: of models.
         base: the base model, fitted.
     """
 
@@ -82,10 +80,6 @@ class Adoption:
         noise, is better and is none.
 
         Each effect is needed beside the others, whatever equations these have, and although these may be wrong.
-
-        Args:
-            model: fitted.
-            known: a model whose effects are known.
 
         Returns:
             The effects that are not known are in the order of what they explain; None: there are none.
@@ -196,7 +190,6 @@ class Adoption:
 
         Args:
             tried: models, compared with the best one beside that without the effect.
-            best: the best one.
         """
         better = [
             one
@@ -267,7 +260,6 @@ def placed(model: FittedModel, validate: Validate) -> FittedModel:
     That is asked only of effects that do the same in all tests that are fitted wherever they stand.
 
     Args:
-        model: fitted.
         validate: error of the validation tests by a model.
     """
     for index, effect in enumerate(model.effects):

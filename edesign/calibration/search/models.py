@@ -241,7 +241,6 @@ class Fitter:
         """Return the score of a model.
 
         Args:
-            model: fitted.
             noise: that all models compared share.
             beside: a model whose equations may be wrong, which is allowed for; None: none.
             sure: whether the model is fitted again without a test that moves it far.
@@ -258,8 +257,6 @@ class Fitter:
         """Return by how much one model predicts tests better than another.
 
         Args:
-            better: the one.
-            worse: the other.
             noise: by which they are compared.
             known: model whose equations may be wrong, which is allowed for.
         """
@@ -272,7 +269,6 @@ class Fitter:
 
         Args:
             leader: the best one of the models.
-            known: model of the effects that are known.
         """
         return self._at_least(leader.noise, known)
 
@@ -324,8 +320,6 @@ class Fitter:
         """Return what other equations of an effect do in its place, at each of their starts.
 
         Args:
-            model: fitted.
-            index: of the effect.
             weights: (tests,) by which changes are multiplied.
 
         Returns:

@@ -80,11 +80,7 @@ class Problem(Protocol):
         """Values (p,) of the base model, SI, from which it is fitted."""
 
     def model(self, effects: Sequence[Effect]) -> Model:
-        """Return the base model with effects; its parameters are those of the base, and of the effects in their order.
-
-        Args:
-            effects: of the list.
-        """
+        """Return the base model with effects; its parameters are those of the base, then of the effects in order."""
 
 
 Columns = Sequence[np.ndarray]

@@ -62,8 +62,6 @@ def screen(fitter: Fitter, model: FittedModel, known: FittedModel) -> Screening:
     """Screen all forms of effects that a model does not have.
 
     Args:
-        fitter: of the search.
-        model: fitted.
         known: a model whose equations may be wrong, which is allowed for.
     """
     tests, starts, own, screened = _candidates(fitter, model, known)

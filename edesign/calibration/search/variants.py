@@ -17,7 +17,6 @@ class Variants:
     """Fits variants of models; what was fitted in the place of an effect is kept.
 
     Args:
-        fitter: of the search.
         base: the base model, fitted.
     """
 
@@ -62,7 +61,6 @@ class Variants:
         """Return the model with that equation of each effect that predicts best.
 
         Args:
-            model: fitted.
             noise: by which predictions are compared.
             roughly: whether fewer equations are tried, and none is fitted to the end.
         """

@@ -71,7 +71,6 @@ def law_file(campaign: StructureCampaign, problem: StructureProblem, final: Fitt
     Args:
         campaign: records.
         problem: of them.
-        final: the corrected model.
         validate: NRMS of the validation tests with it.
     """
     parameters: dict[str, float] = {}

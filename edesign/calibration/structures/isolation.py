@@ -37,7 +37,6 @@ class IsolationLaw:
         """Divide a law.
 
         Args:
-            law: its name.
             values: all parameters, SI.
 
         Raises:
@@ -56,10 +55,7 @@ def linear(building: Building, law: str, values: Mapping[str, float], tests: Seq
     """Return a building whose isolation layer has the secant stiffness of its law at the largest drift measured.
 
     Args:
-        building: with its isolation layer.
-        law: of that layer.
         values: its parameters, SI.
-        tests: of the building.
     """
     divided = IsolationLaw.of(law, values)
     histories = [test.column("displacement", 0) for test in tests]

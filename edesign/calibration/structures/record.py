@@ -64,7 +64,6 @@ class StructureTest:
         """Return one channel (t,); None: it was not measured.
 
         Args:
-            measure: of the channel.
             floor: from 0.
         """
         wanted = Channel(measure, floor)

@@ -15,7 +15,6 @@ def describe_residual(series: Sequence[Series], mode: float) -> str:
     """Where the residual of the corrected model is: in which test and channel, at which frequencies, how it grows.
 
     Args:
-        series: all channels of all tests.
         mode: first frequency of the corrected building, Hz.
     """
     squared = np.array([float(np.sum(_left(one) ** 2)) / _power(one) for one in series])

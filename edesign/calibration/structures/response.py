@@ -52,7 +52,6 @@ class Link:
         Args:
             storey: it stands in.
             stiffest: bound of its tangent stiffness, N/m.
-            amendment: of the core.
             values: its parameters in the order of the core, SI.
         """
         return Link(storey, stiffest, "kelvin_voigt", _NOTHING, (AmendmentValues(amendment, values),))

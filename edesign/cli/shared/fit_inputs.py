@@ -131,8 +131,6 @@ def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone:
     """Return start values of a law: of the campaign's law, a published set, or NAME=VALUE; `data`: none.
 
     Args:
-        law: the law.
-        given: of --start.
         choice: the campaign's law.
         alone: whether it is the only law; a value of another law's parameter is a mistake only then.
     """

@@ -16,7 +16,6 @@ class LazyCommand(TyperCommand):
 
     Args:
         name: of the command, and of what the module holds.
-        module: its name.
         summary: the sentence that the help of the group shows; the first one of the command's own help.
     """
 

@@ -99,7 +99,6 @@ def strength_limit(
         curve: base shear against displacement of the control node.
         lines: its first two lines, up to the largest base shear or the target.
         T_e: effective fundamental period, s.
-        factor: lambda.
         second_order: of two displacements (m), the slope between them that is due to vertical loads, N/m, not positive;
             None if that is not known.
 
@@ -146,7 +145,6 @@ def target_displacement(
         period: elastic fundamental period T_i, s.
         C_0: first participation factor, with the shape 1 at the control node; 7.4.3.3.2 permits it.
         mass: of the frame, kg.
-        storeys: of the frame.
         spectrum: of the hazard level.
         site_class: a key of `SITE_FACTORS`.
         factor: see `strength_limit`.

@@ -187,7 +187,6 @@ def buckling_resistance(area: float, yield_stress: float, factor: float, gamma_M
     Args:
         area: A, m2.
         yield_stress: f_y, Pa.
-        factor: chi.
         gamma_M1: partial factor.
 
     Source: EN 1993-1-1:2005, 6.3.1.1(3), Eq. 6.47.

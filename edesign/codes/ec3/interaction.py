@@ -151,7 +151,6 @@ def annex_a_factors(
         C_mz_0: factor of the moments about z by Table A.2.
         plastic: class 1 or 2; otherwise class 3.
         trace: records the factors k and the terms of Table A.1 that they follow from.
-        recorded: which factors.
 
     Returns:
         k_yy, k_yz, k_zy and k_zz.

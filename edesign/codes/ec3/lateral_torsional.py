@@ -77,7 +77,6 @@ def quarter_moments(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
 
     Args:
         steady: static moments with sign.
-        swing: magnitudes of the responses.
     """
     middle = np.abs(steady[..., 3]) + swing[..., 3]
     return np.stack([_quarter(steady, swing), middle, _quarter(steady[..., ::-1], swing[..., ::-1])])

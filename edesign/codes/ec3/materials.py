@@ -48,7 +48,6 @@ def yield_stress(grade: str, thickness: float, standard: Standard = "en10025-2")
     Args:
         grade: S235, S275, S355 or S450; with an H behind it (Table 3.1 only) that of hollow sections.
         thickness: of the thickest part, m.
-        standard: whose values.
 
     Raises:
         InputError: there is no such steel, or it is not made so thick.

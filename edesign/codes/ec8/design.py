@@ -54,7 +54,6 @@ class DesignSpectrum:
         """Return the design spectrum of the same action; the damping of `elastic` does not enter.
 
         Args:
-            elastic: elastic spectrum of the action.
             q: behaviour factor.
             beta: lower bound, by a_g.
             label: for legends.

@@ -99,11 +99,7 @@ class LongPeriodSpectrum:
         return self.elastic.set_rules
 
     def with_damping(self, damping: float) -> Self:
-        """Return the spectrum of the same action for another ratio of critical damping.
-
-        Args:
-            damping: ratio of critical.
-        """
+        """Return the spectrum of the same action for another ratio of critical damping."""
         return type(self)(self.elastic.with_damping(damping))
 
     def displacement(self, period: ArrayLike) -> np.ndarray:

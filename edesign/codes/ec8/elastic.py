@@ -97,11 +97,7 @@ class ComponentSpectrum(ABC):
         return SET_RULES
 
     def with_damping(self, damping: float) -> Self:
-        """Return the spectrum of the same action for another ratio of critical damping.
-
-        Args:
-            damping: ratio of critical.
-        """
+        """Return the spectrum of the same action for another ratio of critical damping."""
         return replace(self, damping=damping)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:

@@ -176,7 +176,6 @@ class NationalParameters:
         """Check that a zone takes a type of spectrum; where the country leaves the choice open, any will do.
 
         Args:
-            zone: its name.
             spectrum_type: 1 or 2.
 
         Raises:

@@ -88,9 +88,6 @@ def beam_limits(section: ISection) -> RotationLimits:
 
     Between the limits of slenderness it is interpolated for flange and web, and the lower value holds.
 
-    Args:
-        section: of the beam.
-
     Source: FEMA 356, Table 5-6, Beams - flexure.
     """
     return _between(section, (418.0, 640.0), COMPACT, SLENDER)
@@ -100,7 +97,6 @@ def column_limits(section: ISection, ratio: float) -> RotationLimits | None:
     """Return the line of a column in flexure, in multiples of theta_y; None where it is force-controlled.
 
     Args:
-        section: of the column.
         ratio: P/P_CL, compression positive.
 
     Source: FEMA 356, Table 5-6, Columns - flexure; 5.5.2.4.2 for P/P_CL > 0.5.
@@ -116,7 +112,6 @@ def beam_rotations(section: ISection, length: float) -> RotationLimits:
     """Return the line of a beam in rad (c: ratio).
 
     Args:
-        section: of the beam.
         length: l_b, m.
     """
     return _times(beam_limits(section), beam_yield_rotation(section, length))
@@ -127,7 +122,6 @@ def column_rotations(section: ISection, length: float, compression: float, stren
     """Return the line of a column in rad (c: ratio); None where it is force-controlled.
 
     Args:
-        section: of the column.
         length: l_c, m.
         compression: P, N; tension (negative) counts as none.
         strength: P_CL, N.

@@ -11,7 +11,6 @@ def beam_yield_rotation(section: ISection, length: float) -> float:
     """Return theta_y = Z F_ye l_b / (6 E I_b), rad: the chord rotation at the plastic moment, in double curvature.
 
     Args:
-        section: of the beam.
         length: l_b, m.
 
     Source: FEMA 356, 5.5.2.2.2, Eq. 5-1.
@@ -23,7 +22,6 @@ def column_yield_rotation(section: ISection, length: float, compression: float) 
     """Return theta_y = Z F_ye l_c / (6 E I_c) (1 - P/P_ye), rad, not less than zero.
 
     Args:
-        section: of the column.
         length: l_c, m.
         compression: P, N; tension (negative) counts as none.
 

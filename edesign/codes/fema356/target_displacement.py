@@ -148,7 +148,6 @@ def demand(curve: CapacityCurve, D_d: float, period: float, mass: float, storeys
         D_d: displacement of the idealisation, m.
         period: elastic fundamental period T_i, s.
         mass: of the frame, kg.
-        storeys: number of storeys.
         spectrum: of the hazard level.
     """
     lines = bilinear(curve, D_d)

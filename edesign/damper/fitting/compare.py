@@ -86,9 +86,7 @@ def compare_laws(
     """Fit several laws to the same tests.
 
     Args:
-        laws: the laws.
         tests: with measured forces.
-        starts_of: start values by law.
         held_out: whether to cross-validate.
         folds: as of cross_validate.
         **options: of fit_forces.

@@ -52,7 +52,6 @@ class Coordinates:
 
     Args:
         parameters: all of the law, and further unknowns.
-        free: names of those to be searched.
         start: all values, SI.
         scales: sizes in the tests.
         bounds: narrower than the law's own, SI, by name.

@@ -49,7 +49,6 @@ def prediction_errors(fit: Fit, tests: Sequence[DamperTest], predict: Predict | 
     """Return the NRMS (ratio) of a fitted law on tests, by their names.
 
     Args:
-        fit: the fit.
         tests: with measured forces.
         predict: force of parameters under a loading; None: the law in the core.
     """
@@ -75,7 +74,6 @@ def cross_validate(
     """Leave tests out in turn, fit to the others, predict those left out.
 
     Args:
-        law: the law.
         tests: with measured forces.
         start: as of fit_forces.
         folds: parts of the tests that are left out in turn, test i in part i modulo `folds`; None: each test alone.

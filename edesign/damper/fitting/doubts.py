@@ -54,11 +54,7 @@ def doubts_of(
 
 
 def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
-    """List doubts about tests in which a damper gives energy, or pushes the way it is pushed.
-
-    Args:
-        loadings: of the tests.
-    """
+    """List doubts about tests in which a damper gives energy, or pushes the way it is pushed."""
     said = []
     for loading in loadings:
         if sign_doubtful(loading.displacement, loading.force):
@@ -84,7 +80,6 @@ def start_doubts(costs: Sequence[float], same: int, converged: bool) -> list[str
     """List doubts about the search.
 
     Args:
-        costs: of the starts.
         same: how many of them ended at the same minimum.
         converged: whether the search ended by itself.
     """

@@ -132,7 +132,6 @@ class Fit:
         """Return the correlation of two fitted parameters.
 
         Args:
-            first: name of a parameter.
             second: name of another one.
         """
         return float(self.correlation[self.free.index(first), self.free.index(second)])
@@ -144,9 +143,5 @@ as forces and loops of one device may differ from their mean (ASCE/SEI 7-22, 18.
 
 
 def mean_nrms(nrms: Mapping[str, float]) -> float:
-    """Return the mean of NRMS over tests, as Table 4.1 has it.
-
-    Args:
-        nrms: by test.
-    """
+    """Return the mean of NRMS over tests, as Table 4.1 has it."""
     return float(np.mean(list(nrms.values())))

@@ -62,8 +62,6 @@ def fit_forces(
     and length.
 
     Args:
-        law: the law.
-        tests: with measured forces.
         start: values to start from, SI; those not given come from the data. Held parameters are held at these.
         specimen: for the tested range as strain.
         bounds: narrower than the law's own, by name, SI.
@@ -75,7 +73,6 @@ def fit_forces(
         weights: factor of the squared errors of a test, by name.
         temperature: see thermal.Thermal.
         reference_C: degC at which the parameters hold.
-        branches: of a law with branches.
         predict: force of parameters under a loading; None: the law in the core.
         workers: threads.
         progress: told of the starts.
@@ -147,11 +144,7 @@ def fit_forces(
 
 
 def core_predict(law: Law) -> Predict:
-    """Return the function that gives the force of a law as the core computes it.
-
-    Args:
-        law: the law.
-    """
+    """Return the function that gives the force of a law as the core computes it."""
 
     def predict(values: Mapping[str, float], loading: Loading) -> np.ndarray:
         damper = Damper(law, values, prior_extremes=loading.prior_extremes)

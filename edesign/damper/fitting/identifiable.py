@@ -69,7 +69,6 @@ def beside(law: Law, parameter: Parameter, held: Mapping[str, float]) -> Paramet
     beyond it are refused as a whole, and the search stands still in all its parameters.
 
     Args:
-        law: the law.
         parameter: of the law, or beside it.
         held: values of parameters, SI; where those that it depends on are not among them, nothing is known of it.
     """
@@ -83,7 +82,6 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
     """Return the values of the parameters that are not fitted by default.
 
     Args:
-        law: the law.
         start: values the user gave, SI.
         scales: sizes in the tests.
         force: largest measured force, N.
@@ -111,23 +109,13 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
 
 
 def why_held(law: Law, name: str) -> str:
-    """Return the reason for which a parameter is held by default; "" if it is not.
-
-    Args:
-        law: the law.
-        name: of the parameter.
-    """
+    """Return the reason for which a parameter is held by default; "" if it is not."""
     held = HELD.get(law.name, {}).get(name) or HELD.get(law.name, {}).get(_first(name))
     return held.why if held else ""
 
 
 def reasons_held(law: Law, fitted: Collection[str]) -> dict[str, str]:
-    """Return the parameters that are held by default and were not fitted, with the reason.
-
-    Args:
-        law: the law.
-        fitted: names of the parameters that were fitted.
-    """
+    """Return the parameters that are held by default and were not fitted, with the reason."""
     return {name: why_held(law, name) for name in HELD.get(law.name, {}) if name not in fitted}
 
 

@@ -127,9 +127,6 @@ def scales_of(loadings: Sequence[Loading]) -> Scales:
     """Return the sizes of force, deformation and velocity in tests.
 
     They are means of the tests' root mean squares, times sqrt 2 as of a sine.
-
-    Args:
-        loadings: of the tests.
     """
     force = np.mean([loading.rms for loading in loadings])
     deformation = np.mean([np.sqrt(np.mean(loading.displacement**2)) for loading in loadings])

@@ -66,7 +66,6 @@ def complex_stiffness(law: str, values: Values, omega: np.ndarray) -> np.ndarray
     """Return the complex stiffness (n,) N/m of a linear law.
 
     Args:
-        law: its name.
         values: parameters by name, SI.
         omega: (n,) circular frequencies, rad/s.
 

@@ -32,7 +32,6 @@ def observe(loadings: Sequence[Loading], scales: Scales) -> Observed:
     """Return linear equivalents of tests (F = k u + c v).
 
     Args:
-        loadings: of the tests.
         scales: sizes of force, deformation and velocity.
     """
     omega, stiffness = [], []

@@ -86,8 +86,6 @@ def fit_properties(
     """Fit a law to the properties of steady sinusoidal tests; errors are relative, so every row counts alike.
 
     Args:
-        law: the law.
-        table: the properties.
         specimen: the layers that were tested.
         start: parameters to begin from, see `fit_forces`.
         quantities: what is fitted.

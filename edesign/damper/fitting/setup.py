@@ -77,7 +77,6 @@ def set_up(
     """Decide what is fitted, from where, and within which bounds.
 
     Args:
-        law: the law.
         observed: linear equivalents of the tests.
         start: see `fit_forces`.
         bounds: see `fit_forces`.

@@ -77,7 +77,6 @@ def start_values(
     """Start values of all parameters, SI.
 
     Args:
-        law: the law.
         observed: of the tests.
         given: values that are taken as they are, SI.
         branches: of a law with branches; more if `given` names more.
@@ -119,13 +118,7 @@ def _start_of_brace(known: Mapping[str, float], observed: Observed) -> dict[str,
 
 
 def branches_of(law: Law, given: Mapping[str, float], branches: int) -> int:
-    """Return the number of branches: as many as asked for, or as `given` names; 0 of a law without.
-
-    Args:
-        law: the law.
-        given: start values by name.
-        branches: that are asked for.
-    """
+    """Return the number of branches: as many as asked for, or as `given` names; 0 of a law without."""
     if not law.branch:
         return 0
     named = 0
@@ -138,10 +131,8 @@ def linear_start(law: Law, coordinates: Coordinates, observed: Observed, seed: i
     """Return coordinates fitted to the complex stiffness of the tests in closed form; [] for laws that are not linear.
 
     Args:
-        law: the law.
         coordinates: of the fit.
         observed: linear equivalents of the tests.
-        seed: of the starts.
 
     Returns:
         Coordinates (n,) of the best starts.
@@ -168,7 +159,6 @@ def spread(coordinates: Coordinates, count: int, seed: int) -> list[np.ndarray]:
     Args:
         coordinates: of the fit.
         count: number of points.
-        seed: of the hypercube.
     """
     if count < 1 or not coordinates.axes:
         return []

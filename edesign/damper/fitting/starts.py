@@ -34,9 +34,7 @@ def with_starts(
     A test keeps the start that it has where the law has no force for another beginning.
 
     Args:
-        loadings: of the tests.
         tests: the records, as many.
-        law: the law.
         values_at: gives its parameters at a temperature.
         predict: gives the force of a loading.
 
@@ -57,8 +55,6 @@ def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: V
     """Say whether tests start alike: the force of a law is the same but for a tenth of the least noise.
 
     Args:
-        some: loadings of the tests.
-        others: loadings of the same tests with other starts.
         values_at: gives the parameters of the law at a temperature.
         predict: gives the force of a loading.
     """
@@ -75,9 +71,6 @@ def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: V
 
 def start_doubts(loadings: Sequence[Loading]) -> list[str]:
     """List what the user should know of tests that start away from rest.
-
-    Args:
-        loadings: of the tests.
 
     Returns:
         One sentence a test.

@@ -64,7 +64,6 @@ class Thermal:
         """Return the parameters of the law at a temperature.
 
         Args:
-            law: the law.
             values: of law and temperature together, SI.
             temperature_C: degC.
         """
@@ -100,7 +99,6 @@ def thermal(
     """Return the unknowns for tests at these temperatures.
 
     Args:
-        law: the law.
         kind: see Thermal.
         temperatures: of the tests, degC.
         reference_C: degC; None: 20 degC if a test has it, else the lowest of the tests.

@@ -21,9 +21,7 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
     """Return the fitted law as a law file, with the specimen, standard errors and the range that was tested.
 
     Args:
-        fit: the fit.
         title: for people.
-        specimen: that was tested.
     """
     parameters = {name: _text(*number) for name, number in practical(fit).items() if name in fit.values}
     data: dict[str, Any] = {"type": fit.law.name, "parameters": parameters}
@@ -49,11 +47,7 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
 
 
 def fit_json(fit: Fit) -> dict[str, Any]:
-    """Return all of a fit in SI, for programs; numbers that are not finite are null.
-
-    Args:
-        fit: the fit.
-    """
+    """Return all of a fit in SI, for programs; numbers that are not finite are null."""
     return {
         "law": fit.law.name,
         "against": fit.against,
@@ -91,7 +85,6 @@ def practical_errors(fit: Fit, errors: Mapping[str, float]) -> dict[str, str | f
     """Return standard errors in the units in which the parameters are written.
 
     Args:
-        fit: the fit.
         errors: by parameter, SI.
     """
     shown, units = practical(fit), practical_units(fit.law, fit.values)
@@ -102,11 +95,7 @@ def practical_errors(fit: Fit, errors: Mapping[str, float]) -> dict[str, str | f
 
 
 def practical(fit: Fit) -> dict[str, tuple[float, str]]:
-    """Return number and practical unit of every parameter, and of the unknowns of the temperature.
-
-    Args:
-        fit: the fit.
-    """
+    """Return number and practical unit of every parameter, and of the unknowns of the temperature."""
     texts = write_parameters(fit.law, fit.values)
     found = {
         parameter.name: (
@@ -119,11 +108,7 @@ def practical(fit: Fit) -> dict[str, tuple[float, str]]:
 
 
 def tested(fit: Fit) -> dict[str, str]:
-    """Return the range of the tests for people.
-
-    Args:
-        fit: the fit.
-    """
+    """Return the range of the tests for people."""
     low, high = fit.tested.deformation
     deformation = _span(100.0 * low, 100.0 * high, "%") if fit.tested.strain else _span(1e3 * low, 1e3 * high, "mm")
     return {

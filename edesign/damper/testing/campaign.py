@@ -159,11 +159,7 @@ class Campaign:
         return self.specimen
 
     def used_for(self, use: Use) -> tuple[DamperTest, ...]:
-        """Return the tests of one use: to fit to, or to compare with only.
-
-        Args:
-            use: of the tests.
-        """
+        """Return the tests of one use: to fit to, or to compare with only."""
         return tuple(test for test in self.tests if test.use == use)
 
     @property
@@ -183,11 +179,7 @@ class Campaign:
 
 
 def notes_of(tests: Sequence[DamperTest]) -> tuple[str, ...]:
-    """Return notes on what the reader of tests leaves out, and how it reads those that are not plain.
-
-    Args:
-        tests: the tests.
-    """
+    """Return notes on what the reader of tests leaves out, and how it reads those that are not plain."""
     return _left_out(tests) + _readings(tests)
 
 
@@ -375,9 +367,6 @@ def short_names(paths: Sequence[Path]) -> list[str]:
     """Return a name for each of several files.
 
     It is the file's own name without ending; with folders, then with ending, if others have that.
-
-    Args:
-        paths: of the files.
     """
     short, longer = [path.stem for path in paths], [str(path.with_suffix("")) for path in paths]
     return [

@@ -29,9 +29,6 @@ Positive = Annotated[float, Field(gt=0.0)]
 def parse_celsius(value: Any) -> float:
     """Read a plain number in degC.
 
-    Args:
-        value: as the file has it.
-
     Raises:
         PydanticCustomError: it is none.
     """
@@ -189,7 +186,6 @@ def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
     """Check that number, area and thickness of layers are there, once each, or none of them.
 
     Args:
-        block: the specimen of the file.
         problems: collects what is wrong.
     """
     sizes = ("layer_area", "layer_area_mm2", "layer_thickness", "layer_thickness_mm")
@@ -206,7 +202,6 @@ def check_law(block: LawBlock | None, problems: Problems, complete: bool) -> Non
 
     Args:
         block: of a file in which it stands as `law`.
-        problems: of the file.
         complete: whether a parameter that is missing is a problem.
     """
     if block is None or block.parameters is None:
@@ -231,9 +226,6 @@ def check_one(block: Model, key: str, plain: str, keys: Keys, problems: Problems
     """Check that a value is given with its unit or as a plain number, and not twice.
 
     Args:
-        block: of the file.
-        key: of the value with its unit.
-        plain: of the plain number.
         keys: place of the block in the file.
         problems: collects what is wrong.
         required: whether one of them must be there.

@@ -57,7 +57,6 @@ def clipping_text(force: np.ndarray, unit: str, time: np.ndarray | None) -> str:
 
     Args:
         force: (n,).
-        unit: of it.
         time: (n,) s; None: it is not known.
     """
     at = np.flatnonzero(clipped(force))

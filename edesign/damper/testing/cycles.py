@@ -50,7 +50,6 @@ class Block:
 
         Args:
             first: number of the cycle, from 1.
-            last: number of the cycle.
         """
         return replace(self, bounds=self.bounds[first - 1 : last + 1], middles=self.middles[first - 1 : last])
 

@@ -87,8 +87,6 @@ def zero(time: np.ndarray, values: np.ndarray, before: int, after: int, spread: 
     Args:
         time: (n,) s.
         values: (n,) of the history.
-        before: number of the sample before.
-        after: number of the sample after.
         spread: standard deviation of the noise.
 
     Returns:

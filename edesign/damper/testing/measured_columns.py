@@ -70,12 +70,7 @@ class ReadingKeys(Model):
 
 
 def reading_of(entry: ReadingKeys, file: ReadingKeys) -> TestReading:
-    """Return what is said of how a test is read: by its entry, or by the file for all of them.
-
-    Args:
-        entry: keys of the test.
-        file: keys for all tests.
-    """
+    """Return what is said of how a test is read: by its entry, or by the file for all of them."""
 
     def of(key: str) -> Any:
         own = getattr(entry, key)

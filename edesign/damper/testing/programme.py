@@ -108,7 +108,6 @@ def planned_tests(
     rig heats its specimen as seldom as it can.
 
     Args:
-        programme: the tests that are planned.
         specimen: the layers that are sheared; None: a device without layers.
 
     Raises:

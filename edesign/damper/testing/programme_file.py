@@ -45,9 +45,6 @@ class ProgrammeError(FileProblems):
 def parse_frequency(value: Any) -> float:
     """Read a frequency such as `0.5 Hz`, in Hz.
 
-    Args:
-        value: as the file has it.
-
     Raises:
         PydanticCustomError: it is none, or a circular frequency.
     """
@@ -239,9 +236,6 @@ class Programme(Model):
 
 def load_programme(path: Path | str) -> Programme:
     """Read and check a programme file.
-
-    Args:
-        path: of the programme file.
 
     Raises:
         InputError: the file cannot be read, or is a campaign.

@@ -236,7 +236,6 @@ def from_properties(rows: Sequence[Properties], source: str = "property table") 
     """Return the table of properties of several tests.
 
     Args:
-        rows: one a test.
         source: of the rows, for messages.
     """
     columns = {name: np.array([getattr(row, name) for row in rows]) for name, _ in COLUMNS.values()}
@@ -244,12 +243,7 @@ def from_properties(rows: Sequence[Properties], source: str = "property table") 
 
 
 def property_table_content(project: Project, path: Path) -> bytes:
-    """Return the content of a table that a study of a project names, as a run sees it.
-
-    Args:
-        project: the validated project.
-        path: of the table.
-    """
+    """Return the content of a table that a study of a project names, as a run sees it."""
     return project.content(path, lambda path: read_file(path, _WHAT))
 
 
@@ -257,7 +251,6 @@ def read_property_table(path: Path | str, content: bytes | None = None) -> Prope
     """Read a table from CSV with the columns of `COLUMNS`, in any order.
 
     Args:
-        path: the file.
         content: of the file, if it has been read.
 
     Raises:

@@ -162,7 +162,6 @@ def random(
     Args:
         duration: s.
         band: lowest and highest frequency, Hz.
-        seed: of the noise.
         peak: largest magnitude of the whole history, m; either this or `rms`.
         rms: root mean square of the whole history, m.
         taper: share of the duration at each end over which it fades (half a cosine).

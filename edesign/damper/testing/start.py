@@ -150,9 +150,7 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
 
     Args:
         test: the record.
-        kind: what is said of it.
         ramp: duration of the way from rest to a first sample that is displaced, s.
-        force_of: the damper.
     """
     if test.time.size < _FEWEST:
         return None

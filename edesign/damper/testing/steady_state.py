@@ -114,10 +114,6 @@ def unit_motion(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.n
 
     The motion is a ramp of one cycle, then full cycles. The envelope is 10 s^3 - 15 s^4 + 6 s^5; with it neither
     deformation nor velocity is larger in the ramp than after it, which counts for laws that remember the largest ones.
-
-    Args:
-        cycles: number of full cycles.
-        samples: of a cycle.
     """
     n = np.arange((cycles + 1) * samples + 1)
     angle = 2.0 * np.pi * (n % samples) / samples
@@ -140,7 +136,6 @@ def force_amplitudes(force: np.ndarray, rate: np.ndarray, cycles: tuple[int, int
         force: (n,) N under `unit_motion`.
         rate: (n,) of `unit_motion`.
         cycles: first and last full cycle that is averaged.
-        samples: of a cycle.
 
     Returns:
         (3,) N.

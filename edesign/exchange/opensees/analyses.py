@@ -105,9 +105,7 @@ def programme(
     """Return the analyses of a project as data of a script.
 
     Args:
-        project: the validated project.
         structure: of the frame.
-        parts: blocks of the model.
         stem: of the script's name, with which those of the records begin.
         without_dampers: whether the script is to have no dampers.
         tell: takes the name of each stage at its beginning.

@@ -23,7 +23,6 @@ def damping_values(project: Project, dampers: bool) -> dict[str, Value]:
     """Return the inherent damping of histories; empty: none.
 
     Args:
-        project: the validated project.
         dampers: whether the script has dampers; modal damping is of the modes without them.
     """
     damping = project.damping

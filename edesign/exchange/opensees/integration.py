@@ -25,7 +25,6 @@ def piecewise_lobatto(points: int, breaks: Sequence[float]) -> tuple[list[float]
     Two parts share the point between them, where both have the same forces.
 
     Args:
-        points: in each part.
         breaks: rising, between 0 and 1.
     """
     places, weights = [0.0], [0.0]

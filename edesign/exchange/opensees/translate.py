@@ -67,8 +67,6 @@ def opensees_script(
     """Return a project as blocks of commands and data, and beside it its records, with what is left out or differs.
 
     Args:
-        project: the validated project.
-        path: of the script.
         without_dampers: whether dampers and tuned masses are left out.
         tell: takes the name of each stage at its beginning.
 

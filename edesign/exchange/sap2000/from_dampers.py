@@ -18,10 +18,6 @@ _TAKEN = (
 def add_dampers(project: Project, model: Sap2000Model) -> None:
     """Add the dampers of a project to a model as links along the line between two joints.
 
-    Args:
-        project: has dampers.
-        model: has the joints.
-
     Raises:
         InputError: a damper has no such link, or there are isolators or tuned masses.
     """

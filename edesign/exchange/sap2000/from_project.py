@@ -47,7 +47,6 @@ def from_project(project: Project, without_dampers: bool = False) -> tuple[Sap20
     """Return a project's frame as a model, and sentences on what the model does not have of it.
 
     Args:
-        project: the validated project.
         without_dampers: whether dampers, isolators and tuned masses are left out.
 
     Raises:

@@ -37,7 +37,6 @@ def known_section(section: Section, fillets: bool = True) -> Known | None:
     name alone does not count: area and second moment of area must be close to those of the catalogue.
 
     Args:
-        section: of the model.
         fillets: whether root fillets of rolled sections count.
     """
     words = [section.catalogue, section.name, section.name.split()[0] if section.name.split() else ""]

@@ -103,9 +103,6 @@ def entry_of(name: str, facts: Facts, component: str | None, **places: Any) -> S
     """Return what a suite would say of a recording; its values are in SI and need no reading.
 
     Args:
-        name: of the recording.
-        facts: on it.
-        component: its label.
         **places: fields of `SuiteEntry` that say where it is.
     """
     about: dict[str, Any] = {field.name: getattr(facts, field.name) for field in fields(facts) if field.name != "pulse"}
@@ -113,12 +110,7 @@ def entry_of(name: str, facts: Facts, component: str | None, **places: Any) -> S
 
 
 def suite_of(title: str, project: Path) -> Suite:
-    """Return a suite without a file of its own; paths of its recordings are relative to the project file.
-
-    Args:
-        title: of the suite.
-        project: the project file.
-    """
+    """Return a suite without a file of its own; paths of its recordings are relative to the project file."""
     suite = Suite.model_construct(edesign_suite=1, title=title, records=())
     suite._path = project
     return suite

@@ -19,10 +19,6 @@ _RSN = re.compile(r"RSN0*([1-9][0-9]{0,5})_", re.IGNORECASE)
 def facts_of(path: Path, file_format: FileFormat) -> Facts:
     """Return what a file and its name say of the recording.
 
-    Args:
-        path: of the file.
-        file_format: its format.
-
     Raises:
         InputError: the file cannot be read.
     """
@@ -41,7 +37,6 @@ def is_vertical(path: Path, label: str) -> bool:
     """Return whether a component is the vertical one, as far as its label or the name of its file tells.
 
     Args:
-        path: of the file.
         label: of the component; "" without one.
     """
     if label:

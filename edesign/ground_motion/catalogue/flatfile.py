@@ -41,7 +41,6 @@ class Flatfile:
         """Return the facts on a file; none are known of a file that is not listed.
 
         Args:
-            path: of the file.
             rsn: record sequence number, if it has one.
         """
         found = self.by_file.get(path.name.lower()) or self.by_file.get(path.stem.lower())
@@ -50,9 +49,6 @@ class Flatfile:
 
 def read_flatfile(path: Path) -> Flatfile:
     """Read a flatfile.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read, has no line of headers, two of the same meaning, a line that names no

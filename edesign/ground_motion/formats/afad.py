@@ -33,11 +33,7 @@ _Header = Mapping[str, tuple[int, str, str]]  # key: line from 1, unit, value
 
 
 def has_first(lines: list[str]) -> bool:
-    """Say whether the first line is that of such a file.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether the first line is that of such a file."""
     return any(FIRST in line.upper() for line in lines[:1])
 
 
@@ -123,9 +119,6 @@ def _about(header: _Header) -> str:
 
 def facts_of(path: Path) -> Facts:
     """Return what the header says of earthquake and station.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read.

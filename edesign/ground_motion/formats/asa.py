@@ -31,11 +31,7 @@ _Header = dict[str, tuple[int, str]]
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether lines have the title of such a file.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines have the title of such a file."""
     return any(_TITLE.match(line) for line in lines)
 
 

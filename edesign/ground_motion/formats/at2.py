@@ -28,7 +28,6 @@ def read_at2(path: Path | str, name: str = "") -> Record:
     """Read a PEER record file, of the NGA form (`NPTS=  5372, DT=  .0100 SEC`) or the older `5372  0.0100  NPTS, DT`.
 
     Args:
-        path: the file.
         name: of the record; its file name without ending by default.
 
     Returns:
@@ -59,11 +58,7 @@ def read_at2(path: Path | str, name: str = "") -> Record:
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines look like those of a PEER file, of acceleration or of another quantity.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines look like those of a PEER file, of acceleration or of another quantity."""
     return any(_NEW.match(line) or _OLD.match(line) for line in lines[: _header_lines(lines)])
 
 

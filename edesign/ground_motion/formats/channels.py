@@ -34,7 +34,6 @@ class Channel:
         """Return the record of this component.
 
         Args:
-            path: of the file.
             name: of the record; "": that of the file.
         """
         factual = ", ".join(part for part in (self.about, self.label and f"component {self.label}") if part)
@@ -49,8 +48,6 @@ def choose(path: Path, channels: Sequence[Channel], component: str | int | None)
     """Return the component that is asked for, or the only one.
 
     Args:
-        path: of the file.
-        channels: of the file.
         component: label or number; None: the only one.
 
     Raises:
@@ -96,7 +93,6 @@ class RecordFormat:
         """Read the record of one component.
 
         Args:
-            path: of the file.
             component: what it is called; None: the only one.
             name: of the record; "": that of the file.
 

@@ -46,11 +46,7 @@ _UNIT_NAMES |= dict.fromkeys(("cm/sec2", "cm/sec/sec", "cm/s/s", "cm/s2", "cm/s^
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether one of the first two lines is the title of such a file.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether one of the first two lines is the title of such a file."""
     return any(TITLE.match(line) for line in lines[:2])
 
 

@@ -38,20 +38,12 @@ _EVENT, _STATION = 8, 6  # lines of the text header, from 0; volume 1 lacks the 
 
 
 def _data_line(line: str) -> re.Match[str] | None:
-    """Match a line that announces accelerations: number of points, their step or rate, and their unit.
-
-    Args:
-        line: of the file.
-    """
+    """Match a line that announces accelerations: number of points, their step or rate, and their unit."""
     return DATA.match(line) or _RATED.match(line)
 
 
 def has_data(lines: list[str]) -> bool:
-    """Say whether lines announce evenly spaced accelerations, or are those of a file of volume 3.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines announce evenly spaced accelerations, or are those of a file of volume 3."""
     return bool(lines) and (SPECTRA.match(lines[0]) is not None or any(_data_line(line) for line in lines))
 
 

@@ -31,11 +31,7 @@ _TEXTS = 20  # lines within which the samples begin
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines have the header of such a file.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines have the header of such a file."""
     head = lines[:_TEXTS]
     return any(_COUNT.match(line) for line in head) and any(_PEAK.match(line) for line in head)
 

@@ -47,7 +47,6 @@ def read_csv(
     at the first sample, whatever time it bears.
 
     Args:
-        path: the file.
         acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2", also with a number ("g/10"); a table does not say it, so
             it must be declared.
         time_step: s; needed without a time column, and checked against it otherwise.

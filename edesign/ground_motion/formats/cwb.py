@@ -28,11 +28,7 @@ _NAMES = {"U": ("Z", "V", "Up"), "N": ("NS", "N-S", "HNN"), "E": ("EW", "E-W", "
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines have the header of such a file.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines have the header of such a file."""
     keys = {match[1].lower() for line in lines if (match := _KEY.match(line))}
     return {key.lower() for key in (SEQUENCE, RATE, UNIT)} <= keys
 

@@ -28,11 +28,7 @@ _Header = Mapping[str, tuple[int, str]]  # key: line from 1, value
 
 
 def has_key(lines: list[str]) -> bool:
-    """Say whether a line has a key that only such files have.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether a line has a key that only such files have."""
     return not {STEP, COUNT}.isdisjoint(match[1].upper() for line in lines if (match := KEY.match(line)))
 
 
@@ -105,9 +101,6 @@ def _about(header: _Header) -> str:
 
 def facts_of(path: Path) -> Facts:
     """Return what the header says of earthquake and station.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read.

@@ -27,11 +27,7 @@ class FieldFormat:
     whole: bool
 
     def lines(self, count: int) -> int:
-        """Return the number of lines that hold `count` values.
-
-        Args:
-            count: number of values.
-        """
+        """Return the number of lines that hold `count` values."""
         return -(-count // self.fields)
 
 
@@ -39,7 +35,6 @@ def field_format(text: str, path: Path, line: int) -> FieldFormat:
     """Find the format in a line that announces values.
 
     Args:
-        text: the line.
         path: of the file, for messages.
         line: its number, for messages.
 
@@ -58,10 +53,7 @@ def read_fields(
     """Read `count` values from the lines that begin at index `start`.
 
     Args:
-        lines: of the file.
         start: index of the first line.
-        count: number of values.
-        layout: width and number of fields in a line.
         path: of the file, for messages.
         what: is read, for messages.
 
@@ -105,9 +97,7 @@ def without_padding(values: list[float], count: int, rest: int) -> list[float]:
     """Return numbers without the zeros with which a program filled up their last line.
 
     Args:
-        values: all numbers of the file.
         count: of those that the header announces.
-        rest: numbers of the last line.
     """
     return values[:count] if 0 < len(values) - count < rest and not any(values[count:]) else values
 
@@ -125,11 +115,7 @@ def words_of(line: str) -> list[str]:
 
 
 def is_end_of_data(line: str) -> bool:
-    """Say whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`.
-
-    Args:
-        line: of the file.
-    """
+    """Say whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`."""
     return _END.match(line) is not None
 
 
@@ -140,7 +126,6 @@ def read_rows(
 
     Args:
         lines: of the samples, with their numbers in the file.
-        width: numbers of a line.
         path: of the file, for messages.
         each: what each line has, for messages.
         end: number of the last line of the file, for messages.

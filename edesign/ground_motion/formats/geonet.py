@@ -35,11 +35,7 @@ _STEP = 25  # of the reals, from 0: interval of these samples, s (24 is that of 
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether lines begin as a GeoNet file does.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines begin as a GeoNet file does."""
     return bool(lines) and TITLE.match(lines[0]) is not None and any(_MARK.search(line) for line in lines[9:13])
 
 

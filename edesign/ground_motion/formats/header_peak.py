@@ -11,11 +11,7 @@ _NUMBER = re.compile(r"[-+]?[0-9]*(?:\.([0-9]*))?(?:[EeDd]([-+]?[0-9]+))?$")
 
 
 def last_place(word: str) -> float:
-    """Return what one unit in the last digit of a number is worth as it is written: 0.001 of `-.167`, 10 of `1.2E2`.
-
-    Args:
-        word: the number as it is written.
-    """
+    """Return what one unit in the last digit of a number is worth as it is written: 0.001 of `-.167`, 10 of `1.2E2`."""
     match = _NUMBER.match(word.strip())
     if match is None:
         return 0.0

@@ -24,11 +24,7 @@ _NUMBER = re.compile(r"\s*([-+]?[0-9]*\.[0-9]+(?:[EeDd][-+]?[0-9]{2})?)")
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines have the header of such a file.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines have the header of such a file."""
     keys = {match[1].lower() for line in lines if (match := _KEY.match(line))}
     return {_STEP, _COUNT, _UNITS} <= keys
 

@@ -25,11 +25,7 @@ _NAMES = {"NS": ("N-S", "N"), "EW": ("E-W", "E"), "UD": ("U-D", "U")}
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines begin as such a table does.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines begin as such a table does."""
     keys = {match[1].upper() for line in lines[:10] if (match := _KEY.match(line))}
     return {_SITE, _UNIT} <= keys and any(rate in keys for rate in _RATES)
 

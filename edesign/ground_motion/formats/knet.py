@@ -32,18 +32,13 @@ def has_key(line: str, key: str) -> bool:
     """Say whether a line of the header begins with a key.
 
     Args:
-        line: of the file.
         key: as the network writes it.
     """
     return line[: len(key)].lower() == key.lower()
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines begin as such a file does.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines begin as such a file does."""
     return has_key(lines[0], FIRST) and any(has_key(line, RATE) for line in lines)
 
 
@@ -129,9 +124,6 @@ def _match(path: Path, lines: list[str], key: str, pattern: re.Pattern[str], exa
 
 def facts_of(path: Path) -> Facts:
     """Return what the header says of earthquake and station.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read.

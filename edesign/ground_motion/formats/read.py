@@ -88,7 +88,6 @@ def read_record_file(
     """Read a record from a file.
 
     Args:
-        path: the file.
         file_format: one of FORMATS; found from the content, and failing that from the suffix, by default.
         acceleration_unit: of tables and SAC files, which do not say it: "g", "m/s^2", "cm/s^2", "mm/s^2", or "g/10".
         time_step: s; of tables without a column of times.
@@ -140,10 +139,6 @@ def read_record_file(
 def component_labels(path: Path, file_format: FileFormat) -> tuple[str, ...]:
     """Return what the components of a file are called if it may hold several, which `component` then chooses.
 
-    Args:
-        path: of the file.
-        file_format: its format.
-
     Raises:
         InputError: what the reader of the format finds.
     """
@@ -159,19 +154,12 @@ def _known(path: Path, file_format: FileFormat) -> FileFormat:
 
 
 def names_components(file_format: FileFormat) -> bool:
-    """Return whether the files of a format name their components.
-
-    Args:
-        file_format: its format.
-    """
+    """Return whether the files of a format name their components."""
     return file_format in NAMING or file_format == "sac"
 
 
 def format_by_marks(path: Path) -> FileFormat | None:
     """Find the format of a file by the marks in it; None: it has those of no format, as tables have none.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read, or is no text and no SAC file.
@@ -185,9 +173,6 @@ def format_by_marks(path: Path) -> FileFormat | None:
 
 def detect(path: Path) -> FileFormat:
     """Find the format of a file.
-
-    Args:
-        path: of the file.
 
     Raises:
         InputError: the file cannot be read, or no format fits; lists the formats.

@@ -48,7 +48,6 @@ class RecordTable:
         """Read the cells of a file.
 
         Args:
-            path: the file.
             given: what is said of how the table stands in it.
 
         Raises:
@@ -153,12 +152,7 @@ class RecordTable:
 
 
 def told(form: Form, given: TableFormat | None) -> str:
-    """Return how a table was read, where that was said or is not plain.
-
-    Args:
-        form: how the table was read.
-        given: what was said of it.
-    """
+    """Return how a table was read, where that was said or is not plain."""
     found = (
         form.skipped or form.units_line or form.decimal == "comma" or form.encoding in ("utf-16", "gbk", "shift-jis")
     )
@@ -260,7 +254,6 @@ def acceleration_unit_of(table: RecordTable, column: int) -> str | None:
     """Return the unit of a column that its header, or the line of units, says: `acc (g)`; None: none that is known.
 
     Args:
-        table: the table.
         column: its number, from 0.
     """
     header = table.header[column] if column < len(table.header) else ""

@@ -31,11 +31,7 @@ _UNDEFINED = -12345.0
 
 
 def is_sac(path: Path) -> bool:
-    """Say whether a file is of this format: its header has a version of it, and its length is that of its samples.
-
-    Args:
-        path: of the file.
-    """
+    """Say whether a file is of this format: its header has a version of it, and its length is that of its samples."""
     head = head_of(path)
     return head is not None and _byte_order(head[:_HEADER], path.stat().st_size) is not None
 
@@ -44,7 +40,6 @@ def read_sac(path: Path | str, acceleration_unit: str, component: str | None = N
     """Read a file of one component.
 
     Args:
-        path: the file.
         acceleration_unit: of the samples: "g", "m/s^2", "cm/s^2", "mm/s^2", also with a number ("g/10").
         component: if given it must be that of the file: its channel code (`HNE`) or the last letter of it.
         name: of the record; its file name without ending by default.

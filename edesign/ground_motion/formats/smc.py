@@ -28,11 +28,7 @@ _DIGITS = 5  # of the samples, at the least (8E10.4 and E10.4E1)
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether lines begin as an SMC file does: kind of the data, then the line `*`, with 48 integers to come.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines begin as an SMC file does: kind of the data, then the line `*`, with 48 integers to come."""
     return bool(lines) and TITLE.match(lines[0]) is not None and any(line.strip() == "*" for line in lines[1:_TEXTS])
 
 

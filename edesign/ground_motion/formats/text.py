@@ -14,7 +14,6 @@ def read_lines(path: Path, otherwise: str = "latin-1") -> list[str]:
     """Read the lines of a text file.
 
     Args:
-        path: the file.
         otherwise: its encoding, of one byte a character, if it is not UTF-8.
 
     Raises:

@@ -13,11 +13,7 @@ _RUN = 3  # lines of nothing but numbers that are data
 
 
 def describe_text(lines: Sequence[str]) -> str:
-    """Return what a text looks like: how many lines of header it has, and how its numbers stand below them.
-
-    Args:
-        lines: of the file.
-    """
+    """Return what a text looks like: how many lines of header it has, and how its numbers stand below them."""
     if is_labview(lines):
         return "it is a LabVIEW measurement, as tests of dampers are; write the columns of a record as CSV"
     counts = [_numbers(line) for line in lines[:_FIRST_LINES]]

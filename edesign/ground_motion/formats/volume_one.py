@@ -40,11 +40,7 @@ _NUMBER = re.compile(r"\s*[-+]?[0-9]*\.[0-9]+(?:E[-+]?[0-9]+)?", re.IGNORECASE)
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines begin as such a file does; volume 1 files of evenly spaced points are those of `csmip`.
-
-    Args:
-        lines: of the file.
-    """
+    """Say whether lines begin as such a file does; volume 1 files of evenly spaced points are those of `csmip`."""
     return bool(lines) and _TITLE.match(lines[0]) is not None and any(_UNIT.search(line) for line in lines[:_TEXTS])
 
 

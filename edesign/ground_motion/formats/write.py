@@ -15,10 +15,6 @@ def write_csv(record: Record, path: Path) -> None:
 
     The accelerations have all their digits: reading gives the same floats.
 
-    Args:
-        record: the record.
-        path: of the file.
-
     Raises:
         ArchiveError: it cannot be written.
     """

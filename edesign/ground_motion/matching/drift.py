@@ -30,7 +30,6 @@ class DriftCorrection:
         """Prepare the correction of motions of one length.
 
         Args:
-            samples: of the motion.
             time_step: s.
             longest_period: that must not be changed, s.
         """

@@ -49,7 +49,6 @@ def adjust(
         time_step: s.
         target: gives the target, m/s2, at periods, s.
         periods: (n_p,) s, at which the spectrum is matched.
-        options: of the matching.
         zero_period: target of the peak ground acceleration, m/s2; None: it is not matched.
 
     Source: thesis, section 5.3.3 and Fig. 5.6; Rizzo, Shaw and Jarecki (1975), Nuclear Engineering and Design 32, for

@@ -27,7 +27,6 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
 
     Args:
         record: as recorded.
-        target: the spectrum to match.
         options: method, band and so on; default `MatchOptions()`.
 
     Returns:
@@ -95,9 +94,7 @@ def constant_factor(record: Record, target: Spectrum, options: MatchOptions) -> 
     """Return the factor on a record before its shape is changed, as `match_record` takes it.
 
     Args:
-        record: the record.
         target: spectrum that is matched.
-        options: of the matching.
 
     Raises:
         InputError: the record or the target cannot be matched over the band.
@@ -109,10 +106,6 @@ def constant_factor(record: Record, target: Spectrum, options: MatchOptions) -> 
 
 def check_band(target: Spectrum, options: MatchOptions) -> None:
     """Check that a target has ordinates over the band to be matched.
-
-    Args:
-        target: spectrum that is matched.
-        options: of the matching.
 
     Raises:
         InputError: it ends before.
@@ -126,10 +119,6 @@ def check_band(target: Spectrum, options: MatchOptions) -> None:
 
 def check_record(record: Record, options: MatchOptions) -> None:
     """Check that a record reaches over the band to be matched.
-
-    Args:
-        record: the record.
-        options: of the matching.
 
     Raises:
         InputError: it is zero throughout, its time step is too long or it is too short.

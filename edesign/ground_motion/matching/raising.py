@@ -43,7 +43,6 @@ def raised(match: Match, factor: float) -> Match:
     """Return a match whose result, and all that is said about it, is that of the matched record times a factor.
 
     Args:
-        match: a result of matching.
         factor: dimensionless.
     """
     if factor == 1.0:

@@ -38,7 +38,6 @@ class Wavelets:
 
         Args:
             amplitudes: of the even, then of the odd ones, shape (2 m,).
-            samples: of the motion.
             time_step: s.
 
         Returns:

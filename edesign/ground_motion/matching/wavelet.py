@@ -40,8 +40,6 @@ def wavelet(time: np.ndarray, period: float, width: float, even: float, odd: flo
         time: from the centre, s.
         period: s.
         width: s.
-        even: amplitude of the even wavelet.
-        odd: amplitude of the odd one.
     """
     phase = 2.0 * np.pi / period * time
     wave = np.hypot(even, odd) * np.cos(phase - np.arctan2(odd, even))

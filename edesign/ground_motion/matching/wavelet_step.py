@@ -43,7 +43,6 @@ class Step:
         Args:
             state: motion and peaks.
             ordinates: what is matched.
-            width_factor: of the wavelets.
             lags: of the peak behind the centres of wavelets, in widths.
             time_step: s.
 

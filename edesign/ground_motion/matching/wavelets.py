@@ -41,7 +41,6 @@ def adjust(
         time_step: s.
         target: gives the target, m/s2, at periods, s.
         periods: (n_p,) s, at which the spectrum is matched.
-        options: of the matching.
         zero_period: target of the peak ground acceleration, m/s2; None: it is not matched.
 
     Source: Lilhanand & Tseng (1988), 9WCEE; Hancock et al. (2006), Journal of Earthquake Engineering 10; Al Atik &

@@ -19,7 +19,6 @@ def correct_baseline(record: Record, order: int = 1, fit: Literal["acceleration"
     """Subtract a polynomial of time from the acceleration.
 
     Args:
-        record: the record.
         order: of the polynomial; 0 is a constant, 1 a straight line.
         fit: what is fitted by least squares: the acceleration itself, or the velocity (by the integral of the
             polynomial, so that the velocity still begins at zero). The velocity tells small offsets better: their
@@ -58,7 +57,6 @@ def remove_drift(record: Record, order: int = 6) -> Record:
     motion and have no permanent displacement.
 
     Args:
-        record: the record.
         order: of the polynomial of displacement, 3 to HIGHEST_ORDER.
 
     Returns:

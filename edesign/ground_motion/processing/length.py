@@ -18,7 +18,6 @@ def taper(record: Record, start: float, end: float) -> Record:
     """Bring the first and last seconds smoothly to zero with half a cosine wave; the end samples become zero.
 
     Args:
-        record: the record.
         start: length of the taper at the start, s; 0 for none.
         end: length of the taper at the end, s; 0 for none; together at most the length of the record.
 
@@ -43,7 +42,6 @@ def trim(record: Record, start: float, end: float, taper_length: float = 0.5) ->
     """Keep what lies between two times, tapered within at both ends so that no step is left.
 
     Args:
-        record: the record.
         start: s from the first sample; moved back to a whole step, and to the record's start.
         end: s from the first sample; moved on to a whole step, and to the record's end.
         taper_length: s at each end; where the record itself begins or ends too.
@@ -77,7 +75,6 @@ def trim_to_significant(
     """Keep the part in which the Arias intensity grows from one share of its final value to another.
 
     Args:
-        record: the record.
         bounds: shares of the Husid diagram, 0 <= lower < upper <= 1.
         lead: s kept before the part as well, where the record has them.
         tail: s kept after the part as well, where the record has them.
@@ -109,7 +106,6 @@ def pad(record: Record, before: float = 0.0, after: float = 0.0) -> Record:
     """Put zeros in front and behind, as many whole steps as last at least so many seconds.
 
     Args:
-        record: the record.
         before: s in front.
         after: s behind.
 

@@ -27,7 +27,6 @@ def resample_band_limited(record: Record, time_step: float) -> Record:
     frequency is lost. The motion is taken as zero before and after the record; the sample at time zero stays there.
 
     Args:
-        record: the record.
         time_step: the new step, s; its ratio to the old one must be that of whole numbers up to 1000.
 
     Raises:

@@ -20,10 +20,6 @@ REVERSED = "; reversed"
 def processed(record: Record, steps: Iterable[Step]) -> Record:
     """Return a record after the steps, in their order; its source says each.
 
-    Args:
-        record: the record.
-        steps: of processing.
-
     Raises:
         InputError: a step does not suit the record; the message says which.
     """

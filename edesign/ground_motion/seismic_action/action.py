@@ -109,7 +109,6 @@ def check_level(hazard: Hazard, level: str) -> None:
 
     Args:
         hazard: block of the project.
-        level: its name.
 
     Raises:
         InputError: there is not.

@@ -124,7 +124,6 @@ class EC8Action:
 
         Args:
             level: its name in the hazard.
-            q: behaviour factor.
 
         Source: EN 1998-1:2004, 3.2.2.5.
         """

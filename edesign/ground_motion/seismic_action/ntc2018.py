@@ -66,7 +66,6 @@ class NtcAction:
 
         Args:
             level: its name in the hazard.
-            q: behaviour factor.
 
         Raises:
             InputError: the level is of SLO, whose design spectrum is the elastic one (3.2.3.4).

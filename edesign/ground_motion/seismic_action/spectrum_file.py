@@ -28,7 +28,6 @@ def read_spectrum(hazard: Hazard, table: SpectrumFile) -> tuple[tuple[float, ...
     lines that begin with # are skipped; commas or semicolons stand between the columns.
 
     Args:
-        hazard: that names the file.
         table: its name, and the header of the ordinates.
 
     Returns:

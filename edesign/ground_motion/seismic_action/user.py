@@ -60,7 +60,6 @@ class UserAction:
 
         Args:
             level: its name in the hazard.
-            q: behaviour factor.
 
         Raises:
             InputError: q is given; a table does not say how it is reduced.

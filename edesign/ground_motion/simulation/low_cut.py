@@ -38,7 +38,6 @@ def between_rests(spectrum: np.ndarray, count: int, time_step: float, kept: slic
 
     Args:
         spectrum: of the acceleration without mean, shape (count // 2 + 1,), m/s2, as of np.fft.rfft.
-        count: number of samples.
         time_step: s.
         kept: which samples are wanted.
         quiet: number of samples of either taper.

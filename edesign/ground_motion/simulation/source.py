@@ -24,9 +24,6 @@ class Corners:
 def seismic_moment(magnitude: float) -> float:
     """Return the seismic moment M_0, N m.
 
-    Args:
-        magnitude: moment magnitude.
-
     Source: Hanks & Kanamori (1979), as Boore (2003) has it for dyn cm: M = 2/3 log10 M_0 - 10.7.
     """
     return float(10.0 ** (1.5 * (magnitude + 10.7) - 7.0))

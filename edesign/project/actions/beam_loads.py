@@ -38,10 +38,6 @@ def points_on_members(frame: Frame, loads: Loads) -> Iterator[PointOnMember]:
     """Yield the point loads on each member that is part of a beam.
 
     A load over the middle of a divided beam is on the end of its first half.
-
-    Args:
-        frame: the frame of the project.
-        loads: the loads of the project.
     """
     for load in loads.beams:
         for place in frame.standing_beams(load) if load.points else ():
@@ -55,12 +51,7 @@ def points_on_members(frame: Frame, loads: Loads) -> Iterator[PointOnMember]:
 
 
 def parts_on_members(frame: Frame, loads: Loads) -> Iterator[PartOnMember]:
-    """Yield the partial loads on each member that is part of a beam.
-
-    Args:
-        frame: the frame of the project.
-        loads: the loads of the project.
-    """
+    """Yield the partial loads on each member that is part of a beam."""
     for load in loads.beams:
         for place in frame.standing_beams(load) if load.partial else ():
             width = frame.bay_widths[place[0] - 1]
@@ -76,10 +67,6 @@ def parts_on_members(frame: Frame, loads: Loads) -> Iterator[PartOnMember]:
 
 def breaks_of_members(frame: Frame, loads: Loads) -> dict[str, tuple[float, ...]]:
     """Return the places inside members where loads begin, end or act, ascending, as shares of the length.
-
-    Args:
-        frame: the frame of the project.
-        loads: the loads of the project.
 
     Returns:
         The places, 0 to 1, by name of the member; members without such places are left out.

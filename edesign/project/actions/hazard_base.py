@@ -89,10 +89,6 @@ class Hazard(Model):
     def content(self, file: str, read: Callable[[Path], bytes]) -> bytes:
         """Return the content of a file that the action names, as it was on its first reading.
 
-        Args:
-            file: name of the file in the hazard.
-            read: reads the file at a path.
-
         Raises:
             InputError: it cannot be read.
         """

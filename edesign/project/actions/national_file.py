@@ -167,7 +167,6 @@ def read_national_file(hazard: Hazard, file: str) -> dict[str, dict[str, Any]]:
 
     Args:
         hazard: the seismic action, which keeps the content of the file.
-        file: name of the file in the hazard.
 
     Returns:
         The stated parameters by name, each with its value, clause and source.
@@ -184,7 +183,6 @@ def parse_national(text: str, path: Path) -> dict[str, dict[str, Any]]:
     """Check the text of a national data file; result and errors as `read_national_file`.
 
     Args:
-        text: the text of the file.
         path: path of the file, for messages.
     """
     found, problems = check_model(text, NationalFile, _WHAT, _BEGINS)

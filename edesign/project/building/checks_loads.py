@@ -107,10 +107,6 @@ def _carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPl
     """Return the beams at the edges of a bay that carry its floor load.
 
     They are those across the span of the floor, and all four where it spans both ways or has secondary beams.
-
-    Args:
-        area: the area load with the span of its floor.
-        around: the beams at the edges of the bay.
     """
     if area.spans == "two_way" or area.secondary_beams:
         return around

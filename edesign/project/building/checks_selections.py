@@ -25,12 +25,7 @@ class Selections(GridSelections):
         self.building = building
 
     def bays(self, keys: Keys, blocks: tuple[Panels, ...]) -> bool:
-        """Check that every bay of the plan exists.
-
-        Args:
-            keys: key path of the value in the file.
-            blocks: blocks of bays of the plan.
-        """
+        """Check that every bay of the plan exists."""
         good = True
         several = self.problems.node(keys).items is not None
         for i, block in enumerate(blocks):
@@ -44,7 +39,6 @@ class Selections(GridSelections):
         """Check that every column line exists.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected column lines.
         """
         outside = self.lines_outside(chosen)
@@ -65,7 +59,6 @@ class Selections(GridSelections):
         """Check that every frame exists and has the direction.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected frames.
             along: direction of the frames, x or y.
         """
@@ -82,7 +75,6 @@ class Selections(GridSelections):
         """Check that column lines and storeys exist.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected columns.
         """
         lines = self.lines((*keys, "at"), chosen.at)
@@ -92,7 +84,6 @@ class Selections(GridSelections):
         """Check that frames, bays and floors exist.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected beams.
         """
         frames = self.frames((*keys, "frames"), chosen.frames, chosen.along)
@@ -101,12 +92,7 @@ class Selections(GridSelections):
         return self.floors(keys, chosen.floors) and frames and bays
 
     def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> bool:
-        """Check that beams that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected beams.
-        """
+        """Check that beams that are selected one by one exist."""
         if not self.beam_places(keys, chosen):
             return False
         if chosen.frames.is_all or chosen.bays.is_all or chosen.floors.is_all:
@@ -115,13 +101,7 @@ class Selections(GridSelections):
         return self.absent(keys, "beam", (str(p) for p in layout.beam_places(chosen) if p not in layout.beam_at))
 
     def nodes(self, keys: Keys, lines: ColumnLineSelection, floors: NumberSelection) -> bool:
-        """Check that nodes that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            lines: the selected column lines.
-            floors: numbers of the selected floors.
-        """
+        """Check that nodes that are selected one by one exist."""
         inside = self.lines((*keys, "at"), lines)
         if not (self.floors(keys, floors) and inside):
             return False

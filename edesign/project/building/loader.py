@@ -49,7 +49,6 @@ def parse_building(
     """Check the text of a building file that (supposedly) stands at `path`; otherwise as `load_building`.
 
     Args:
-        text: the text of the file.
         path: where the file stands, for messages and for the files that it names.
         profiles: names of the catalogue's sections, as for `load_building`.
         files: whether the files that it names must exist.

@@ -97,7 +97,6 @@ def node_name(line: ColumnLine, floor: int) -> str:
     """Return the name of a node: `A2.3` on column line A2 at floor 3.
 
     Args:
-        line: the column line.
         floor: number of the floor; 0 is the base.
     """
     return f"{line}.{floor}"
@@ -107,7 +106,6 @@ def column_name(line: ColumnLine, storey: int) -> str:
     """Return the name of a column: `C_A2_3` on column line A2 in storey 3.
 
     Args:
-        line: the column line.
         storey: number of the storey, from 1.
     """
     return f"C_{line}_{storey}"

@@ -98,12 +98,7 @@ class Panels(Model):
         return self.x.is_all and self.y.is_all
 
     def numbers(self, n_x: int, n_y: int) -> Iterator[tuple[int, int]]:
-        """Yield the selected bays (along x, along y) of a plan; both count from 1.
-
-        Args:
-            n_x: number of bays along x.
-            n_y: number of bays along y.
-        """
+        """Yield the selected bays (along x, along y) of a plan; both count from 1."""
         for i in self.x.numbers(1, n_x):
             for j in self.y.numbers(1, n_y):
                 yield i, j
@@ -174,13 +169,7 @@ ALL_BAYS = (Panels(),)
 
 
 def panels_in(bays: tuple[Panels, ...], n_x: int, n_y: int) -> frozenset[tuple[int, int]]:
-    """Return the bays (along x, along y) of a plan that a selection takes.
-
-    Args:
-        bays: blocks of bays.
-        n_x: number of bays along x.
-        n_y: number of bays along y.
-    """
+    """Return the bays (along x, along y) of a plan that a selection takes."""
     return frozenset(place for block in bays for place in block.numbers(n_x, n_y))
 
 

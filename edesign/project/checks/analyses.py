@@ -20,7 +20,6 @@ def check_analyses(project: Project, problems: Problems, files: bool = True) -> 
     """Check loads, masses, damping, records and analyses of a project without schema problems.
 
     Args:
-        project: as read.
         problems: collects what is wrong.
         files: whether the files of the records must be there.
     """
@@ -74,7 +73,6 @@ def check_drift(project: Project, problems: Problems, keys: Keys, drift: float |
     Args:
         project: the project, which has no schema problems.
         problems: the problems of the file, to which those found are added.
-        keys: key path of the value in the file.
         drift: drift ratio; None: none is given.
     """
     largest = project.largest_drift

@@ -34,7 +34,6 @@ def check_quantity(
     """Check the places of a quantity, and that the archive will have its values.
 
     Args:
-        keys: of the criterion.
         criterion: as read; it has no schema problems.
         project: whose frame it means.
         problems: collects what is wrong.
@@ -86,8 +85,6 @@ def check_members(keys: Keys, given: Sequence[str], allowed: Sequence[str], what
     """Check that members are among those allowed, at least one of them, each once.
 
     Args:
-        keys: key path of the value in the file.
-        given: names of the members.
         allowed: names that may be given.
         what: kind of the members, for messages.
         problems: the problems of the file, to which those found are added.

@@ -75,7 +75,6 @@ def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
 
     Args:
         problems: the problems of the file, to which those found are added.
-        keys: key path of the value in the file.
         law: the law, as the file describes it.
     """
     if law.file is None:
@@ -113,7 +112,6 @@ def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, l
 
     Args:
         problems: the problems of the file, to which those found are added.
-        keys: key path of the value in the file.
         device: the damper, or an item of a catalogue.
         laws: of the project, by name.
     """
@@ -162,8 +160,6 @@ def check_sized_law(
 
     Args:
         keys: of the `law` of the design.
-        spec: the design.
-        law: that it names.
         types: that the method can size; those of law files are known later.
         problems: collects what is wrong.
     """

@@ -184,8 +184,6 @@ def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
     """Check factors and temperatures of bounds against each other.
 
     Args:
-        keys: key path of the value in the file.
-        bounds: the bounds of a design.
         problems: the problems of the file, to which those found are added.
     """
     for side in ("upper", "lower"):

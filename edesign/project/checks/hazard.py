@@ -16,7 +16,6 @@ def check_hazard(hazard: Hazard | None, holder: FileModel, problems: Problems, f
     """Check the seismic action of a file without schema problems; names of the code are checked later.
 
     Args:
-        hazard: the block.
         holder: the file that it stands in, which keeps the contents of the files that the action names.
         problems: collects what is wrong.
         files: whether the files that it names must be there.

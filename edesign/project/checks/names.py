@@ -19,7 +19,6 @@ def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str],
         problems: collects what is wrong.
         keys: of the names; a single one may stand there without a list.
         what: they are, for messages: "variant".
-        given: the names.
         known: those that there are.
     """
     for i, name in enumerate(given):
@@ -34,8 +33,6 @@ def check_records(problems: Problems, keys: Keys, given: Sequence[str], project:
 
     Args:
         problems: the problems of the file, to which those found are added.
-        keys: key path of the value in the file.
-        given: the references.
         project: the project, which has no schema problems.
     """
     for i, reference in enumerate(given):

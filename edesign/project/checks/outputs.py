@@ -63,8 +63,6 @@ def check_member(project: Project, problems: Problems, keys: Keys, member: str) 
     Args:
         project: the project, which has no schema problems.
         problems: the problems of the file, to which those found are added.
-        keys: key path of the value in the file.
-        member: name of the member.
     """
     known = project.frame.members
     if member in known:

@@ -34,9 +34,6 @@ def check_candidate_places(keys: Keys, spec: Design, project: Project, problems:
     """Check that the frame has the bays and storeys of a design, and return whether it has.
 
     Args:
-        keys: key path of the value in the file.
-        spec: the design.
-        project: the validated project.
         problems: the problems of the file, to which those found are added.
     """
     check = Selections(project.frame, problems)
@@ -48,9 +45,6 @@ def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Pr
     """Check that the project has the levels and records of a design.
 
     Args:
-        keys: key path of the value in the file.
-        spec: the design.
-        project: the validated project.
         problems: the problems of the file, to which those found are added.
     """
     levels = project.hazard_levels
@@ -62,12 +56,7 @@ def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Pr
 
 
 def placement_warnings(spec: PlacementDesign, frame: Frame) -> list[str]:
-    """Return one sentence for each value of a placement that may not be meant.
-
-    Args:
-        spec: the placement.
-        frame: the frame of the project.
-    """
+    """Return one sentence for each value of a placement that may not be meant."""
     widths = frame.bay_widths
     pairs = [(bay, frame.n_bays + 1 - bay) for bay in range(1, frame.n_bays // 2 + 1)]
     uneven = [(a, b) for a, b in pairs if not math.isclose(widths[a - 1], widths[b - 1])]

@@ -56,7 +56,6 @@ def check_record(record: Record, keys: Keys, problems: Problems) -> None:
 
     Args:
         record: as the file describes it.
-        keys: key path of the value in the file.
         problems: the problems of the file, to which those found are added.
     """
     if isinstance(record, ChosenRecords):
@@ -135,8 +134,6 @@ def check_record_files(
     """Check that the files and folders of records are there.
 
     Args:
-        records: of a file.
-        folder: of that file.
         problems: collects what is wrong.
         what: the file is, for messages.
     """
@@ -212,7 +209,6 @@ def check_fitted_levels(
     Args:
         keys: where the levels stand in the file of the problems.
         records: names of fitted records of the project; those that are fitted to a shape of all levels pass.
-        levels: at which they are used.
         project: that has them.
         problems: collects what is wrong.
     """

@@ -17,7 +17,6 @@ class GridSelections:
 
     Args:
         problems: collects what is wrong.
-        n_storeys: number of storeys of the grid.
         what: "frame" or "building", for messages.
     """
 
@@ -30,8 +29,6 @@ class GridSelections:
         """Check that every number is within 1 to `last`.
 
         Args:
-            keys: key path of the selection.
-            chosen: the numbers.
             what: what they count, for messages.
             last: the largest number.
             of: further words for messages on what they belong to.
@@ -67,7 +64,6 @@ class GridSelections:
         """Check that nothing that is selected is missing.
 
         Args:
-            keys: key path of the selection.
             what: kind of the items, for messages.
             missing: names of those that are selected and do not stand.
         """
@@ -81,7 +77,6 @@ class GridSelections:
         """Check that every place of the grid has a run of members, or is listed as missing.
 
         Args:
-            keys: key path of the runs.
             what: kind of the members, for messages.
             bare: names of the members that have neither.
         """
@@ -117,7 +112,6 @@ class Selections(GridSelections):
         """Check that every line exists.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected lines.
         """
         good = True
@@ -133,7 +127,6 @@ class Selections(GridSelections):
         """Check that lines and storeys are within the grid.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected columns.
         """
         lines = self.lines((*keys, "lines"), chosen.lines)
@@ -143,42 +136,25 @@ class Selections(GridSelections):
         """Check that bays and floors are within the grid.
 
         Args:
-            keys: key path of the value in the file.
             chosen: the selected beams.
         """
         bays = self.bays(keys, chosen.bays)
         return self.floors(keys, chosen.floors) and bays
 
     def standing_columns(self, keys: Keys, chosen: ColumnPlaces) -> None:
-        """Check that columns that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected columns.
-        """
+        """Check that columns that are selected one by one exist."""
         if self.column_places(keys, chosen) and not (chosen.lines.is_all or chosen.storeys.is_all):
             absent = [p for p in self.frame.column_places(chosen) if p not in self.frame.column_at]
             self.absent(keys, "column", (names.column_name(*p) for p in absent))
 
     def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> None:
-        """Check that beams that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            chosen: the selected beams.
-        """
+        """Check that beams that are selected one by one exist."""
         if self.beam_places(keys, chosen) and not (chosen.bays.is_all or chosen.floors.is_all):
             absent = [p for p in self.frame.beam_places(chosen) if p not in self.frame.beam_at]
             self.absent(keys, "beam", (names.beam_name(*p) for p in absent))
 
     def nodes(self, keys: Keys, lines: LineSelection, floors: NumberSelection) -> bool:
-        """Check lines and floors, and that nodes that are selected one by one exist.
-
-        Args:
-            keys: key path of the value in the file.
-            lines: the selected lines.
-            floors: numbers of the selected floors.
-        """
+        """Check lines and floors, and that nodes that are selected one by one exist."""
         inside = self.lines((*keys, "lines"), lines)
         if not (self.floors(keys, floors) and inside):
             return False

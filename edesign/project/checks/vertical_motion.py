@@ -67,7 +67,6 @@ def check_horizontal(project: Project, problems: Problems, keys: Keys, records: 
     Args:
         project: the project, which has no schema problems.
         problems: the problems of the file, to which those found are added.
-        keys: key path of the value in the file.
         records: references of the records.
     """
     for i, name in enumerate(map(record_of, records)):

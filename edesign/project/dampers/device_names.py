@@ -13,7 +13,6 @@ def devices_by_name(frame: Frame, dampers: Dampers | None) -> dict[str, tuple[De
     """Return every damper above the base with its description and its storey, 0 of one between nodes.
 
     Args:
-        frame: the frame of the project.
         dampers: the dampers; None: the project has none.
     """
     found: dict[str, tuple[Device, int]] = {}
@@ -32,7 +31,6 @@ def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
     """Return the names of the dampers and isolators of a project, those of an isolated base first.
 
     Args:
-        frame: the frame of the project.
         dampers: the dampers; None: the project has none.
     """
     base: list[str] = []
@@ -52,7 +50,6 @@ def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
     """Return the names of the dampers that a design places, or may place.
 
     Args:
-        frame: the frame of the project.
         design: a design of a study.
     """
     kinds = [design.kind]

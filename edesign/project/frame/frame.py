@@ -340,12 +340,7 @@ class Frame(Model):
         return [place for place in self.beam_places(chosen) if place in self.beam_at]
 
     def node_places(self, lines: LineSelection, floors: NumberSelection) -> list[tuple[str, int]]:
-        """Return (line, floor) of the selected nodes that exist, floors from 1.
-
-        Args:
-            lines: the selected lines.
-            floors: numbers of the selected floors.
-        """
+        """Return (line, floor) of the selected nodes that exist, floors from 1."""
         return [
             (line, floor)
             for floor in floors.numbers(1, self.n_storeys)

@@ -42,6 +42,5 @@ def of_floors(values: float | tuple[float, ...], floors: int) -> tuple[float, ..
 
     Args:
         values: of each floor, or one of all.
-        floors: number of floors.
     """
     return values if isinstance(values, tuple) else (values,) * floors

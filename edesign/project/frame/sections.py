@@ -123,7 +123,6 @@ def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
     """Return the message on a name that is neither a section of the project nor one of the catalogue.
 
     Args:
-        name: as the file has it.
         own: names of the project's own sections; a building has none.
         catalogue: of sections, for names that are alike.
     """

@@ -49,7 +49,6 @@ def column_name(line: str, storey: int) -> str:
     """Return the name of the column on a line in a storey: C_A_3.
 
     Args:
-        line: name of the column line.
         storey: number of the storey, from 1.
     """
     return f"C_{line}_{storey}"
@@ -147,7 +146,6 @@ def free_name(name: str, taken: Collection[str]) -> str:
     """Return a name, or with the next number where several dampers stand at one place: V_1_3, V_1_3_2.
 
     Args:
-        name: of the place.
         taken: names that are used.
     """
     number = 2
@@ -164,6 +162,5 @@ def brace_name(bay: int, storey: int, direction: str) -> str:
     Args:
         bay: number of the bay, from 1.
         storey: number of the storey, from 1.
-        direction: r or f.
     """
     return f"D_{bay}_{storey}_{direction}"

@@ -108,7 +108,6 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
     """Read a ratio: a plain number or a percentage such as `2 %`; the value must lie between `low` and `high`.
 
     Args:
-        value: the value in the file.
         low: lower bound.
         high: upper bound.
         low_allowed: whether the lower bound itself is allowed.
@@ -157,7 +156,6 @@ def held(kind: Kind, what: str, *words: str) -> Written:
     """Return the reader of a restraint: one of some words, or a stiffness greater than zero.
 
     Args:
-        kind: of the stiffness.
         what: is allowed, for the message: "a direction is `fixed`, `free`, or has a stiffness".
         words: that are taken as they are.
     """

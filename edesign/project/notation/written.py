@@ -111,7 +111,6 @@ def text(title: str, pattern: str, *examples: str) -> SchemaMaker:
     """Return the maker of the schema of a text of a pattern.
 
     Args:
-        title: of the schema.
         pattern: regular expression of the text.
         *examples: texts that match.
     """

@@ -12,8 +12,6 @@ def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
     """Check that a file exists, and return whether it does.
 
     Args:
-        path: of the file.
-        keys: key path of the value in the file.
         problems: the problems of the file, to which those found are added.
         what: what the file is, for messages.
     """

@@ -95,7 +95,6 @@ def missing(path: Path, what: str) -> InputError:
     """Return the error of a file that is not there, with the file of its kind beside it whose name is nearest.
 
     Args:
-        path: of the file.
         what: it would be, for the message.
     """
     try:
@@ -116,7 +115,6 @@ def read_up_to(file: Readable, most: int) -> bytes:
     """Read at most one byte more than `most`, by which a file that is too large is known.
 
     Args:
-        file: an open file.
         most: the largest number of bytes.
     """
     chunks: list[bytes] = []
@@ -131,10 +129,8 @@ def too_large(path: Path, what: str, size: int, most: int, advice: str = TABLE_A
     """Return the error of a file that is too large.
 
     Args:
-        path: of the file.
         what: what the file is, for messages.
         size: its bytes, at least.
-        most: bytes that are read.
         advice: what the user can do.
     """
     seen = f"more than {megabytes(most)}" if size == most + 1 else megabytes(size)

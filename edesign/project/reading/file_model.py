@@ -62,8 +62,6 @@ class FileModel(Model):
         """Set, once, the path and text that the model was read from.
 
         Args:
-            path: of the file.
-            text: of the file.
             root: the tree of the text.
             read: reads another text in its place, as this one was read.
         """
@@ -120,10 +118,6 @@ class FileModel(Model):
         """Return the content of a file that this one names, as it was on its first reading.
 
         So checksum, archive and all analyses of a run are of one state of the file, on whatever machine they run.
-
-        Args:
-            path: the file.
-            read: reads it.
         """
         if path not in self._contents:
             self._contents[path] = read(path)

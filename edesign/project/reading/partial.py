@@ -19,7 +19,6 @@ def readable_part(model: type[M], problems: Problems) -> M | None:
     """Return a model of those parts of a file that are right; it has no attribute for the others.
 
     Args:
-        model: of the whole file.
         problems: of the file, of which the whole is not right.
 
     Returns:

@@ -63,7 +63,6 @@ class Problems:
         """Add a problem of the value at a key path, or of the nearest part that exists if the value is a default.
 
         Args:
-            keys: key path of the value in the file.
             message: what is wrong.
         """
         self.add(self.node(keys).mark, keys, message)
@@ -72,7 +71,6 @@ class Problems:
         """Add a problem of one of several names at a key path; a single name need not be in a list.
 
         Args:
-            keys: key path of the names.
             i: index of the name.
             message: what is wrong.
         """
@@ -82,7 +80,6 @@ class Problems:
         """Add a problem of a key itself: it is unknown, or a key below it is missing.
 
         Args:
-            keys: key path of the value in the file.
             message: what is wrong.
         """
         self.add(self._key_mark(keys), keys, message)
@@ -91,8 +88,6 @@ class Problems:
         """Add a problem of a missing key, at the place of the mapping that needs it.
 
         Args:
-            keys: key path of the mapping.
-            missing: the key.
             message: what is wrong.
         """
         self.add(self._key_mark(keys), (*keys, missing), message)
@@ -102,7 +97,6 @@ class Problems:
 
         Args:
             mark: line and column.
-            keys: key path of the value in the file.
             message: what is wrong.
         """
         self.found.append(Problem(mark, keys_text(keys), message))
@@ -134,7 +128,6 @@ def did_you_mean(seen: str, allowed: Iterable[str]) -> str:
     """Return `; did you mean ...?` with the nearest allowed name, or "".
 
     Args:
-        seen: the name in the file.
         allowed: the known names.
     """
     name = nearest(seen, allowed)
@@ -145,7 +138,6 @@ def nearest(seen: str, allowed: Iterable[str]) -> str:
     """Return the allowed name that is most like an unknown one, "" if none is.
 
     Args:
-        seen: the name in the file.
         allowed: the known names.
     """
     if len(seen) > _LONGEST_NAME:
@@ -189,7 +181,6 @@ def unknown_name(what: str, seen: str, allowed: Iterable[str]) -> str:
 
     Args:
         what: kind of the name, such as "record".
-        seen: the name in the file.
         allowed: the known names.
     """
     allowed = list(allowed)

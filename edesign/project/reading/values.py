@@ -29,7 +29,6 @@ def changed_text(text: str, model: BaseModel, values: Mapping[KeyPath, Any], pro
     """Return the text of a file with other values in it.
 
     Args:
-        text: of the file.
         model: what the text says, for the names that are allowed.
         values: new values by their places; a key that is missing is written.
         problems: collects places that do not exist, and values that cannot stand in a file; its tree is the text's.

@@ -24,7 +24,6 @@ def read_yaml_text(path: Path, what: str) -> str:
     """Read a YAML file.
 
     Args:
-        path: the file.
         what: it is, for messages: "project file".
 
     Raises:
@@ -42,7 +41,6 @@ def yaml_text(data: bytes, path: Path) -> str:
     """Return the text of a YAML file.
 
     Args:
-        data: bytes of the file.
         path: for messages.
 
     Raises:
@@ -59,7 +57,6 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
     """Check YAML text against a model.
 
     Args:
-        text: of the file.
         model: what it has to satisfy.
         what: it is, for messages: "project file".
         begins: the first line of such a file: "edesign: 1".

@@ -25,9 +25,7 @@ def check_incremental(
 
     Args:
         keys: where it stands in the study file.
-        incremental: the study.
         base: the project that is studied.
-        variants: names of the variants of the study file.
         problems: receives what is wrong.
     """
     if incremental.variants != (ALL,):

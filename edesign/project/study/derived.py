@@ -70,7 +70,6 @@ def derived_name(of: str, suffix: str) -> str:
     """Return the name of a variant made of another one, such as damped_c_2 or damped_upper.
 
     Args:
-        of: name of the other variant.
         suffix: number of the value, or the bound.
     """
     return f"{of}_{suffix}"

@@ -130,8 +130,6 @@ class ResponseTable(Model):
         """Return the bar of a cell (a ratio): its own, that of its row, or that of the table.
 
         Args:
-            row: of the table.
-            variant: name of the variant.
             level: name of the hazard level.
             cell: the printed value.
         """
@@ -195,7 +193,6 @@ class VariableTable(Model):
         """Return the bar of a cell (a ratio): its own, that of its row, or that of the table.
 
         Args:
-            row: of the table.
             cell: the printed value.
         """
         return next((bar for bar in (cell.within, row.within, self.within) if bar is not None), None)

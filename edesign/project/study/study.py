@@ -55,7 +55,6 @@ def warm_variant(variant: str, temperature_C: float) -> str:
     """Return the name of a variant whose dampers have another temperature than its own: `damped at 35 degC`.
 
     Args:
-        variant: name of the variant.
         temperature_C: of the dampers, degC.
     """
     return f"{variant} at {temperature_C:g} degC".strip()

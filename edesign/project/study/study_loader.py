@@ -47,7 +47,6 @@ def parse_study(
     """Check the text of a study file that (supposedly) stands at `path`.
 
     Args:
-        text: the text of the study file.
         path: where the file stands, for messages and for the files that it names.
         base: the project, if it is at hand; otherwise the one that the file names is read.
         profiles: as for `load_study`.

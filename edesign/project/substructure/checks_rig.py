@@ -21,7 +21,6 @@ def check_plant(rig: RigModel, keys: Keys, problems: Problems) -> None:
 
     Args:
         rig: without schema problems.
-        keys: of the rig.
         problems: collects what is wrong.
     """
     if isinstance(rig, TransferFunctionRig):
@@ -36,7 +35,6 @@ def check_covariance(file: RigFile, problems: Problems) -> None:
     """Check that the covariance of a rig file is a covariance matrix of the numbers of its rig.
 
     Args:
-        file: the rig file.
         problems: the problems of the file, to which those found are added.
     """
     if file.covariance is None:

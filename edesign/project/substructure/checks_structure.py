@@ -24,7 +24,6 @@ def check_structure(rts: RtsFile, problems: Problems) -> None:
     """Check the numerical part of the tests; the file has no schema problems.
 
     Args:
-        rts: the file of substructure tests.
         problems: the problems of the file, to which those found are added.
     """
     if isinstance(rts.structure, ProjectStructure) and rts.project is not None:

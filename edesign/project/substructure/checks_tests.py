@@ -33,7 +33,6 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
     """Check tests, records and outputs; the rig of the file is known.
 
     Args:
-        rts: the file of substructure tests.
         problems: the problems of the file, to which those found are added.
     """
     if rts.structure is None and not rts.tests:

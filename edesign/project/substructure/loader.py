@@ -59,7 +59,6 @@ def parse_rts_file(text: str, path: Path | str = "rts.yaml", profiles: Catalogue
     """Check the text of a file of substructure tests that (supposedly) stands at `path`; else as `load_rts_file`.
 
     Args:
-        text: the text of the file.
         path: path of the file, for messages and for the files that it names.
         profiles: names of the catalogue's sections, as for `load_project`.
 

@@ -33,7 +33,6 @@ def parse_frequency(value: Any, sign: Sign = "positive") -> float:
     """Read a frequency such as `2 Hz`.
 
     Args:
-        value: the value in the file.
         sign: `any`, `positive` or `not negative`.
 
     Raises:
@@ -60,7 +59,6 @@ def parse_rate(value: Any, sign: Sign = "positive") -> float:
     """Read a rate of change such as `2 /s`.
 
     Args:
-        value: the value in the file.
         sign: `any`, `positive` or `not negative`.
 
     Raises:
@@ -103,7 +101,6 @@ def each(readers: tuple[Written, ...], example: str, fewest: int | None = None) 
     """Return the reader of a list whose items have readers of their own.
 
     Args:
-        readers: of the items.
         example: of such a list, for messages.
         fewest: items that are needed; None: as many as there are readers.
     """

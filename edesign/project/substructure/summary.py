@@ -60,7 +60,6 @@ def rig_text(plant: RigModel, origin: str = "") -> str:
     """Return the kind of a rig and its values in a line.
 
     Args:
-        plant: the rig.
         origin: text that follows the kind.
     """
     parts = [plant.kind + origin]

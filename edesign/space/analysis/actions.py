@@ -55,7 +55,6 @@ def psi_of(building: Building, national: NationalParameters) -> dict[str, Psi]:
     """Return the national psi factors; psi_2 is that of the masses where the file gives it.
 
     Args:
-        building: the building.
         national: parameters of the country.
     """
     psi = dict(national.psi)

@@ -34,7 +34,6 @@ def single_diagonals(frame: SpaceFrame, bracing: Bracing) -> np.ndarray:
 
     Args:
         frame: of the building.
-        bracing: its braces.
     """
     members = [frame.members[number] for number in bracing.braces]
     return np.array([not of.compression and of.bracing != CROSSING for of in members], dtype=bool)

@@ -124,7 +124,6 @@ def deflection_criteria(deflections: Deflections, limits: BeamDeflections, names
     """Return whether beams deflect no more than the file allows; nothing where it sets no limit.
 
     Args:
-        deflections: of the beams.
         limits: shares of the span.
         names: of all members.
 

@@ -37,9 +37,7 @@ class LiveLoadReduction:
     """Reduces the imposed loads of a building by members; what sections do not change is prepared once.
 
     Args:
-        building: with its loads.
         frame: nodes and members.
-        cases: load cases by name.
         psi: factors by category.
 
     Attributes:
@@ -71,11 +69,7 @@ class LiveLoadReduction:
         return replace(row, name=name, static=static)
 
     def added(self, effects: Effects) -> Effects:
-        """Return effects with those of the reduced imposed loads as cases of their own.
-
-        Args:
-            effects: of the load cases.
-        """
+        """Return effects with those of the reduced imposed loads as cases of their own."""
         if not self.factors:
             return effects
         more = [effects.static[effects.cases.index(case)] * of[:, None] for case, of in self.factors.items()]
@@ -94,11 +88,7 @@ def _reduced(case: str) -> str:
 
 
 def whole_case(case: str) -> str:
-    """Return the name of the load case that a reduced one is of, or its own name.
-
-    Args:
-        case: name of a load case.
-    """
+    """Return the name of the load case that a reduced one is of, or its own name."""
     return case.removeprefix(_ALPHA)
 
 
@@ -123,10 +113,6 @@ def loaded_areas(building: Building, category: str) -> dict[BeamPlace, float]:
 
     Where several loads lie on one bay it counts once, by the one that brings most of it to the beam. Loads a length
     bring no area.
-
-    Args:
-        building: with its loads.
-        category: of the loads.
     """
     widths_x, widths_y = building.widths("x"), building.widths("y")
     areas: dict[tuple[BeamPlace, Panel], float] = {}

@@ -86,7 +86,6 @@ def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
     """Return the effects of all load cases of a frame.
 
     Args:
-        model: of the core.
         frame: of the building.
     """
     return static_cases(model, tuple(frame.cases.values()))
@@ -310,12 +309,7 @@ def _modal_drift(frame: SpaceFrame, modes: SpaceModes, direction: int) -> tuple[
 
 
 def static_cases(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
-    """Return the effects of load cases.
-
-    Args:
-        model: of the core.
-        cases: the load cases.
-    """
+    """Return the effects of load cases."""
     points = Points(
         case=np.repeat(np.arange(len(cases)), [case.point_member.size for case in cases]),
         member=np.concatenate([case.point_member for case in cases]),
@@ -333,7 +327,6 @@ def nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
 
     Args:
         frame: of the building.
-        name: of the case.
         nodal: (n_nodes, 6) N and N m.
     """
     none = np.zeros(0, dtype=int)

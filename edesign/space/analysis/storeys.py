@@ -55,7 +55,6 @@ def storeys(response: SeismicResponse, height: np.ndarray, gravity: np.ndarray, 
         response: of this direction.
         height: (n_storeys,) m.
         gravity: (n_storeys,) P_tot in the seismic design situation, N.
-        design: block of the file.
     """
     q = response.spectrum.q
     drift_q = design_displacement(response.drift, q)

@@ -59,11 +59,7 @@ class SwayStability:
     rows: tuple[Combination, ...]
 
     def added(self, effects: Effects) -> Effects:
-        """Return effects of load cases with those of the imperfections.
-
-        Args:
-            effects: of the load cases.
-        """
+        """Return effects of load cases with those of the imperfections."""
         if not self.cases:
             return effects
         static = np.concatenate([effects.static, self.internal])
@@ -109,7 +105,6 @@ class SwayAnalysis:
             frame: with the sections of the members.
             modes: all natural modes of the model.
             static: effects of the load cases.
-            combinations: persistent ones.
         """
         mass = frame.node_mass
         if self._mass is not None:  # some loads hang on nodes without mass, which modes leave at rest

@@ -82,7 +82,6 @@ def vertical_component(frame: SpaceFrame, elastic: VerticalSpectrum, beta: float
 
     Args:
         frame: of the building.
-        elastic: vertical spectrum.
         beta: lower bound factor of the design spectrum.
 
     Source: EN 1998-1:2004, 4.3.3.5.2(1)-(3); q = 1.5 (3.2.2.5(6)).
@@ -109,11 +108,7 @@ def vertical_component(frame: SpaceFrame, elastic: VerticalSpectrum, beta: float
 
 
 def vertical_combinations(rows: Sequence[Combination]) -> tuple[Combination, ...]:
-    """Return seismic combinations with E_z as a static case, whose sign counts; those of E_x and E_y do not.
-
-    Args:
-        rows: with the vertical component.
-    """
+    """Return seismic combinations with E_z as a static case, whose sign counts; those of E_x and E_y do not."""
     return tuple(
         replace(row, static={**row.static, CASE: row.seismic[2]}, seismic=(*row.seismic[:2], 0.0))
         for row in rows

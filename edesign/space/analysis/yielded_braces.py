@@ -35,7 +35,6 @@ def yielded_combinations(seismic: Combination, bracing: Bracing, design: Design)
     Args:
         seismic: a combination with the seismic action, whose loads of gravity count.
         bracing: of the building.
-        design: block of the file.
     """
     if not bracing.halves.size or design.ductility_class == "low":
         return ()

@@ -80,8 +80,6 @@ def by_section(
 
     Args:
         frame: of the building.
-        materials: steels by name.
-        value: of one section and steel.
     """
     pairs, of_members = frame.sections
     return np.array([value(steel_section(name), materials[steel]) for name, steel in pairs])[of_members]
@@ -127,7 +125,6 @@ def overstrength(
         materials: its steels, by name.
         acting: (n_members, n_stations, 6) largest effects in the seismic design situation, by `largest`.
         members: numbers of the dissipative members of this direction.
-        axis: direction.
         system: structural type in this direction.
         gamma_M0: partial factor.
 
@@ -166,7 +163,6 @@ def joints(
         materials: its steels, by name.
         acting: as for `overstrength`.
         beams: numbers of the beams with hinges in this direction.
-        axis: direction.
         gamma_M0: partial factor.
 
     Returns:
@@ -195,12 +191,7 @@ def joints(
 
 
 def bends_about_y(member: Member, axis: Axis) -> bool:
-    """Say whether a column bends about its strong axis under horizontal forces along an axis.
-
-    Args:
-        member: the column.
-        axis: of the horizontal forces.
-    """
+    """Say whether a column bends about its strong axis under horizontal forces along an axis."""
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 
@@ -210,7 +201,6 @@ def bend_about_y(frame: SpaceFrame, columns: np.ndarray, axis: Axis) -> np.ndarr
     Args:
         frame: of the building.
         columns: (n_columns,) numbers.
-        axis: of the forces.
     """
     return np.asarray(np.abs(frame.webs[columns, AXES.index(axis)]) > _DIAGONAL)
 
@@ -229,7 +219,6 @@ def column_moments(
         frame: of the building.
         materials: its steels, by name.
         columns: (n_columns,) numbers.
-        axis: of the horizontal forces.
         force: (n_members,) largest axial forces, N, without sign.
         gamma_M0: partial factor.
 

@@ -155,10 +155,7 @@ def foundation_factors(
 
     Args:
         building: with the design block of the file.
-        frame: with the members.
-        of: supports.
         acting: (n_members, n_stations, 6) largest effects in the seismic design situation.
-        overstrength: of both directions.
         q: behaviour factors of both directions.
 
     Returns:
@@ -200,11 +197,9 @@ def foundations(
 
     Args:
         frame: of the building.
-        of: its supports.
         static: effects of load cases.
         response: effects of the seismic action, by direction.
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.
-        seismic: combinations.
         factor: gamma_Rd Omega, by `foundation_factors`.
         of_foot: whether it is that of the foot, by `foundation_factors`.
 

@@ -179,11 +179,6 @@ class MemberChecker:
     def under_frozen_forces(self, frame: SpaceFrame, effects: Effects, results: MemberResults) -> np.ndarray:
         """Return the largest utilisation of each member under forces that were found with other sections, (n_members,).
 
-        Args:
-            frame: with the sections.
-            effects: of the other sections.
-            results: of the other sections.
-
         Returns:
             (n_members,), dimensionless.
         """

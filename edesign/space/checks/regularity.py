@@ -59,12 +59,7 @@ class Shape:
 
 
 def shape(building: Building, frame: SpaceFrame) -> Shape:
-    """Return the rules for the shape of a building.
-
-    Args:
-        building: the building.
-        frame: of the building.
-    """
+    """Return the rules for the shape of a building."""
     return Shape(tuple(_shape_of_plan(building, frame)), tuple(_shape_of_elevation(frame)))
 
 

@@ -74,7 +74,6 @@ def web_panels(
         seismic: (n_members, n_stations, 6) effects of the seismic action along the axis.
         beams: numbers of the beams with hinges in this direction.
         Omega: overstrength of the beams.
-        axis: direction.
         gamma_M0: partial factor.
 
     Returns:
@@ -129,7 +128,6 @@ def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_pla
     Args:
         panels: of this direction.
         joints: how many joints the direction has; those without a panel here are told.
-        axis: direction.
         doubler_plates: whether a supplementary web plate may stand where the web alone is too weak.
     """
     text = f"V_wp,Ed / V_wp,Rd of web panels, direction {axis}"

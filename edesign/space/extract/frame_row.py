@@ -81,11 +81,7 @@ class FrameRow:
         return tuple(found)
 
     def merged(self, of: Callable[[PlaneFrame], Mapping[tuple[int, int], V]]) -> dict[tuple[int, int], V]:
-        """Return values of all frames by (line from 0 or bay from 1, storey or floor), counted through.
-
-        Args:
-            of: the values of a frame by its own lines or bays.
-        """
+        """Return values of all frames by (line from 0 or bay from 1, storey or floor), counted through."""
         return {
             (start + place, level): found
             for frame, start in zip(self.frames, self.starts, strict=True)
@@ -115,7 +111,6 @@ def frame_row(building: Building, space: SpaceFrame, name: str) -> FrameRow:
 
     Args:
         building: from `load_building`.
-        space: its space frame.
         name: `X2`, `YA`; `X` or `Y` for all frames along x or y.
 
     Raises:

@@ -212,7 +212,6 @@ def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
 
     Args:
         building: from `load_building`.
-        space: its space frame.
         name: `X2` along x on line 2, `YA` along y on line A.
 
     Raises:

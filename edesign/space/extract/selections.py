@@ -16,7 +16,6 @@ def runs(
     Args:
         values: by (line from 0 or bay from 1, storey or floor); places may be missing.
         along: numbers of all lines or bays.
-        n_storeys: of the frame.
         name: of a line or bay.
     """
     rows: dict[tuple[tuple[int, ...], V], list[int]] = {}
@@ -38,7 +37,6 @@ def selection(chosen: list[int], everything: list[int], name: Callable[[int], st
     """Return a selection as a file writes it: `all`, `3`, `1-4`, `[1, 3-5]`.
 
     Args:
-        chosen: numbers.
         everything: all numbers there are.
         name: gives the name of a number.
     """
@@ -58,7 +56,6 @@ def value(number: float, unit: str) -> str:
     """Return a number with its unit, six digits.
 
     Args:
-        number: in the unit.
         unit: its symbol.
     """
     return f"{number:.6g} {unit}"

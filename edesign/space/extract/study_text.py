@@ -59,7 +59,6 @@ def study_blocks(row: FrameRow, names: StudyNames) -> str:
 
     Args:
         row: one frame of a building, or all of a direction.
-        names: of the files.
     """
     modes = "kind: rayleigh, ratio: 2 %, modes: [1, 2]" if row.top > 1 else "kind: modal, ratio: 2 %, modes: 1"
     folders = f", folders: [{yaml_text(names.folder)}]" if names.folder else ""
@@ -88,7 +87,6 @@ def study_text(row: FrameRow, names: StudyNames, drift: float | None = None) -> 
 
     Args:
         row: one frame, or all of a direction, of a building with a hazard and masses.
-        names: of the files.
         drift: largest storey drift at the level of the design, a ratio; None: that of the building's own limit.
 
     Raises:

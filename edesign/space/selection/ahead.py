@@ -54,11 +54,7 @@ class Ahead(Generic[T, S]):
         self._others: list[_Other[T, S]] = []
 
     def expect(self, arguments: Iterable[T]) -> None:
-        """Foretell the arguments of the next calls, the nearest first; this replaces what was foretold before.
-
-        Args:
-            arguments: of the next calls.
-        """
+        """Foretell the arguments of the next calls, the nearest first; this replaces what was foretold before."""
         self._next = iter(arguments)
 
     def __call__(self, argument: T) -> S:

@@ -9,11 +9,7 @@ from edesign.space.selection.select import Selection
 
 
 def selection_group(selection: Selection) -> Group:
-    """Return what was chosen for each group of members, and what holds it up.
-
-    Args:
-        selection: its result.
-    """
+    """Return what was chosen for each group of members, and what holds it up."""
     rows = selection.groups
     group = Group(
         attributes={

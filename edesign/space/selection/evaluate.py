@@ -64,7 +64,6 @@ class Evaluator:
 
     Args:
         analysis: of the building.
-        groups: with their lists.
         workers: processes that analyse at the same time, this one among them.
 
     Attributes:
@@ -119,11 +118,7 @@ class Evaluator:
         return math.fsum(group.cost[number] for group, number in zip(self.groups, choice, strict=True))
 
     def sections(self, choice: Choice) -> dict[str, str]:
-        """Return the section of each group.
-
-        Args:
-            choice: number of the section of each group.
-        """
+        """Return the section of each group."""
         return {group.name: group.sections[number] for group, number in zip(self.groups, choice, strict=True)}
 
     def all_known(self) -> tuple[Evaluation, ...]:
@@ -164,11 +159,7 @@ class Evaluator:
         return found
 
     def broken(self, design: ElasticDesign) -> list[Criterion]:
-        """Return the rules for the building that a design does not meet and that the selection looks at.
-
-        Args:
-            design: of the building.
-        """
+        """Return the rules for the building that a design does not meet and that the selection looks at."""
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
     def weak_columns(self, design: ElasticDesign) -> set[int]:
@@ -219,9 +210,6 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
 
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
-
-    Args:
-        analysis: of the building.
     """
     found = {CLASS, FEET, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
     limits = design_of(analysis.building).serviceability.beams

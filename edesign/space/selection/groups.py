@@ -51,9 +51,6 @@ class Group:
 def groups_of(analysis: ElasticAnalysis) -> tuple[Group, ...]:
     """Return the groups of a building in the order of its members.
 
-    Args:
-        analysis: of the building.
-
     Raises:
         InputError: a list has a name that is no section or family, or nothing of it may be used.
     """

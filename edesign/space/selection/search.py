@@ -138,7 +138,6 @@ class Search:
         """Return the exchanges of a choice that are lighter, the lightest first: single and double ones; or wide ones.
 
         Args:
-            base: the choice.
             wide: those of more groups or more sizes, which the certificate does not speak of.
         """
         cost, found, costs = self._evaluate.cost(base), dict[Choice, Exchange](), dict[Choice, float]()

@@ -205,7 +205,6 @@ def with_sections(building: Building, sections: dict[str, str]) -> Building:
 
     Args:
         building: from `load_building`.
-        sections: section of each group.
     """
     changes: dict[KeyPath, str] = {
         (kind, number, "section"): sections[run.group]
@@ -221,7 +220,6 @@ def governing_check(design: ElasticDesign, group: str) -> Governing:
 
     Args:
         design: of the building.
-        group: its name.
     """
     numbers = [number for number, member in enumerate(design.frame.members) if member.group == group]
     of = design.members.utilisation[numbers]

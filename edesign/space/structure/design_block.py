@@ -34,9 +34,6 @@ def design_of(building: Building) -> Design:
 
     These are the partial factors, gamma_ov, and nu of the importance class of its level, II where it is of none.
 
-    Args:
-        building: the building.
-
     Raises:
         InputError: the file has none.
     """
@@ -71,6 +68,5 @@ def system_of(design: Design, axis: Axis) -> System:
 
     Args:
         design: of the building.
-        axis: direction.
     """
     return design.systems.x if axis == "x" else design.systems.y

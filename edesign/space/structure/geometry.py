@@ -97,11 +97,7 @@ def _columns(building: Building, nodes: Mapping[str, int]) -> list[Member]:
 
 
 def _frames_of(line: ColumnLine) -> tuple[str, str]:
-    """Return the plane frames that a column line stands in.
-
-    Args:
-        line: the column line.
-    """
+    """Return the plane frames that a column line stands in."""
     return frame_name("x", line.j), frame_name("y", line.i)
 
 
@@ -120,11 +116,7 @@ def _beams(building: Building, nodes: Mapping[str, int]) -> list[Member]:
 
 
 def half_names(place: BeamPlace) -> tuple[str, str]:
-    """Return the names of the two members of a beam that braces meet in the middle.
-
-    Args:
-        place: of the beam.
-    """
+    """Return the names of the two members of a beam that braces meet in the middle."""
     return f"{place}_1", f"{place}_2"
 
 

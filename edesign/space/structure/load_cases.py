@@ -76,8 +76,6 @@ def on_nodes(frame: SpaceFrame, case: LoadCase, but: np.ndarray | None = None) -
     """Return what each node carries of a case if its members are simply supported, (n_nodes, 3) N, global.
 
     Args:
-        frame: nodes and members.
-        case: one of its load cases.
         but: (n_members,) members whose loads do not count; None: all count.
     """
     found = case.nodal[:, :3].copy()
@@ -168,12 +166,7 @@ def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
 
 
 def members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
-    """Return the member of a beam, or those of its two halves.
-
-    Args:
-        place: of the beam.
-        members: numbers by name.
-    """
+    """Return the member of a beam, or those of its two halves."""
     name = str(place)
     return [members[name]] if name in members else [members[f"{name}_1"], members[f"{name}_2"]]
 
@@ -183,7 +176,6 @@ def on_members(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
 
     Args:
         frame: of the building.
-        case: the load case.
     """
     found = case.uniform * frame.length[:, None]
     np.add.at(found, case.point_member, case.point_force)
@@ -194,7 +186,6 @@ def self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
     """Return the weight of the members.
 
     Args:
-        building: the building.
         frame: of the building.
     """
     pairs, of_members = frame.sections

@@ -19,10 +19,6 @@ from edesign.space.structure.load_cases import on_nodes
 def psi_2(building: Building, category: str) -> float:
     """Return psi_2 of a category of loads: that of `masses.from_loads`, otherwise that of the country.
 
-    Args:
-        building: the building.
-        category: of the loads.
-
     Source: EN 1990, Table A1.1.
     """
     masses = building.masses

@@ -62,7 +62,6 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
 
     Args:
         frame: of the building.
-        materials: steels by name.
         gravity: see `space_model`.
 
     Returns:

@@ -22,8 +22,6 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
     it is the material of the file.
 
     Args:
-        building: with the materials of the file.
-        section: name.
         material: one of the file's.
 
     Returns:
@@ -68,9 +66,6 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
 
 def with_steel_by_thickness(building: Building) -> Building:
     """Return a building whose members are of steels by their thickness, if its file asks for that.
-
-    Args:
-        building: the building.
 
     Raises:
         InputError: as `steel_by_thickness`.

@@ -32,7 +32,6 @@ def slender_braces(project: Project, frame: FrameModel) -> list[str]:
     """Return one sentence for each section of braces that buckle before they yield, or that cannot be judged.
 
     Args:
-        project: the validated project.
         frame: its model; with dampers their braces count too.
     """
     lines = []
@@ -58,8 +57,6 @@ def buckling_warnings(group: Group, project: Project, frame: FrameModel) -> list
 
     Args:
         group: has the extremes of the axial forces, and of the forces of dampers.
-        project: the validated project.
-        frame: its model.
     """
     bars = frame_bars(project, frame)
     compression: dict[tuple[Kind, str], float] = {}

@@ -163,9 +163,7 @@ def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, le
     """Return the elastic spectrum from which target displacements of a hazard level are found.
 
     Args:
-        project: the project with the hazard.
         spec: the pushover, which may give a damping ratio of its own.
-        level: name of the hazard level.
     """
     spectrum = elastic_spectrum(checked_hazard(project), level)
     return spectrum if spec.damping is None else spectrum.with_damping(spec.damping)
@@ -180,7 +178,6 @@ def capacity(
     """Push a frame to its roof drift, or without one to 150 % of its largest target displacement.
 
     Args:
-        project: the validated project.
         spec: of one pattern and direction.
         progress: called now and then with (steps done, steps) of each push.
         stop: asked now and then; True ends the push.

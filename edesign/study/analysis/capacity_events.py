@@ -56,13 +56,7 @@ class _Yielding:
 
 
 class EventChannels:
-    """The quantities that a push records to find its events.
-
-    Args:
-        project: the validated project.
-        frame: its model.
-        steps: of the push.
-    """
+    """The quantities that a push records to find its events."""
 
     def __init__(self, project: Project, frame: FrameModel, steps: int) -> None:
         self._storeys = line_drift_storeys(frame)
@@ -89,7 +83,6 @@ class EventChannels:
         """Return the events of a push in their order.
 
         Args:
-            response: of the push.
             resistance: base shear of each step against the resultant of the lateral loads, N.
 
         Returns:
@@ -130,7 +123,6 @@ def store_capacity_events(
     """Add events to the results of a push; nothing if there are none.
 
     Args:
-        group: of the push.
         events: in their order.
         displacement: of the control node since gravity in each step, m.
         base_shear: of each step, N.
@@ -199,7 +191,6 @@ class _Braces:
     """Axial forces of the braces of a frame, N, and elongations over those at which they yield.
 
     Args:
-        project: the validated project.
         frame: its model, with braces.
     """
 

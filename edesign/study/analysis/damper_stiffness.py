@@ -48,7 +48,6 @@ def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) ->
     """Return the natural modes of a frame with dampers at the amplitudes that are given for them.
 
     Args:
-        project: the validated project.
         structure: the frame with its dampers, and its analysis.
         spec: the modal analysis, with the number of modes.
 
@@ -82,7 +81,6 @@ def store_damper_stiffness(group: Group, structure: Structure, found: DampedMode
     Args:
         group: of the modal analysis.
         structure: the frame with its dampers.
-        found: modes and stiffness of the dampers.
     """
     devices, stiffness = structure.frame.devices, found.stiffness
     coordinate(group, "damper", [device.name for device in devices], "", "name of the damper")

@@ -40,22 +40,13 @@ def laws_that_stand(project: Project) -> list[str]:
 
 
 def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
-    """Return whether one of several laws of a project is that of a buckling-restrained brace; errors as `device_laws`.
-
-    Args:
-        project: the validated project.
-        names: of laws of the project.
-    """
+    """Return whether one of several laws is that of a buckling-restrained brace; errors as `device_laws`."""
     laws = device_laws(project)
     return any(laws[name].restrained is not None for name in names)
 
 
 def without_dampers_in_modes(project: Project) -> bool:
-    """Return whether dampers stand that the fundamental period leaves out: all but buckling-restrained braces.
-
-    Args:
-        project: the validated project.
-    """
+    """Return whether dampers stand that the fundamental period leaves out: all but buckling-restrained braces."""
     laws = device_laws(project)
     return any(laws[name].restrained is None for name in laws_that_stand(project))
 

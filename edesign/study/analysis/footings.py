@@ -26,12 +26,7 @@ _DASHPOT_UNITS = ("N*s/m", "N*s/m", "N*m*s/rad")
 
 
 def store_footings(group: Group, frame: FrameModel) -> None:
-    """Add stiffness, damping and soil of each footing of a frame to a group; nothing if it has none.
-
-    Args:
-        group: of the analysis.
-        frame: the model.
-    """
+    """Add stiffness, damping and soil of each footing of a frame to a group; nothing if it has none."""
     if not frame.footings:
         return
     coordinate(group, "footing", list(frame.footings), "", "name of the node that stands on the footing")
@@ -61,10 +56,6 @@ def store_footings(group: Group, frame: FrameModel) -> None:
 
 def footing_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
     """Return the work of the footings' dashpots, which a history records, and add the footings to its group.
-
-    Args:
-        frame: the model.
-        group: of the history.
 
     Returns:
         One quantity over (footing,) in J; none without footings.
@@ -107,9 +98,7 @@ def interaction(project: Project, structure: Structure, modes: Modes, gravity: b
     """Return the effect of the footings on the first mode of a frame without dampers, but for restrained braces.
 
     Args:
-        project: the validated project.
         structure: the frame on its footings, in the state of the modes.
-        modes: of it.
         gravity: whether this state is that under the gravity loads.
 
     Raises:

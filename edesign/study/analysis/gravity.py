@@ -30,10 +30,6 @@ from edesign.study.results.warnings import store_warnings
 def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     """Apply the gravity combination to a frame in equal steps.
 
-    Args:
-        project: the validated project.
-        spec: the gravity analysis.
-
     Returns:
         The results; `status` tells whether equilibrium was found.
 

@@ -40,8 +40,6 @@ def run_history(
     """Compute the response of a frame under gravity to a record along x, and to its vertical motion if it has one.
 
     Args:
-        project: the validated project.
-        spec: the history.
         progress: called with (steps done, steps).
         stop: asked now and then; True ends the history.
         motion: the record made ready; None reads it here.
@@ -109,10 +107,6 @@ def load_and_damp(project: Project, structure: Structure) -> float:
     """Apply gravity, install the dampers, and set the inherent damping of a history.
 
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
-
-    Args:
-        project: the validated project.
-        structure: the frame and its analysis.
 
     Returns:
         The fundamental period under gravity, s.

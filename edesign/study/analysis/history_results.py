@@ -53,7 +53,6 @@ class HistoryResults:
 
     Args:
         project: whose `outputs` and `validity` are asked.
-        frame: the model.
         collapse_drift: drift ratio at which the history ends as collapsed; None: there is none.
         histories: what is kept over time; None: what the project says.
         keep_drift: whether the drift of the storeys is kept over time in any case.
@@ -169,7 +168,6 @@ def store_residuals(
     """Add the residual values of a completed history to its group.
 
     Args:
-        group: of the history.
         floors: (nt, floors) displacements at every step, or in the last ones, m.
         drifts: (nt, storeys) ratios, likewise; None: heights are not known.
         time_step: s.

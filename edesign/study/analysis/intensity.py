@@ -34,7 +34,6 @@ def intensity_text(study: Incremental, intensity: float) -> str:
     """Return an intensity for names and messages: 0.4g, or x1.5 for a factor of the level.
 
     Args:
-        study: the incremental study.
         intensity: m/s2, or a factor on the level.
     """
     if isinstance(study, LevelFactorStudy):
@@ -74,10 +73,8 @@ def level_intensity(project: Project, study: Incremental, period: float | None, 
     """Return the intensity measure of a hazard level; None without a level.
 
     Args:
-        project: the validated project.
         study: what the study file says.
         period: of the spectral acceleration, s.
-        level: name of the level.
     """
     if level is None or project.hazard is None:
         return None
@@ -148,7 +145,6 @@ def first_period(project: Project, dampers: bool, damper_strain: float | None = 
     """Return T1 of a variant under gravity with the storage stiffness of its dampers, s.
 
     Args:
-        project: the validated project of the variant.
         dampers: whether it has its dampers.
         damper_strain: amplitude of their shear strain; None: small vibrations.
 

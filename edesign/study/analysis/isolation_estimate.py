@@ -36,8 +36,6 @@ def store_isolation_estimate(group: Group, project: Project, structure: Structur
     """Add the equivalent linear estimate of an isolated base to a modal analysis; nothing without base or hazard.
 
     Args:
-        group: of the analysis.
-        project: with the hazard.
         structure: with its isolators.
 
     Raises:

@@ -25,7 +25,6 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
     Args:
         project: with the isolated base.
         group: of the history, with its axial forces, and its vertical motion if it has one.
-        frame: the model.
     """
     isolated, isolation = frame.isolated, project.isolation
     if isolated is None or isolation is None:

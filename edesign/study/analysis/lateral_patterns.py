@@ -20,7 +20,6 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
     """Return the horizontal loads of a pattern on the nodes with mass, by name; their sum is 1 N.
 
     Args:
-        project: the validated project.
         frame: its model; no analysis is made of it here.
         pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), "first_mode"
             (mass times horizontal displacement in the first mode under gravity), or another mode, the storey shears of
@@ -65,7 +64,6 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     """Return the sums of values of nodes over each floor, without the base.
 
     Args:
-        frame: the model.
         values: of nodes, by name.
 
     Returns:

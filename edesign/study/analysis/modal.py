@@ -24,10 +24,6 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     Shapes are scaled so that the largest horizontal displacement of a floor is 1 (of vertical modes the largest
     displacement), and participation factors belong to these shapes.
 
-    Args:
-        project: the validated project.
-        spec: the modal analysis.
-
     Returns:
         Periods, shapes and effective masses of the modes.
 
@@ -60,7 +56,6 @@ def fundamental_period(project: Project, base_held: bool = False) -> float | Non
     The frame has its buckling-restrained braces and isolators, and no other dampers.
 
     Args:
-        project: the validated project.
         base_held: whether an isolated base is held horizontally, in place of its isolators.
 
     Raises:
@@ -85,7 +80,6 @@ def _store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     """Add periods, frequencies, effective masses, and shapes of floors and nodes to a group.
 
     Args:
-        group: of the modal analysis.
         structure: the frame and its analysis.
         modes: as the core returns them.
     """

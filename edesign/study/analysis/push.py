@@ -79,7 +79,6 @@ def push(
     """Push a frame until the first node of the roof from the left has a displacement, in equal steps.
 
     Args:
-        project: the validated project.
         spec: what it is pushed with; its first pattern and direction.
         loads: lateral, on the nodes by name, N; their sum is 1 N.
         target: displacement of the node, that under gravity included, m.

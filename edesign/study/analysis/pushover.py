@@ -16,7 +16,6 @@ def run_pushover(
     """Push a frame to its roof drift, or without one as far as its target displacements ask.
 
     Args:
-        project: the validated project.
         spec: the pushover, with its first pattern and direction.
         progress: called now and then with (steps done, steps).
         stop: asked now and then; True ends the push.

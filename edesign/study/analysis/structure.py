@@ -65,7 +65,6 @@ class Structure:
 
         Args:
             count: how many modes.
-            devices: those that vibrate.
             amplitudes: of each, m.
             others: stiffness that dampers have apart from these, (n_dampers,) N/m; None: nothing.
 
@@ -120,7 +119,6 @@ def frame_alone(project: Project, dampers: bool = True, base_held: bool = False)
     """Build the frame without tuned masses and dampers, whose modes determine damping, lateral forces and periods.
 
     Args:
-        project: the validated project.
         dampers: whether it has its dampers, of which buckling-restrained braces and isolators are part of the frame.
             Other dampers of the law of an isolator stand in the model and act neither in modes nor under gravity.
         base_held: whether an isolated base is held horizontally, in place of its isolators.
@@ -169,7 +167,6 @@ def make_frame(project: Project, dampers: bool = False, outside: Collection[str]
     """Build a project's frame, with its dampers, isolators and tuned masses or without.
 
     Args:
-        project: the validated project.
         dampers: whether it has them.
         outside: names of dampers that are left out.
 
@@ -219,7 +216,6 @@ def make_structure(project: Project, frame: FrameModel | None = None, dampers: b
     """Build a project's frame and the analysis of it.
 
     Args:
-        project: the validated project.
         frame: its model, if it has been built and completed by further loads.
         dampers: whether the frame has its dampers and tuned masses.
 

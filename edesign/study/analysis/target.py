@@ -33,7 +33,6 @@ def run_target(
     spring that is left at rest acts: a push has no speed.
 
     Args:
-        project: the validated project.
         spec: the method and level, and the pushover.
         progress: called now and then with (steps done, steps).
         stop: asked now and then; True ends the push.

@@ -23,8 +23,6 @@ class LateFeet:
     """The displacements of the feet of a frame under a passing wave, relative to the foot that it reaches first.
 
     Args:
-        spec: the history.
-        frame: the model.
         ground: what is applied.
 
     Attributes:

@@ -41,7 +41,6 @@ class GroundMotion:
 
         Args:
             group: of the history, with its times.
-            project: the validated project.
         """
         if self.vertical is None:
             return
@@ -69,9 +68,7 @@ def ground_motion(
 
     Args:
         project: the validated project, with its integration.
-        spec: the history.
         record: horizontal, before its scaling.
-        factor: on it.
         vertical: the other record made ready, if the history has one for its vertical motion.
 
     Raises:
@@ -113,8 +110,6 @@ def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> flo
     """Return the factor on a record in a history: to a peak, as given, or that of its hazard level.
 
     Args:
-        project: the validated project.
-        spec: the history.
         record: the record made ready.
     """
     if spec.pga is not None:
@@ -142,8 +137,6 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
     """Check that a record can be applied as a history asks for it, without making the motion.
 
     Args:
-        project: the validated project.
-        spec: the history.
         record: the record made ready.
 
     Raises:

@@ -59,7 +59,6 @@ def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -
     """Fit a recording to a spectrum; a failure is kept with its reason in the motion.
 
     Args:
-        reference: of the recording.
         found: as recorded.
         target: the elastic spectrum.
         options: method, band, damping and bounds of the fit.
@@ -136,7 +135,6 @@ def project_motions(
     """Process and fit the recordings of a project as its file says, suites as a whole.
 
     Args:
-        project: the validated project.
         recordings: what was found, by reference; of a suite all that the project takes from it.
         fundamental_period: gives T1 of the frame (s) if a suite is fitted.
         workers: number of threads.
@@ -167,12 +165,7 @@ def project_motions(
 
 
 def match_options(project: Project, reference: str) -> MatchOptions | None:
-    """Return how the project fits a recording to the spectrum; None if it stays as recorded.
-
-    Args:
-        project: the validated project.
-        reference: of the recording.
-    """
+    """Return how the project fits a recording to the spectrum; None if it stays as recorded."""
     name, _, recording = reference.partition("/")
     spec, choice = project.records[name].match, project.record_choice(name)
     if project.hazard is None:
@@ -190,7 +183,6 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
 
     Args:
         project: the project with the hazard.
-        reference: of the recording.
 
     Raises:
         InputError: the hazard of the project is wrong, or its code has no vertical spectrum here.
@@ -207,7 +199,6 @@ def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) 
     """Return how a pair of components is scaled; None for a single recording, or one that is not fitted.
 
     Args:
-        project: the validated project.
         reference: of the pair, or of one of its components.
         recordings: what was found, by reference, both components among them.
 
@@ -226,8 +217,6 @@ def expected_scale(project: Project, reference: str, recordings: Mapping[str, Fo
     """Return the factor with which the fit of a recording begins; 1 for one that is not fitted.
 
     Args:
-        project: the validated project.
-        reference: of the recording.
         recordings: what was found, by reference.
     """
     options = match_options(project, reference)
@@ -243,7 +232,6 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
     """Check that recordings reach over the band that the project fits, before any is fitted.
 
     Args:
-        project: the validated project.
         recordings: what was found, by reference.
 
     Raises:
@@ -265,13 +253,7 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
 
 
 def level_factor(project: Project, reference: str, level: str) -> float:
-    """Return the factor of a hazard level on a fitted recording; 1 for one that is not fitted.
-
-    Args:
-        project: the validated project.
-        reference: of the recording.
-        level: name of the hazard level.
-    """
+    """Return the factor of a hazard level on a fitted recording; 1 for one that is not fitted."""
     if project.hazard is None or match_options(project, reference) is None:
         return 1.0
     return factor_of_level(project.hazard, level)

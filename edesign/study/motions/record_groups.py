@@ -38,7 +38,6 @@ def project_record_groups(
     """Yield place and group of all recordings of a run, those of suites under their suite.
 
     Args:
-        project: the validated project.
         motions: its recordings, made ready, by reference.
         fundamental_period: gives T1 of the bare frame, s.
         variant_periods: T1 of other frames that a suite acts on, s, by suite and name of the frame.
@@ -131,7 +130,6 @@ def failed_criteria(name: str, group: Group) -> list[str]:
     """Return one sentence for each criterion on the mean of a suite that is not met.
 
     Args:
-        name: of the suite.
         group: of the suite in the archive.
     """
     return [
@@ -156,7 +154,6 @@ def suite_groups(
 
     Args:
         name: of the suite in the archive.
-        motions: its recordings.
         target: the spectrum they were fitted to; None if they were not.
         verdicts: from `criteria`.
         order: place of the suite among all records.
@@ -206,7 +203,6 @@ def _record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> G
     """Return the archived group of a recording: samples, spectrum, measures, origin, and its fit if it has one.
 
     Args:
-        motion: the recording.
         order: its place among those of its suite.
         warnings: what the user should know, beside the doubts about the record itself.
     """

@@ -114,7 +114,6 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
     """List the analyses of a project in its order; a history of a suite becomes one of each recording.
 
     Args:
-        project: the validated project.
         only: names to which the plan is restricted, of the project file or of the plan; all if empty.
 
     Raises:
@@ -148,8 +147,6 @@ def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Ta
     """Return the analyses of a plan that have given names or entries; all if none are given.
 
     Args:
-        tasks: the plan.
-        only: names of analyses or entries.
         path: of the file, for messages.
 
     Raises:

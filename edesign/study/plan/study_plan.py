@@ -24,7 +24,6 @@ def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
     """List the analyses of a study: modes and gravity of each variant, pushovers, histories, incremental studies.
 
     Args:
-        study: the validated study.
         only: names to which the plan is restricted: analyses, or VARIANT.LEVEL or VARIANT.STUDY for all their
             histories, VARIANT.PUSHOVER for all its parts; all if empty.
 
@@ -126,7 +125,6 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
     """Return the references of recordings: a record itself, all of a suite, or one of a suite as SUITE/ID.
 
     Args:
-        study: the validated study.
         names: of records, suites, or recordings of suites.
         keys: key path of the names in the study file, for messages.
 
@@ -151,7 +149,6 @@ def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
     """Return the names of the designs that the variants of a plan have, in the order of the file.
 
     Args:
-        study: the validated study.
         plan: its analyses.
     """
     wanted = {study.variants[task.variant].design for task in plan}
@@ -159,22 +156,12 @@ def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
 
 
 def verification_records(study: Study, name: str) -> tuple[str, ...]:
-    """Return the references of the recordings that a design of a study is verified with.
-
-    Args:
-        study: the validated study.
-        name: of the design.
-    """
+    """Return the references of the recordings that a design of a study is verified with."""
     verify = study.designs[name].verify
     return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
 
 
 def histories_of_a_round(study: Study, name: str) -> int:
-    """Return the number of histories in one round of a design's verification, its recordings at all its levels.
-
-    Args:
-        study: the validated study.
-        name: of the design.
-    """
+    """Return the number of histories in one round of a design's verification, its recordings at all its levels."""
     verify = study.designs[name].verify
     return len(verification_records(study, name)) * len(verify.levels or ("",)) if verify is not None else 0

@@ -22,8 +22,6 @@ def variant_project(
     """Return the project of a variant.
 
     Args:
-        study: the validated study.
-        name: of the variant.
         designed: dampers by name of the design.
         temperature_C: of the dampers; None: that of the variant.
 
@@ -42,10 +40,6 @@ def variant_project(
 def bound_of(study: Study, name: str) -> tuple[float, float | None]:
     """Return factor and temperature of the dampers of a variant that is a bound of another one.
 
-    Args:
-        study: the validated study.
-        name: of the variant.
-
     Returns:
         The factor on the forces, and the temperature in degC; 1 and None for a variant that is no bound.
     """
@@ -59,12 +53,7 @@ def bound_of(study: Study, name: str) -> tuple[float, float | None]:
 
 
 def variant_strain(study: Study, name: str) -> float | None:
-    """Return the shear strain at which the dampers of a variant count in its modes; None: that of the devices.
-
-    Args:
-        study: the validated study.
-        name: of the variant.
-    """
+    """Return the shear strain at which the dampers of a variant count in its modes; None: that of the devices."""
     design = study.variants[name].design
     spec = study.designs[design] if design is not None else None
     return spec.strain if isinstance(spec, ElastomerDesign) and isinstance(spec.strain, float) else None
@@ -72,10 +61,6 @@ def variant_strain(study: Study, name: str) -> float | None:
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
     """Return one sentence for each doubt about the laws of the variants at their temperatures, before any design.
-
-    Args:
-        study: the validated study.
-        tasks: the plan.
 
     Raises:
         InputError: a law has no parameters at a temperature; the message names the variant.
@@ -100,12 +85,7 @@ def _unsized(base: Project, design: Design) -> Dampers:
 
 
 def dampers_at_temperature(project: Project, design: Design) -> Dampers:
-    """Return the dampers of a project with the laws of a design at the temperature of the design.
-
-    Args:
-        project: the project with the laws.
-        design: of the study.
-    """
+    """Return the dampers of a project with the laws of a design at the temperature of the design."""
     for law in laws_of_design(design):
         project = with_temperature(project, law, design.temperature)
     assert project.dampers is not None, "check_design wants the law"
@@ -123,8 +103,6 @@ def _with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None =
     """Return dampers whose laws have the temperature and the property factor of a variant.
 
     Args:
-        dampers: of the variant.
-        variant: with its temperature and property factor.
         temperature_C: degC; None: that of the variant.
         factor: further factor on the forces.
     """

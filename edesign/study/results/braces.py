@@ -25,8 +25,6 @@ def brace_quantities(project: Project, frame: FrameModel, group: Group) -> list[
     """Return the extremes of the braces that buckle, and add their coordinate to the group; none without such braces.
 
     Args:
-        project: the validated project.
-        frame: its model.
         group: of the analysis.
     """
     braces = buckling_braces(frame)

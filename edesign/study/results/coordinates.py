@@ -14,7 +14,6 @@ def coordinates(group: Group, frame: FrameModel) -> None:
 
     Args:
         group: of an analysis.
-        frame: the model.
     """
     storeys = np.arange(1, frame.frame.n_storeys + 1)
     coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")

@@ -30,12 +30,7 @@ _ROUNDING = 1e-9  # of the height of the frame
 
 
 def couple_advice(project: Project, designs: Mapping[str, Design] = MappingProxyType({})) -> list[str]:
-    """Say which dampers of a project stand between floors, or will by designs of a study.
-
-    Args:
-        project: the validated project.
-        designs: by name.
-    """
+    """Say which dampers of a project stand between floors, or will by designs of a study."""
     kinds: dict[str, set[str]] = {}
     for i, run in enumerate(project.dampers.devices if project.dampers is not None else ()):
         kinds[f"dampers.devices[{i}]"] = {run.kind}
@@ -49,19 +44,12 @@ def couple_advice(project: Project, designs: Mapping[str, Design] = MappingProxy
 
 
 def couple_terms(frame: FrameModel) -> Terms:
-    """Return the moment of the couples that dampers lack, N m, positive as that of reactions to loads to the right.
-
-    Args:
-        frame: the model.
-    """
+    """Return the moment of the couples that dampers lack, N m, positive as that of reactions to loads to the right."""
     return tuple((arm, "damper_force", device.number, 0) for device, arm, _ in _lacking(frame))
 
 
 class LackingCouples:
     """What an analysis records of these couples, and the doubt that becomes of it.
-
-    Args:
-        frame: the model.
 
     Attributes:
         quantities: for the core, not archived; nothing where no damper lacks its couple.

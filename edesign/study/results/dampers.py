@@ -11,7 +11,6 @@ def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
     """Return force, deformation and work of the dampers, and of those with layers their shear strain.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     numbers = [device.number for device in frame.devices]
@@ -43,7 +42,6 @@ def storey_damper_forces(frame: FrameModel, history: bool) -> Quantity:
     """Return the horizontal force of the dampers of each storey on the floor above, N.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]

@@ -14,7 +14,6 @@ def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
     """Return the horizontal displacement of each floor as a quantity to be recorded, m.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     cells = _floor_means(frame, "displacement")
@@ -26,7 +25,6 @@ def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
     """Return the total horizontal acceleration of each floor as a quantity to be recorded, m/s2.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     cells = _floor_means(frame, "total_acceleration")
@@ -46,7 +44,6 @@ def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:
     """Return the horizontal displacement of an isolated base, m; nothing for a frame on its supports.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     name = "horizontal displacement of the isolated base relative to the ground"
@@ -58,7 +55,6 @@ def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
     """Return the total horizontal acceleration of an isolated base, m/s2; nothing for a frame on its supports.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     name, keep = "total horizontal acceleration of the isolated base", ("max", "min")

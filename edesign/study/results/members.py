@@ -79,7 +79,6 @@ def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity
     """Return the plastic rotations of the ends of columns and beams, rad; members that stay elastic have none.
 
     Args:
-        frame: the model.
         history: whether they are kept over time.
     """
     found = []
@@ -97,7 +96,6 @@ def plastic_rotation(member: Member, end: int) -> Terms:
     """Return the plastic rotation of a member's end as a sum of those of its fibres, hinges and joints.
 
     Args:
-        member: the member.
         end: 0 for its start, 1 for its end.
     """
     fibres: Terms = ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()

@@ -28,7 +28,6 @@ def node_displacements(frame: FrameModel, group: Group) -> Quantity:
     """Return the displacements and rotations of all nodes, and add the names of the nodes to the group.
 
     Args:
-        frame: the model.
         group: of the history.
     """
     coordinate(group, "node", list(frame.nodes), "", "node of the frame")

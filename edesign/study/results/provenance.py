@@ -109,7 +109,6 @@ def add_hazard_files(group: Group, hazard: Hazard | None) -> None:
     """Add the texts of the files that a hazard names to the root of an archive.
 
     Args:
-        group: the root of the archive.
         hazard: of the project; None: it has none.
     """
     for name, file in hazard_files(hazard).items():
@@ -121,7 +120,6 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
 
     Args:
         project: from `load_project`.
-        planned: names of the analyses.
         records: SHA-256 of the samples of each record that is used, by name.
     """
     group = Group(

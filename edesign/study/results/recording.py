@@ -105,7 +105,6 @@ def store(
 
     Args:
         group: has the coordinates of all dimensions.
-        quantities: what was recorded.
         response: of the run.
         along: dimension of the histories, "time" or "step".
         kind: of the numbers of histories.
@@ -139,7 +138,6 @@ def store_run(group: Group, response: Response, abscissa: str = "load factor", u
 
     Args:
         group: the group of the analysis.
-        response: the response of the run.
         abscissa: name of what the steps of the run are taken in.
         unit: unit of the abscissa.
     """

@@ -18,8 +18,6 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
     """Return the quantities of `outputs.members`, `sections` and `fibres`, and add their coordinates to the group.
 
     Args:
-        project: the validated project.
-        frame: the model.
         group: of the history.
 
     Raises:

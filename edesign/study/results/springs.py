@@ -34,12 +34,7 @@ _SUPPORT = (
 
 
 def _end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
-    """Return the hinges or joints of a frame by their names, such as B_1_2:start.
-
-    Args:
-        frame: the model.
-        kind: hinges or joints.
-    """
+    """Return the hinges or joints of a frame by their names, such as B_1_2:start."""
     return {
         f"{member.name}:{END_NAMES[end]}": spring
         for member in frame.members.values()
@@ -53,7 +48,6 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
     """Return the recorded quantities of hinges, joints, panel zones and sprung supports, and add them to a group.
 
     Args:
-        frame: the model.
         group: of the analysis, to which names and properties of the springs are added.
     """
     found = []
@@ -82,8 +76,6 @@ def hinge_warnings(group: Group, project: Project, frame: FrameModel) -> list[An
 
     Args:
         group: results of a history or a pushover.
-        project: the validated project.
-        frame: its model.
     """
     hinged = {name.partition(":")[0] for name in _end_springs(frame, "hinge")}
     squash = {b.name: b.strut.squash for b in frame_bars(project, frame) if b.strut is not None and b.name in hinged}

@@ -21,7 +21,6 @@ def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
     Its extremes are stored by `store_drift_extremes`.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     cells = tuple(_mean(lines) for lines in _line_drifts(frame))
@@ -45,7 +44,6 @@ def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, resp
 
     Args:
         group: of the analysis.
-        frame: the model.
         drifts: as `line_drifts` gives them.
         response: of the analysis.
     """
@@ -62,7 +60,6 @@ def storey_shears(frame: FrameModel, history: bool) -> Quantity:
     """Return the horizontal force in all columns and braces of each storey, second-order terms included, N.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     cells: list[Terms] = [() for _ in range(frame.frame.n_storeys)]

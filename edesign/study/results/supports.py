@@ -12,7 +12,6 @@ def base_shear(frame: FrameModel, history: bool) -> Quantity:
     """Return the base shear: minus the sum of the horizontal reactions, that of a leaning column included, N.
 
     Args:
-        frame: the model.
         history: whether values over time are kept.
     """
     held = [name for name, fixed in frame.supports.items() if fixed[0]]
@@ -31,7 +30,6 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
     couples that dampers lack. The foot of a leaning column is no support of the frame: where it stands is not known.
 
     Args:
-        frame: the model.
         group: of the history, to which the names of the supports are added.
     """
     supports = frame.supports
@@ -74,7 +72,6 @@ def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "mi
     """Return the axial force of each isolator, positive in tension, N; nothing for a frame on its supports.
 
     Args:
-        frame: the model.
         keep: which of max, min and final are stored.
     """
     if frame.isolated is None:

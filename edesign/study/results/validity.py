@@ -32,7 +32,6 @@ def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantit
     A drift is the rotation of a column's chord, so that rotations in rad are held to the same number.
 
     Args:
-        frame: the model.
         drifts: on its column lines, as `line_drifts` gives them.
         others: quantities of an analysis; those in rad over columns or beams and their ends count.
     """
@@ -51,7 +50,6 @@ def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, flo
     """Return the limit of each channel of `rotation_names`.
 
     Args:
-        project: the validated project.
         names: as `rotation_names` gives them.
 
     Returns:

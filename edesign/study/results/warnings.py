@@ -81,7 +81,6 @@ def store_warnings(group: Group, warnings: Iterable[AnalysisWarning]) -> None:
     """Add warnings to those of an analysis.
 
     Args:
-        group: of the analysis.
         warnings: the further ones.
     """
     group.attributes[ATTRIBUTE] = [
@@ -135,11 +134,7 @@ class GroupedWarning:
 
 
 def grouped_warnings(groups: Mapping[str, Group]) -> list[GroupedWarning]:
-    """Return the warnings of analyses, grouped by kind where several analyses have them.
-
-    Args:
-        groups: results of analyses by name.
-    """
+    """Return the warnings of analyses, grouped by kind where several analyses have them."""
     found = []
     for kind, alike in ALIKE.items():
         told = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}

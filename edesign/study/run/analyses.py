@@ -34,8 +34,6 @@ def run_analysis(
     """Run one analysis of a project.
 
     Args:
-        project: the validated project.
-        spec: one of its analyses.
         progress: called now and then with (steps done, steps) of a history or pushover.
         stop: asked now and then; True ends a history or pushover with the status "interrupted".
         motion: the record of a history, made ready; None reads it.
@@ -88,7 +86,6 @@ def analyse(
 
     Args:
         project: the validated project of the variant.
-        spec: the analysis.
         motion: the record made ready; None: the analysis needs none.
         vertical: the record of the vertical motion; None: there is none of its own.
         progress: called with (steps done, steps).
@@ -112,7 +109,6 @@ def analyse_stripe(
 
     Args:
         project: the validated project of the variant.
-        spec: the history.
         motion: the record made ready.
         vertical: the record of the vertical motion; None: there is none of its own.
         progress: called with (steps done, steps).

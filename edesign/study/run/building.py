@@ -60,7 +60,6 @@ def check_building_archive(building: Building, file: Path, path: Path, overwrite
     Args:
         building: with the title.
         file: the building file that the archive will be of.
-        path: of the archive.
         overwrite: True replaces the archive of something else too.
 
     Raises:
@@ -74,8 +73,6 @@ def write_building(building: Building, design: ElasticDesign, path: Path, select
 
     Args:
         building: the file that was designed.
-        design: its results.
-        path: of the archive.
         selection: how its sections were chosen, if `edesign design` did so.
 
     Raises:

@@ -29,7 +29,6 @@ def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
     T1 of a variant is computed once, and so is the intensity measure of a record on a variant.
 
     Args:
-        study: the validated study.
         run: whose records are ready.
         frames: gives the frame of each task.
     """
@@ -65,7 +64,6 @@ def incremental_group(project: Project, study: Incremental, periods: Mapping[str
     """Return the archived group of an incremental study: intensities, periods, hazard curve and limits.
 
     Args:
-        project: the validated project.
         study: what the study file says.
         periods: T1 of each of its variants, s; None where it is not needed, or not known.
     """

@@ -123,7 +123,6 @@ def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> P
     A run of some analyses alone has an archive of its own beside the full one.
 
     Args:
-        source: the project or study.
         only: names of the analyses to which the run is restricted; empty: all.
     """
     path = source.archive_path

@@ -44,10 +44,7 @@ def run_plan(
     intensity; what is skipped after a collapse depends on its chain alone.
 
     Args:
-        job: what is to be run.
-        path: the archive.
         listener: of the progress.
-        backend: that runs the analyses.
         workers: threads for the records.
         fresh: True discards the results of an interrupted run.
         overwrite: True replaces the archive of another project too.

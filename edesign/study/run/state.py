@@ -96,7 +96,6 @@ class RunState:
         """Report the progress of an analysis.
 
         Args:
-            name: of the analysis.
             done: steps done.
             total: steps in all.
         """
@@ -136,7 +135,6 @@ class RunState:
 
         Args:
             path: place in the archive.
-            group: what is written.
         """
         with self.uninterrupted():
             self.writer.write(path, group)

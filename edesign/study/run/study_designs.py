@@ -40,7 +40,6 @@ def study_designs(study: Study, run: RunState) -> Prepared:
     """Make the designs that the plan needs, and return the frame of each task.
 
     Args:
-        study: the validated study.
         run: the state of the run, with its archive, back end and progress.
     """
     wanted = wanted_designs(study, run.job.tasks)

@@ -108,9 +108,6 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
     Response errors come out as of runs for linear dampers, and within a factor of 1.3 for the thesis' elastomer. Of
     friction, of Bouc-Wen's law and of powers of the velocity they are of the first order: see `AGREES`.
 
-    Args:
-        laboratory: with the tests.
-
     Raises:
         InputError: the structure is undamped or unstable by itself, or a record or command cannot be read.
     """

@@ -186,7 +186,6 @@ class LinearModel:
         """Return the model for a test.
 
         Args:
-            laboratory: of the file.
             motion: (n,) deformation of the damper at main steps, of the direct analysis or as given, m.
             part: of the structure; None: the motion is given.
 
@@ -244,7 +243,6 @@ class LinearModel:
         """Return a compensator of the file, with the delay that it does not see.
 
         Args:
-            name: of it.
             motion: (n,) that an adaptive one learns from, m.
         """
         file = self.laboratory.file
@@ -315,7 +313,6 @@ class LinearModel:
         """Return the loop of a test opened at its rig, the compensator being left as it is.
 
         Args:
-            name: of the compensator.
             compensator: of `compensator`.
         """
         loop = Loop(self.whole, self.seen(compensator))
@@ -363,7 +360,6 @@ class LinearModel:
         the motion of the structure follows from the linearised loop.
 
         Args:
-            name: of the compensator.
             drive: of the test.
             direct: analysis of the structure itself; None: the target is given.
             compensator: of `compensator`.

@@ -20,10 +20,6 @@ def loaded_poles(plant: RigModel, specimen: ComplexStiffness) -> np.ndarray:
     s (tau s + 1) (1 + (k + c s) / k_oil) + gain = 0, with spring and dashpot of the specimen as they are at the
     frequency of the first pole. Its delay stands before that loop.
 
-    Args:
-        plant: the rig of the file.
-        specimen: its complex stiffness.
-
     Returns:
         (n,) 1/s, complex.
     """

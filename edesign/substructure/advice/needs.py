@@ -69,7 +69,6 @@ def needs_of(laboratory: VirtualLaboratory, tests: Sequence[tuple[str, Drive, Di
     """Return what each test needs: of the direct analysis, or of the command that is given.
 
     Args:
-        laboratory: of the file.
         tests: name, what drives it, and its direct analysis if there is one.
     """
     return tuple(_need(laboratory, *test) for test in tests)

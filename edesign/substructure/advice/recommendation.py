@@ -76,7 +76,6 @@ def recommended(candidates: Sequence[Candidate], delay_margin: float, response_e
     Args:
         candidates: in the order of the file.
         delay_margin: least factor on the delay that is left.
-        response_error: that is accepted.
     """
     if not candidates:
         return Recommendation("", "There is no test of kind command or rts to judge by.", accurate=False)

@@ -27,7 +27,6 @@ def sampled_rig(laboratory: Laboratory, specimen: ComplexStiffness, step: float,
         laboratory: its rig, with flexibility and sensors.
         specimen: complex stiffness up to REACH times half the rate of the sub-steps.
         step: main step, s.
-        sub_steps: in a main step.
 
     Source: Franklin, Powell & Workman, Digital Control of Dynamic Systems, 5.2 and 11 (multirate sampling).
     """

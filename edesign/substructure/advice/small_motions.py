@@ -66,7 +66,6 @@ def grows_below(models: Sequence[LinearModel], name: str, learned: CompensatorTr
 
     Args:
         models: of `smaller_models`.
-        name: of the compensator.
         learned: it, at the amplitude of the test.
         motion: (n,) as of `LinearModel.of`, m.
     """

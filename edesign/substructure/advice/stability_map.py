@@ -90,11 +90,7 @@ class StabilityMap:
         return True if all(one >= height for one in inside) else None
 
     def is_stable(self, compensator: str) -> bool:
-        """Say whether the test as it is does not grow with a compensator: in main steps, or else in its region.
-
-        Args:
-            compensator: its name.
-        """
+        """Say whether the test as it is does not grow with a compensator: in main steps, or else in its region."""
         region = next((one for one in self.regions if one.compensator == compensator), None)
         if region is None or region.stable is not None:
             return region is not None and bool(region.stable)
@@ -106,7 +102,6 @@ def governing_map(laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarra
     """Return the test whose critical delay is least, and its map; None: there is no loop, or no map of it.
 
     Args:
-        laboratory: of the file.
         motions: (n,) deformation of the damper in the direct analysis at main steps, m, of each test with a loop.
 
     Returns:

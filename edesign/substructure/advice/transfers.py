@@ -50,9 +50,7 @@ def rig_response(plant: rig_kinds.RigModel, transfer: RigTransfer, specimen: Com
     """Return displacement of the specimen over command, the specimen loading the rig.
 
     Args:
-        plant: the rig of the file.
         transfer: of it; of a servo-hydraulic one another is made, with the specimen as it is at each frequency.
-        specimen: its complex stiffness.
         step: main step, s: so late is what is corrected of the flexibility.
     """
     flexibility = plant.flexibility
@@ -121,8 +119,6 @@ def behind(
     """Return a compensator of a file, behind the delay that it does not see.
 
     Args:
-        file: with the compensator.
-        name: of it.
         rig: displacement of the specimen over command.
         plain: the rig as far as a state space has it.
         learned: what an adaptive one has come to; None: its coefficients are constant.
@@ -160,7 +156,6 @@ def _of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer
     """Return a compensator with constant coefficients; what it takes from the measured displacement closes a loop.
 
     Args:
-        equation: of the compensator.
         rig: displacement of the specimen over command.
         plain: the rig as far as a state space has it, for whether the two are stable together.
         step: main step, s.
@@ -196,7 +191,6 @@ def settles(equation: DifferenceEquation, rig: RigTransfer, step: float) -> bool
     """Say whether a compensator with the rig comes to rest for a target at rest.
 
     Args:
-        equation: of the compensator.
         rig: loaded as it is; a delay between two steps is linear between them.
         step: main step, s.
     """
@@ -234,7 +228,6 @@ def of_live_delay(
     """Return the polynomial of a live delay that has found the delay of the rig, or never adapts below its threshold.
 
     Args:
-        described: the block of the file.
         rig_delay: s.
         peak: of the motion, m.
         step: main step, s.
@@ -267,7 +260,6 @@ def live_delay_command(order: int, delay: float) -> Transfer:
     """Return command over target of a polynomial through points of the past.
 
     Args:
-        order: of the polynomial.
         delay: between the points, s.
     """
     weights = _polynomial_weights(order)
@@ -288,7 +280,6 @@ def of_adaptive_series(
     never adapts, and stays as it begins.
 
     Args:
-        described: the block of the file.
         rig: displacement of the specimen over command.
         motion: (n,) displacement of the specimen, m, at main steps.
         step: main step, s.
@@ -310,7 +301,6 @@ def series_command(
     """Return command over target of an adaptive time series, by the derivatives that it takes.
 
     Args:
-        described: block of the compensator.
         alpha: (3,) coefficients: -, s, s2.
         step: main step, s.
     """
@@ -347,7 +337,6 @@ def converged_series(
     For a slow motion they are the series of the inverse rig.
 
     Args:
-        described: block of the compensator.
         rig: its transfer function.
         motion: (n,) target, m.
         step: main step, s.

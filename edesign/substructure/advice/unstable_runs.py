@@ -32,7 +32,6 @@ def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> 
 
     Args:
         laboratory: that made them.
-        results: of a test.
     """
     most = laboratory.file.criteria.response_error
     asked = [run for run in results.runs if _met_a_limit(run) or _is_too_wrong(run, most)]
@@ -98,7 +97,6 @@ def growth_in_words(amplitude: float, found: ExpectedTest) -> str:
 
     Args:
         amplitude: at which the law is linearised, m.
-        found: the test.
     """
     growth, sampled = found.stability.growth if found.stability is not None else 0.0, found.sampled
     at = ""

@@ -55,9 +55,6 @@ def state_space(equation: DifferenceEquation) -> StateSpace:
 
     There are as many states as main steps that command and force correction look back, each by itself. None can be
     spared, unless a numerator and a denominator have a factor in common, or the correction depends on past commands.
-
-    Args:
-        equation: of a compensator.
     """
     direct, late, past = _coefficients(equation.terms)
     n = len(late)

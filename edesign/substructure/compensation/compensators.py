@@ -29,7 +29,6 @@ def polynomial(order: int, delay: float, step: float, spacing: float | None = No
     With nodes a delay apart its coefficients are binomial ones: of the third order 4, -6, 4, -1.
 
     Args:
-        order: of the polynomial.
         delay: by which it extrapolates, s.
         step: main step, s.
         spacing: of the nodes, s; the delay without it.
@@ -50,7 +49,6 @@ def least_squares_polynomial(order: int, points: int, delay: float, step: float)
     """Return the extrapolation of a polynomial fitted to the last targets by least squares.
 
     Args:
-        order: of the polynomial.
         points: targets, a step apart; more than the order.
         delay: by which it extrapolates, s.
         step: main step, s.
@@ -244,7 +242,6 @@ def response(compensator: DifferenceEquation, step: float, s: np.ndarray) -> np.
     """Return command over target; terms of the measured displacement do not count.
 
     Args:
-        compensator: the difference equation.
         step: main step, s.
         s: (m,) complex frequencies, 1/s.
 

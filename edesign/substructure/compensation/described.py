@@ -14,7 +14,6 @@ def compensator_of(described: kinds.Compensator, step: float, rig: RigTransfer) 
     """Return a compensator of a file.
 
     Args:
-        described: the block of the file.
         step: main step, s.
         rig: whose series `model_feedforward` takes where the file states none.
 

@@ -43,7 +43,6 @@ def export(
     deleted.
 
     Args:
-        compensator: which one.
         step: main step, s.
         folder: where the files go; made if it is not there.
         name: of the compensator; functions begin with it, as far as it can stand in C.
@@ -74,7 +73,6 @@ def check_export(folder: Path, name: str, *, overwrite: bool = False) -> None:
 
     Args:
         folder: where the files go.
-        name: of the compensator.
         overwrite: whether other files may be replaced.
 
     Raises:

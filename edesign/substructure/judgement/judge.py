@@ -185,8 +185,6 @@ def chosen_test(file: RtsFile, path: Path, name: str | None = None) -> RtsTest |
     files; the longest such name, if there are several. A file with another name is of the only test of the kind `rts`.
 
     Args:
-        file: of substructure tests.
-        path: of the record.
         name: of the test; None: it is not said.
 
     Raises:

@@ -43,7 +43,6 @@ def positive(name: str, value: float) -> None:
 
     Args:
         name: of the number, for the message.
-        value: the number.
 
     Raises:
         InputError: so it is; the message begins with the name.

@@ -83,7 +83,6 @@ def effective_force_test(
         damper: in the place of the specimen; None: there is none.
         step: s.
         ground: (n,) acceleration of the ground that the forces stand for, m/s2.
-        forcing: the actuators.
 
     Raises:
         InputError: an impossible number, or the damper's force does not come into balance.
@@ -168,7 +167,6 @@ def added_damping(part: LinearPart, forcing: Forcing, damper_stiffness: float = 
 
     Args:
         part: the structure of d degrees.
-        forcing: the actuators.
         damper_stiffness: in the place of the damper, N/m.
     """
     omega, shapes = part.modes(damper_stiffness)

@@ -63,7 +63,6 @@ def run_method(
     """Run a test by another method.
 
     Args:
-        test: of the file.
         laboratory: structure and damper.
         step: of the integration, s.
         ground: (n,) ground acceleration at the steps, m/s2.
@@ -131,20 +130,12 @@ def _control_error(described: AnyControlError | None) -> ControlError:
 
 
 def forcing_of(test: EffectiveForceTest) -> Forcing:
-    """Return the actuators of an effective force test.
-
-    Args:
-        test: block of the test.
-    """
+    """Return the actuators of an effective force test."""
     return Forcing(test.gain, test.oil_stiffness or inf, test.velocity_feedback)
 
 
 def table_of(test: ShakingTableTest) -> ShakingTable:
-    """Return the shaking table of a test.
-
-    Args:
-        test: block of the test.
-    """
+    """Return the shaking table of a test."""
     return ShakingTable(test.table.mass, test.table.oil_frequency, test.table.gain, test.table.leakage)
 
 

@@ -112,7 +112,6 @@ def pseudo_dynamic_test(
         step: of the integration in the time of the earthquake, s.
         ground: (n,) acceleration of the ground at the steps, m/s2.
         time_scale: by which the test is slower; 1: real time.
-        error: of the actuators.
         feedback: `measured` or `computed`.
         physical: `specimen`: the damper alone is tested (6.1.4), the error is one of its deformation, and of the
             displacements that give it the smallest; `structure`: all springs too, with an actuator a degree (6.1.2).

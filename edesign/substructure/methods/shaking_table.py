@@ -110,12 +110,9 @@ def shaking_table_test(
     remembers nothing of it. Corrections begin with the record; so it should begin with some tenths of a second of rest.
 
     Args:
-        part: the structure on the table.
         damper: in the place of the specimen; None: there is none.
         step: s.
         ground: (n,) acceleration that the table should have, m/s2.
-        table: the table.
-        iterations: corrections of the command.
         band: corrections above this frequency are left out, Hz, as the inverse is large there; None: the oil's, which
             the table cannot follow beyond.
 
@@ -173,7 +170,6 @@ def table_transfer(
     x its displacement relative to the table by a displacement of 1 of it.
 
     Args:
-        table: the table.
         frequency: (m,) Hz.
         part: the structure on it; None: the bare table.
         damper_stiffness: K' + i K'' of its damper at all of these frequencies, N/m.

@@ -44,11 +44,7 @@ class RigTransfer:
         return self.delay + of_denominator - of_numerator
 
     def inverse_series(self, order: int) -> tuple[float, ...]:
-        """Return alpha_0 ... alpha_order of 1 / G = alpha_0 + alpha_1 s + alpha_2 s2 + ...; it compensates the rig.
-
-        Args:
-            order: of the series.
-        """
+        """Return alpha_0 ... alpha_order of 1 / G = alpha_0 + alpha_1 s + alpha_2 s2 + ...; it compensates the rig."""
         lead = [self.delay**k / math.factorial(k) for k in range(order + 1)]
         ahead = np.convolve(self.denominator[::-1], lead)[: order + 1]
         ahead = np.concatenate([ahead, np.zeros(order + 1 - len(ahead))])

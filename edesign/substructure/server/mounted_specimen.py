@@ -51,9 +51,6 @@ class MountedSpecimen:
         Without a velocity the motion is a straight line. A trial with the displacement of the one before, as explicit
         integrators send it when they know the velocity better, takes that one's place.
 
-        Args:
-            motion: end of the motion.
-
         Raises:
             RefusedMotion: time runs backwards, or stands still while the specimen moves; a second displacement in one
                 step, unless iterations are allowed; or the law has no force there.

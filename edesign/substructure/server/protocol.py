@@ -117,9 +117,6 @@ class Measured:
 def check_first_size(received: bytes) -> None:
     """Check the first four bytes of a greeting, so that a web browser need not be waited for.
 
-    Args:
-        received: four bytes.
-
     Raises:
         NotTheProtocol: they are no size.
     """
@@ -155,7 +152,6 @@ class Messages:
     """Messages of one client, read and answered.
 
     Args:
-        greeting: of the client.
         interface: (n,) share of each of the client's degrees of freedom in the specimen's deformation.
 
     Raises:

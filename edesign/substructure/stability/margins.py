@@ -171,7 +171,6 @@ def critical_delays(whole: WholeStructure, highest_frequency: float | None = Non
     """Return the pure delays of the specimen's force, without rig and compensator, at which modes go, the least first.
 
     Args:
-        whole: the structure.
         highest_frequency: Hz, see `sweep`.
 
     Raises:

@@ -135,7 +135,6 @@ def follow(pencil: Pencil, starts: np.ndarray, shapes: np.ndarray) -> tuple[np.n
     """Find roots and shapes at the end of the way along which a pencil changes.
 
     Args:
-        pencil: with its way.
         starts: roots at its beginning, (m,), 1/s.
         shapes: of them, (m, n).
 

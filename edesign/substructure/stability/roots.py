@@ -46,7 +46,6 @@ def further_roots(
     Those near the imaginary axis are sought from it; unstable ones that are still missing, from a net of starts.
 
     Args:
-        loop: with rig and compensator.
         dips: frequencies at which |R| is least, (m,), rad/s.
         highest: frequency up to which unstable roots were counted, rad/s.
         known: roots of the modes, (n,), 1/s; nan: lost.

@@ -76,7 +76,6 @@ class SampledPlant:
     """Numerical part, rig and specimen in main steps: all but the compensator, which they have in common.
 
     Args:
-        numerical: the recursion.
         rig: with the specimen, stable by itself.
         step: main step, s.
         resonances: (k,) roots of structure and numerical part, 1/s, about which the loop is looked at closely.

@@ -175,11 +175,7 @@ class WholeStructure:
         return Pencil(own.damping, own.squares, own.interface, coupling, damps)
 
     def share_of(self, mode: StructureMode) -> float:
-        """Return the share of a mode's stiffness that is the specimen's; NaN: it does not swing.
-
-        Args:
-            mode: of the structure.
-        """
+        """Return the share of a mode's stiffness that is the specimen's; NaN: it does not swing."""
         if not mode.omega > 0.0:
             return math.nan
         deformation = abs(complex(self._own.interface @ mode.shape)) ** 2

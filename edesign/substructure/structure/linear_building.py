@@ -117,7 +117,6 @@ def building_of_frame(frame: FrameModel, rows: np.ndarray, period: float) -> Lin
     """Return the floors and storeys of a frame: the quantities of its histories.
 
     Args:
-        frame: its model.
         rows: see `LinearBuilding`.
         period: fundamental, s.
     """
@@ -136,7 +135,6 @@ def building_of_floors(count: int, period: float) -> LinearBuilding:
     """Return the floors and storeys of a shear building, whose degrees are their displacements.
 
     Args:
-        count: number of floors.
         period: fundamental, s.
     """
     floors = tuple(((1.0, "displacement", i, ACROSS),) for i in range(count))

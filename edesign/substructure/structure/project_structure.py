@@ -92,7 +92,6 @@ def project_part(project: Project, device: str, vertical: bool = True, estimate:
     tuned masses. Tuned masses stay in the numerical part, and other dampers whose law is a spring and a dashpot.
 
     Args:
-        project: the validated project.
         device: name of the damper, e.g. "S_1_1".
         vertical: whether masses resist vertical motion, if they do in the project. Without them the columns' fast axial
             modes are gone, which limit the step of explicit methods and lengthen each.

@@ -64,7 +64,6 @@ def recursion(
     - bogacki_shampine, exact: velocity of the state; acceleration from balance with the force that `force` says.
 
     Args:
-        part: the numerical part.
         step: main step, s.
         method: one of METHODS.
         force: inside the step `held` at F_k or `extrapolated` from F_(k-1) and F_k; methods that need it at the ends of

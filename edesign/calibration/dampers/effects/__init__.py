@@ -37,7 +37,6 @@ def forms(sizes: Sizes, parameters: Sequence[str] = ("parameter",)) -> tuple[Eff
     """Return all forms that a campaign can show, of whatever law.
 
     Args:
-        sizes: of the campaign.
         parameters: names of those of the law that may go with a condition of the tests; any one stands for all.
     """
     listed = (form for table in TABLES for form in table.FORMS)

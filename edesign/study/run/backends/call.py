@@ -63,7 +63,6 @@ class Control(Protocol):
         """Report the progress of a call.
 
         Args:
-            key: of the call.
             done: steps done.
             total: steps in all.
         """

@@ -66,7 +66,6 @@ def run_remote(name: str, key: str, packed: tuple[Packed, ...]) -> bytes:
 
     Args:
         name: of the share.
-        key: of the call.
         packed: its function and arguments.
 
     Returns:
