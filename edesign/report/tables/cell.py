@@ -63,6 +63,11 @@ class Verdict(Cell):
         return replace(self, words=say(self.words))
 
 
+def yes_or_no(good: bool) -> Verdict:
+    """Return whether something is as it should be."""
+    return Verdict("yes", "good") if good else Verdict("no", "bad")
+
+
 @dataclass(frozen=True)
 class Marked(Cell):
     """A value with signs before or behind it: `1.2*`, `> 100`, `3.4 % (mean of 20)`. In files it is the value alone.

@@ -201,6 +201,11 @@ def verdict(header: str, value: Source[Item] = "", **options: Unpack[Options]) -
     return Column(header, value, "verdict", **options)
 
 
+def literal(name: str) -> str:
+    """Return a name of users as a header: its braces are none of a declaration."""
+    return name.replace("{", "{{").replace("}", "}}")
+
+
 def _plain(value: Any, numeric: bool) -> Value:
     """A value without types of numpy; whatever stands in a column of texts is one."""
     if isinstance(value, (np.generic, np.ndarray)):

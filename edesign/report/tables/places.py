@@ -50,14 +50,19 @@ class Place:
         """The name, such as that of the damper."""
         return str(self.group.coords[self.dimension].values[self.number])
 
-    def value(self, variable: str) -> float | None:
-        """Return the number that a variable has here, SI, also along another dimension with this name; None without."""
-        stored = self.group.variables.get(variable)
-        return None if stored is None else float(stored.values[self._along(stored.dims[0])])
+    def value(self, variable: str, *further: int) -> float | None:
+        """Return the number that a variable has here, SI, also along another dimension with this name; None without.
 
-    def finite(self, variable: str) -> float | None:
+        Args:
+            variable: whose first dimension names the place.
+            *further: numbers along its further dimensions, from 0.
+        """
+        stored = self.group.variables.get(variable)
+        return None if stored is None else float(stored.values[(self._along(stored.dims[0]), *further)])
+
+    def finite(self, variable: str, *further: int) -> float | None:
         """Return the number that a variable has here; None also where it is infinite or not determined."""
-        value = self.value(variable)
+        value = self.value(variable, *further)
         return value if value is not None and np.isfinite(value) else None
 
     def word(self, variable: str) -> str:
@@ -72,7 +77,7 @@ class Place:
     def _along(self, dimension: str) -> int:
         if dimension == self.dimension:
             return self.number
-        return list(self.group.coords[dimension].values).index(self.name)
+        return list(map(str, self.group.coords[dimension].values)).index(self.name)
 
 
 def places(groups: Mapping[str, Group], dimension: str, *variables: str) -> Iterator[Place]:
@@ -105,9 +110,9 @@ def most_in_any(groups: Mapping[str, Group], dimension: str, quantity: str) -> l
     return [found[name][1] for name in sorted(found, key=lambda name: (-found[name][0], name))]
 
 
-def at(variable: str) -> Callable[[Place], float | None]:
-    """Return the function that gives a variable's number of a place."""
-    return lambda place: place.value(variable)
+def at(variable: str, *further: int) -> Callable[[Place], float | None]:
+    """Return the function that gives a variable's number of a place; see `Place.value`."""
+    return lambda place: place.value(variable, *further)
 
 
 def largest(quantity: str) -> Callable[[Place], float | None]:

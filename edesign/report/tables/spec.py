@@ -20,6 +20,9 @@ from edesign.report.tables.cell import Cell, State, Value
 from edesign.report.tables.column import Column, Item
 from edesign.report.tables.unit import Unit
 
+MORE: Column[Any] = Column("...")
+"""Stands in a declaration where the columns are that only one table has; without it they are the last."""
+
 
 @dataclass
 class Table:
@@ -106,6 +109,7 @@ class TableSpec(Generic[Item]):
         formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
         headed: whether headers are printed.
         named_by_title: whether files are named by the title, as it tells studies apart.
+        named_as: name of the file of tables that share one; "": `name`.
         names_kept: see `Table`.
         most: rows that are printed; 0: all.
         cut: note of a table with more rows: `The first {shown} of {all} feet.`
@@ -120,6 +124,7 @@ class TableSpec(Generic[Item]):
     formulas: bool = False
     headed: bool = True
     named_by_title: bool = False
+    named_as: str = ""
     names_kept: bool = False
     most: int = 0
     cut: str = ""
@@ -140,7 +145,7 @@ class TableSpec(Generic[Item]):
 
         Args:
             items: a row each.
-            more: columns at the end that only this table has.
+            more: columns that only this table has, in the place of `MORE`.
             without: names of columns that it has not.
             notes: lines below those of the declaration.
             units: of columns that leave them open, by their key.
@@ -149,7 +154,9 @@ class TableSpec(Generic[Item]):
             **words: for what is in braces in title, headers and notes.
         """
         words = {"whose": whose, **words}
-        made = [column for column in (*self.columns, *more) if column.in_files not in without]
+        declared = [column for column in self.columns if column.in_files not in without]
+        at = declared.index(MORE) if MORE in declared else len(declared)
+        made = [*declared[:at], *more, *declared[at + 1 :]]
         chosen = list(items)
         shown = chosen[: self.most] if self.most else chosen
         rows = [[column.of(item) for column in made] for item in shown]
@@ -165,7 +172,7 @@ class TableSpec(Generic[Item]):
             keys=self.keys,
             headings=_headings(shown, heading) if heading is not None else {},
             each=(self.each, whose) if self.each else None,
-            name="" if self.named_by_title else self.name,
+            name="" if self.named_by_title else self.named_as or self.name,
             headed=self.headed,
             formulas=self.formulas or any(column.symbols for column in made),
             names_kept=self.names_kept,

@@ -13,8 +13,8 @@ from edesign.report.export.export_table import export_table
 from edesign.report.export.tables_by_name import MODULES, tables_by_name
 from edesign.report.html.render import alignments, cells
 from edesign.report.tables.cell import Listed, Marked, Quantity, Span, Value, Verdict
-from edesign.report.tables.column import col, count, formula, text, verdict
-from edesign.report.tables.spec import TableSpec
+from edesign.report.tables.column import col, count, formula, literal, text, verdict
+from edesign.report.tables.spec import MORE, TableSpec
 from edesign.report.tables.text import plain
 from edesign.report.tables.unit import KN, MM, ONE, PERCENT, Unit
 
@@ -105,6 +105,13 @@ def test_columns_may_be_left_out_added_and_have_the_unit_of_the_project() -> Non
     )
     assert table.headers == ["storey", "u [cm]", "2 u [cm]"] and table.texts[1] == ["2", "7.000", "14.00"]
     assert table.notes == ["2/3"] and table.headings == {0: "all"}
+
+
+def test_columns_of_one_table_stand_where_the_declaration_says() -> None:
+    spec = TableSpec[Storey]("u", "U", (text("storey", "name"), MORE, count("bays", "bays")), named_as="all_u")
+    table = spec.of(ITEMS, more=[col(literal("{u}"), MM, "drift")])
+    assert table.headers == ["storey", "{u} [mm]", "bays"] and table.name == "all_u"
+    assert spec.of(ITEMS).headers == ["storey", "bays"]
 
 
 def test_one_list_knows_all_tables() -> None:
