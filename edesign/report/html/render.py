@@ -190,13 +190,14 @@ def cells(table: Table) -> list[list[tuple[str, str, bool]]]:
 
 def alignments(table: Table) -> list[str]:
     """Return the alignment of each column: numbers to the right, words to the left, long texts in lines."""
+    texts = table.texts
     found = []
-    for i, (column, texts) in enumerate(zip(table.columns, zip(*table.texts, strict=True), strict=True)):
-        if any(len(text) > LONG and " " in text for text in texts):
+    for i, column in enumerate(table.columns):
+        if any(len(row[i]) > LONG and " " in row[i] for row in texts):
             found.append("long")
         else:
             found.append("right" if column.numeric and i >= table.keys else "text")
-    return found or ["right" if column.numeric else "text" for column in table.columns]
+    return found
 
 
 def runs(parts: Iterable[Part]) -> list[tuple[str, list[Part]]]:

@@ -53,6 +53,7 @@ def test_a_table_is_its_declaration() -> None:
     assert [row[2] for row in table.texts] == ["1.23", "7.00*", "-*"]
     assert table.each == ("Storeys", "bare") and table.column("bays") == [3, 2, 2]
     assert alignments(table) == ["text", "right", "right", "text", "text"]
+    assert alignments(STOREYS.of((), whose="bare")) == ["text", "right", "right", "text", "text"]
     assert cells(table)[2][-1] == ("not met", "bad", False) and cells(table)[0][3][2]
 
 
