@@ -16,7 +16,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Generic
 
 from edesign.notebook import table_html
-from edesign.report.tables.cell import Cell, State, Value
+from edesign.report.tables.cell import Cell, Marked, State, Value
 from edesign.report.tables.column import Column, Item
 from edesign.report.tables.unit import Unit
 
@@ -104,6 +104,7 @@ class TableSpec(Generic[Item]):
         title: one line; it may have words in braces that `of` is given, as may headers and notes: `{whose}: periods`.
         columns: in the order in which they are printed.
         notes: lines below, where there are rows.
+        signs: notes on marks of values, `*: of the foot`; each is printed where a value has the mark it begins with.
         keys: number of columns, from the first, that name the rows.
         each: title of the one table that files have where each analysis or member has one.
         formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
@@ -119,6 +120,7 @@ class TableSpec(Generic[Item]):
     title: str
     columns: tuple[Column[Item], ...]
     notes: tuple[str, ...] = ()
+    signs: tuple[str, ...] = ()
     keys: int = 1
     each: str = ""
     formulas: bool = False
@@ -164,6 +166,8 @@ class TableSpec(Generic[Item]):
         lines = [note.format(**words) for note in self.notes] if rows else []
         if len(shown) < len(chosen):
             lines.append(self.cut.format(shown=len(shown), all=len(chosen), **words))
+        marks = {value.after[:1] for row in rows for value in row if isinstance(value, Marked)}
+        lines += [note for note in self.signs if note[0] in marks]
         return Table(
             title=self.title.format(**words),
             columns=tuple(_worded(made[i], words, units or {}) for i in kept),

@@ -41,6 +41,7 @@ STOREYS = TableSpec[Storey](
         verdict("drift", "answer", name="verdict"),
     ),
     notes=("* of {years} years",),
+    signs=("*: of two bays", "+: of none"),
     each="Storeys",
 )
 ITEMS = (Storey("1", 3, 0.0123456), Storey("2", 2, 0.07), Storey("3", 2, None, answer=Verdict("not met", "bad")))
@@ -49,6 +50,7 @@ ITEMS = (Storey("1", 3, 0.0123456), Storey("2", 2, 0.07), Storey("3", 2, None, a
 def test_a_table_is_its_declaration() -> None:
     table = STOREYS.of(ITEMS, whose="bare", years=50)
     assert plain(table).splitlines()[0::6] == ["bare: storeys", "* of 50 years"]
+    assert table.notes == ["* of 50 years", "*: of two bays"]
     assert table.headers == ["storey", "bays", "drift [%] at the end", "rule", "drift"]  # no shear anywhere
     assert [row[2] for row in table.texts] == ["1.23", "7.00*", "-*"]
     assert table.each == ("Storeys", "bare") and table.column("bays") == [3, 2, 2]
