@@ -142,6 +142,27 @@ class Quantity(Cell):
 
 
 @dataclass(frozen=True)
+class Rounded(Cell):
+    """A number with digits of its own, such as those that its error leaves.
+
+    Attributes:
+        words: the number as it is printed.
+        value: in the unit that is printed.
+    """
+
+    words: str
+    value: float
+
+    def text(self, column: Column) -> str:
+        """Return the number as it is printed."""
+        return self.words
+
+    def data(self, column: Column) -> Plain:
+        """Return the number with all digits."""
+        return float(self.value)
+
+
+@dataclass(frozen=True)
 class Span(Cell):
     """A range, `0.8-1.2`, each end printed as the column prints numbers; a text in files.
 

@@ -7,8 +7,10 @@ A column is made by `col` (numbers), `count` (whole numbers), `text`, `formula` 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import Any, Generic, Literal, TypedDict, TypeVar, Unpack, cast
 
 import numpy as np
@@ -20,7 +22,7 @@ from edesign.report.tables.unit import ONE, Unit
 Item = TypeVar("Item")
 """What a row of a table is made of."""
 Source = Callable[[Item], Any] | str
-"""The value of an item in SI: a function of it, or the name of its attribute, or its key where it is a mapping."""
+"""The value of an item in SI: a function of it, its attribute by name, `mode.share` too, or its key if it is a mapping."""
 NO_VALUE = ("", "-")
 """Texts that stand for what is missing."""
 
@@ -131,7 +133,7 @@ class Column(Generic[Item]):
         """Return the value of an item, in SI, with its mark."""
         if isinstance(self.value, str):
             name = self.value or self.header
-            found = item[name] if isinstance(item, Mapping) else getattr(item, name)
+            found = item[name] if isinstance(item, Mapping) else attrgetter(name)(item)
         else:
             found = self.value(item)
         value = _plain(found, self.numeric)
@@ -199,6 +201,16 @@ def formula(header: str, value: Source[Item] = "", **options: Unpack[Options]) -
 def verdict(header: str, value: Source[Item] = "", **options: Unpack[Options]) -> Column[Item]:
     """Return a column of verdicts, whose cells are `Verdict`; arguments as of `col`."""
     return Column(header, value, "verdict", **options)
+
+
+def known(name: str) -> Callable[[Any], float | None]:
+    """Return the function that gives an attribute of an item, as `mode.share`; None where it is not determined, NaN."""
+    return lambda item: None if math.isnan(value := attrgetter(name)(item)) else value
+
+
+def bounded(name: str) -> Callable[[Any], float | None]:
+    """Return the function that gives an attribute of an item; None where it is infinite or not determined."""
+    return lambda item: value if math.isfinite(value := attrgetter(name)(item)) else None
 
 
 def literal(name: str) -> str:

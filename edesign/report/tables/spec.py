@@ -119,7 +119,7 @@ class TableSpec(Generic[Item]):
     name: str
     title: str
     columns: tuple[Column[Item], ...]
-    notes: tuple[str, ...] = ()
+    notes: Sequence[str] = ()
     signs: tuple[str, ...] = ()
     keys: int = 1
     each: str = ""
