@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from numbers import Real
 from operator import attrgetter
 from typing import Any, Generic, Literal, TypedDict, TypeVar, Unpack, cast
 
@@ -22,7 +23,7 @@ from edesign.report.tables.unit import ONE, Unit
 Item = TypeVar("Item")
 """What a row of a table is made of."""
 Source = Callable[[Item], Any] | str
-"""The value of an item in SI: a function of it, its attribute by name, `mode.share` too, or its key if it is a mapping."""
+"""The value of an item in SI: a function of it, its attribute, `mode.share` too, or its key where it is a mapping."""
 NO_VALUE = ("", "-")
 """Texts that stand for what is missing."""
 
@@ -132,8 +133,7 @@ class Column(Generic[Item]):
     def of(self, item: Item) -> Value:
         """Return the value of an item, in SI, with its mark."""
         if isinstance(self.value, str):
-            name = self.value or self.header
-            found = item[name] if isinstance(item, Mapping) else attrgetter(name)(item)
+            found = _named(item, self.value or self.header)
         else:
             found = self.value(item)
         value = _plain(found, self.numeric)
@@ -204,13 +204,17 @@ def verdict(header: str, value: Source[Item] = "", **options: Unpack[Options]) -
 
 
 def known(name: str) -> Callable[[Any], float | None]:
-    """Return the function that gives an attribute of an item, as `mode.share`; None where it is not determined, NaN."""
-    return lambda item: None if math.isnan(value := attrgetter(name)(item)) else value
+    """Return the function that gives a value of an item by its name; None where it is not a number, NaN."""
+    return lambda item: None if math.isnan(value := _named(item, name)) else value
 
 
-def bounded(name: str) -> Callable[[Any], float | None]:
-    """Return the function that gives an attribute of an item; None where it is infinite or not determined."""
-    return lambda item: value if math.isfinite(value := attrgetter(name)(item)) else None
+def bounded(name: str) -> Callable[[Any], Any]:
+    """Return the function that gives a value of an item by its name; None where it is infinite or not a number."""
+    return lambda item: None if isinstance(value := _named(item, name), Real) and not math.isfinite(value) else value
+
+
+def _named(item: Any, name: str) -> Any:
+    return item[name] if isinstance(item, Mapping) else attrgetter(name)(item)
 
 
 def literal(name: str) -> str:

@@ -9,13 +9,15 @@ from typing import Any
 SCIENTIFIC = 1e7  # from here on a number is no measure of a building, only a sign that something went wrong
 
 
-def significant(value: float, digits: int = 4) -> str:
-    """Return a number with significant digits.
+def significant(value: float | None, digits: int = 4) -> str:
+    """Return a number with significant digits, "-" for None.
 
     Args:
         value: in the unit that is shown.
         digits: significant digits; whole numbers keep all of theirs below 1e7.
     """
+    if value is None:
+        return "-"
     if abs(value) >= SCIENTIFIC:
         return f"{value:.{digits - 1}e}"
     return f"{value:.0f}" if abs(value) >= 10**digits else f"{value:#.{digits}g}".rstrip(".")

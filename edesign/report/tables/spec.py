@@ -108,7 +108,7 @@ class TableSpec(Generic[Item]):
         keys: number of columns, from the first, that name the rows.
         each: title of the one table that files have where each analysis or member has one.
         formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
-        headed: whether headers are printed.
+        headed: whether headers are printed; a table of notes alone has none.
         named_by_title: whether files are named by the title, as it tells studies apart.
         named_as: name of the file of tables that share one; "": `name`.
         names_kept: see `Table`.
@@ -177,7 +177,7 @@ class TableSpec(Generic[Item]):
             headings=_headings(shown, heading) if heading is not None else {},
             each=(self.each, whose) if self.each else None,
             name="" if self.named_by_title else self.named_as or self.name,
-            headed=self.headed,
+            headed=self.headed and bool(kept),
             formulas=self.formulas or any(column.symbols for column in made),
             names_kept=self.names_kept,
         )
