@@ -8,16 +8,58 @@ from typing import Any
 
 from edesign.archive.csv_files import write_csv_file
 from edesign.building.sections.profiles import profile_names
-from edesign.building.sections.steel_section import steel_section
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
-from edesign.report.tables.table import Table, formatted
+from edesign.report.tables.cell import Quantity
+from edesign.report.tables.column import Column, col, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import CM2, CM3, CM4, MM, Unit
 
-_HEADERS = ("h", "b", "t_w", "t_f", "r", "A", "I_y", "I_z", "W_pl", "mass")
-_UNITS = ("mm", "mm", "mm", "mm", "mm", "cm2", "cm4", "cm4", "cm3", "kg/m")
-_IN_SI = (1e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-4, 1e-8, 1e-8, 1e-6, 1.0)
-_KEYS = ("h_m", "b_m", "t_w_m", "t_f_m", "r_m", "A_m2", "I_y_m4", "I_z_m4", "W_pl_y_m3", "mass_kg_m")
-_SHOWN_DIGITS = {"b": 3, "t_w": 3, "t_f": 3, "r": 2, "mass": 3}  # of the table, so that it fits; others four
+_KEYS = {
+    "h_m": "h",
+    "b_m": "b",
+    "t_w_m": "tw",
+    "t_f_m": "tf",
+    "r_m": "r",
+    "A_m2": "A",
+    "I_y_m4": "I_y",
+    "I_z_m4": "I_z",
+    "W_pl_y_m3": "W_pl_y",
+    "mass_kg_m": "mass",
+}
+"""Keys of JSON, and the properties that they are of."""
 _DIGITS = 7  # of a CSV file
+
+
+def _property(header: str, unit: Unit, value: str = "", digits: int = 4) -> Column[SteelSection]:
+    """A column of a property: narrow, without zeros at the end of numbers; the title says the unit."""
+
+    def of(section: SteelSection) -> Quantity:
+        found = getattr(section, value or header)
+        form = ".0f" if found / unit.si >= 10**digits else f".{digits}g"
+        return Quantity(found, unit, form=form, beside=True)
+
+    return col(header, unit, of, silent=True)
+
+
+SECTIONS = TableSpec[SteelSection](
+    "rolled_sections",
+    "Rolled I sections (lengths in mm, A in cm2, I in cm4, W in cm3, mass in kg/m)",
+    (
+        text("section", "name"),
+        _property("h", MM),
+        _property("b", MM, digits=3),
+        _property("t_w", MM, "tw", digits=3),
+        _property("t_f", MM, "tf", digits=3),
+        _property("r", MM, digits=2),
+        _property("A", CM2),
+        _property("I_y", CM4),
+        _property("I_z", CM4),
+        _property("W_pl", CM3, "W_pl_y"),
+        _property("mass", Unit("kg/m"), digits=3),
+    ),
+    named_by_title=True,
+)
 
 
 def chosen_sections(what: str | None) -> list[str]:
@@ -35,19 +77,14 @@ def chosen_sections(what: str | None) -> list[str]:
 
 def section_table(names: Sequence[str]) -> Table:
     """Return the properties of sections, narrow enough for 80 columns: the units are in the title."""
-    title = "Rolled I sections (lengths in mm, A in cm2, I in cm4, W in cm3, mass in kg/m)"
-    table = Table(title, ("section", *_HEADERS))
-    for name in names:
-        values = [value / unit for value, unit in zip(_values(name), _IN_SI, strict=True)]
-        table.rows.append([name, *(_shown(value, header) for value, header in zip(values, _HEADERS, strict=True))])
-    return table
+    return SECTIONS.of(map(steel_section, names))
 
 
 def section_data(names: Sequence[str]) -> list[dict[str, Any]]:
     """Return the properties of sections in SI, by keys that end in the unit."""
     return [
         {"name": name, "inch_pound_name": profile_names().inch_pound_name(name) or None}
-        | dict(zip(_KEYS, _values(name), strict=True))
+        | {key: getattr(steel_section(name), of) for key, of in _KEYS.items()}
         for name in names
     ]
 
@@ -62,21 +99,10 @@ def write_sections(names: Sequence[str], path: Path) -> None:
     Raises:
         ArchiveError: it cannot be written.
     """
-    headers = ["section", "inch_pound_name"]
-    headers += [f"{header} [{unit}]" for header, unit in zip(_HEADERS, _UNITS, strict=True)]
+    _, *columns = SECTIONS.columns
+    headers = ["section", "inch_pound_name", *(f"{of.header} [{of.unit_in_files}]" for of in columns)]
     rows = (
-        [name, profile_names().inch_pound_name(name)]
-        + [value / unit for value, unit in zip(_values(name), _IN_SI, strict=True)]
+        (name, profile_names().inch_pound_name(name), *(of.data(of.of(steel_section(name))) for of in columns))
         for name in names
     )
     write_csv_file(headers, rows, path, _DIGITS)
-
-
-def _values(name: str) -> tuple[float, ...]:
-    found = steel_section(name)
-    return (found.h, found.b, found.tw, found.tf, found.r, found.A, found.I_y, found.I_z, found.W_pl_y, found.mass)
-
-
-def _shown(value: float, header: str) -> str:
-    digits = _SHOWN_DIGITS.get(header, 4)
-    return formatted(value, ".0f") if value >= 10**digits else formatted(value, f".{digits}g")

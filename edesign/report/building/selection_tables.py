@@ -2,57 +2,55 @@
 
 from __future__ import annotations
 
-from edesign.report.tables.table import Table, number
-from edesign.space.selection.select import Selection
+from edesign.report.tables.column import col, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE, T
+from edesign.space.selection.select import GroupChoice, Selection
 from edesign.space.structure.design_block import design_of
+
+
+def _most_used(row: GroupChoice) -> str:
+    of = row.governing
+    return f"{of.check} of {of.member} in {of.combination}"
+
+
+SECTIONS = TableSpec[GroupChoice](
+    "sections",
+    "Sections: before, chosen, and the most used check of each group",
+    (
+        text("group", "group.name"),
+        text("members", lambda row: f"{row.group.kind}s"),
+        text("before"),
+        text("chosen", "after"),
+        col("mass", T),
+        col("use", ONE, "governing.utilisation", 3),
+        text("most used check", _most_used, broken=1),
+    ),
+    keys=4,
+)
+LIMITS = TableSpec[GroupChoice](
+    "selection_limits",
+    "What holds each group up: what its next lighter section would break",
+    (text("group", "group.name"), text("broken", "held_by", broken=1)),
+    keys=2,
+)
+DESIGN = TableSpec[None]("design", "Design", ())
 
 
 def selection_tables(selection: Selection) -> list[Table]:
     """Return the tables of a selection: groups, the check that governs each, and the design as a whole."""
-    return [_groups(selection), _held(selection), _whole(selection)]
+    governing = [row.governing for row in selection.groups]
+    clauses = {of.check: of.clause for of in governing}
+    return [
+        SECTIONS.of(selection.groups, notes=[f"{name}: {clause}" for name, clause in clauses.items()]),
+        LIMITS.of(selection.groups),
+        DESIGN.of((), notes=_whole(selection)),
+    ]
 
 
-def _groups(selection: Selection) -> Table:
-    table = Table(
-        "Sections: before, chosen, and the most used check of each group",
-        ("group", "members", "before", "chosen", "mass [t]", "use", "most used check"),
-        left=4,
-        sentences=6,
-        name="sections",
-    )
-    clauses: dict[str, str] = {}
-    for row in selection.groups:
-        of = row.governing
-        table.rows.append(
-            [
-                row.group.name,
-                f"{row.group.kind}s",
-                row.before,
-                row.after,
-                number(row.mass, 4, 1e3),
-                number(of.utilisation, 3),
-                f"{of.check} of {of.member} in {of.combination}",
-            ]
-        )
-        clauses.setdefault(of.check, of.clause)
-    table.notes += [f"{name}: {clause}" for name, clause in clauses.items()]
-    return table
-
-
-def _held(selection: Selection) -> Table:
-    table = Table(
-        "What holds each group up: what its next lighter section would break",
-        ("group", "broken"),
-        left=2,
-        sentences=1,
-        name="selection_limits",
-    )
-    table.rows += [[row.group.name, row.held_by] for row in selection.groups]
-    return table
-
-
-def _whole(selection: Selection) -> Table:
-    before, after = (number(of, 4, 1e3) for of in (selection.mass_before, selection.mass))
+def _whole(selection: Selection) -> list[str]:
+    before, after = (significant(of / 1e3) for of in (selection.mass_before, selection.mass))
     priced = design_of(selection.building).select.objective == "cost"
     less = "cheaper" if priced else "lighter"
     certificate = (
@@ -60,14 +58,16 @@ def _whole(selection: Selection) -> Table:
         if selection.certified
         else f"no certificate: the evaluations of design.select were used up; {less} sections may meet all checks"
     )
-    table = Table("Design", notes=[f"steel: {after} t, with the sections of the file {before} t"], name="design")
-    if priced:
-        table.notes.append(f"price, which was to be least: {number(selection.cost, 4)}")
-    table.notes.append(f"{selection.evaluations} designs were analysed; {selection.starts} starts met all checks")
-    table.notes.append(certificate)
-    for rule in selection.not_met:
-        value, limit = number(rule.value, 3), number(rule.required, 3)
-        table.notes.append(
-            f"NOT MET, and not searched: {rule.text}: {value}, limit {limit} ({rule.reference}) {rule.detail}"
-        )
-    return table
+    price = [f"price, which was to be least: {significant(selection.cost)}"] if priced else []
+    not_met = [
+        f"NOT MET, and not searched: {rule.text}: {significant(rule.value, 3)}, limit {significant(rule.required, 3)} "
+        f"({rule.reference}) {rule.detail}"
+        for rule in selection.not_met
+    ]
+    return [
+        f"steel: {after} t, with the sections of the file {before} t",
+        *price,
+        f"{selection.evaluations} designs were analysed; {selection.starts} starts met all checks",
+        certificate,
+        *not_met,
+    ]

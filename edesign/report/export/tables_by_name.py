@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from edesign.report.building import section_table, selection_tables
 from edesign.report.export import catalogue
 from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
 from edesign.report.tables.spec import TableSpec
@@ -15,6 +16,8 @@ MODULES = (
     ground_tables,
     hinge_tables,
     restrained_braces,
+    section_table,
+    selection_tables,
 )
 """Modules that declare tables; a test finds those that are missing."""
 
