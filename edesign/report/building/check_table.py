@@ -7,7 +7,32 @@ import math
 import numpy as np
 
 from edesign.report.building.results import BuildingResults
-from edesign.report.tables.table import Table, finite, formatted, number, whole
+from edesign.report.tables.cell import Value, Verdict
+from edesign.report.tables.column import col, count, text, verdict
+from edesign.report.tables.number import finite
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE
+
+CHECKS = TableSpec[dict[str, Value]](
+    "checks_of_members",
+    "Checks of members: largest ratio of demand and capacity in each group",
+    (
+        text("group"),
+        text("section"),
+        text("check"),
+        text("clause", broken=1),
+        col("D/C", ONE, digits=3),
+        verdict("verdict"),
+        text("member"),
+        count("combination"),
+        col("x / L", ONE, form=".3g"),
+    ),
+    notes=(
+        "Combinations are numbered in the table of combinations; x / L is the place along the member.",
+        "The check that governs each group is written out, with demand and capacity, under Members.",
+    ),
+    keys=4,
+)
 
 
 def group_checks_table(results: BuildingResults) -> Table:
@@ -16,36 +41,30 @@ def group_checks_table(results: BuildingResults) -> Table:
     Raises:
         ArchiveError: the members of the archive cannot be read.
     """
-    table = Table(
-        "Checks of members: largest ratio of demand and capacity in each group",
-        ("group", "section", "check", "clause", "D/C", "verdict", "member", "combination", "x / L"),
-        left=4,
-        sentences=3,
-        name="checks_of_members",
-    )
+    members, rows = results.rows("members", "member"), []
     groups, utilisation = results.values("members", "group"), results.values("members", "utilisation")
-    names, clauses = results.values("members", "check"), results.values("members", "clause")
-    combinations, stations = results.values("members", "combination"), results.values("members", "station")
+    combinations = results.values("members", "combination")
     for group in dict.fromkeys(groups.tolist()):
         chosen = np.flatnonzero(groups == group)
-        for check, (name, clause) in enumerate(zip(names, clauses, strict=True)):
-            applies = combinations[chosen, check] > 0
+        for check in results.rows("members", "check"):
+            k = check.number
+            applies = combinations[chosen, k] > 0
             if not applies.any():
                 continue
-            ratios = np.where(applies, np.nan_to_num(utilisation[chosen, check], nan=-1.0), -1.0)
-            member = int(chosen[int(ratios.argmax())])
-            ratio = float(utilisation[member, check])
-            shown = "inf" if math.isinf(ratio) else number(finite(ratio), 3)
-            about = [str(group), str(results.values("members", "section")[member]), check_words(str(name)), str(clause)]
-            verdict = "met" if ratio <= 1.0 else "not met"
-            place = [str(results.values("members", "member")[member]), whole(combinations[member, check])]
-            table.rows.append([*about, shown, verdict, *place, formatted(float(stations[member, check]), ".3g")])
-    if table.rows:
-        table.notes.append(
-            "Combinations are numbered in the table of combinations; x / L is the place along the member."
-        )
-        table.notes.append("The check that governs each group is written out, with demand and capacity, under Members.")
-    return table
+            ratios = np.where(applies, np.nan_to_num(utilisation[chosen, k], nan=-1.0), -1.0)
+            member = members[int(chosen[int(ratios.argmax())])]
+            ratio = float(member["utilisation"][k])
+            row: dict[str, Value] = {name: member[name] for name in ("group", "section", "member")}
+            row |= {"check": check_words(str(check["check"])), "clause": check["clause"], "D/C": use(ratio)}
+            row["verdict"] = Verdict("met", "good") if ratio <= 1.0 else Verdict("not met", "bad")
+            row |= {"combination": member["combination"][k], "x / L": member["station"][k]}
+            rows.append(row)
+    return CHECKS.of(rows)
+
+
+def use(utilisation: float) -> float | str | None:
+    """Return a utilisation as tables have it: `inf` without resistance, None where no check applies."""
+    return "inf" if math.isinf(utilisation) else finite(utilisation)
 
 
 _WORDS = {

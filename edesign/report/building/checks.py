@@ -15,12 +15,51 @@ from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults
 from edesign.report.building.tables import Worst, worst_of_groups
-from edesign.report.tables.table import NumberText, Table, finite, formatted, marked, number, whole
+from edesign.report.tables.cell import Marked, Quantity, Value
+from edesign.report.tables.column import Column, col, count, formula, text
+from edesign.report.tables.number import finite, significant
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE, Unit
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
 NOTHING = 1e-5
 """Of the largest force or moment of a table: what is less is shown as 0."""
+
+
+def _shown(step: Step) -> Value:
+    if isinstance(step.value, str):
+        return step.value
+    return Quantity(finite(step.value), UNITS.get(step.unit, Unit(step.unit)))
+
+
+CALCULATION = TableSpec[Step](
+    "member_checks_in_numbers",
+    "{found.group}: {found.member}, {found.kind} {found.section} of {found.material}, {found.length:.4g} m: "
+    "{found.check}",
+    (
+        formula("quantity", "symbol"),
+        formula("from", "expression", broken=1),
+        text("clause"),
+        formula("value", _shown),
+    ),
+    keys=3,
+    each="Checks written out",
+)
+CHECKS = TableSpec[dict[str, Value]](
+    "checks",
+    "{whose}: checks",
+    (text("check"), col("use", ONE, digits=3), count("combination"), col("x / L", ONE, form=".3g"), text("clause")),
+    each="Checks",
+)
+FORCES = TableSpec[dict[str, Value]](
+    "member_forces",
+    "{whose}: internal forces of each action at x = {place:.3g} L",
+    (formula("action"),),  # and each force
+    notes=("E with accidental torsion and second order; N positive in tension",),
+    each="Internal forces of each action where a check governs",
+)
+NO_FORCES = TableSpec[None]("no_member_forces", "{whose}: internal forces", (), named_by_title=True)
 
 
 @dataclass(frozen=True)
@@ -97,24 +136,14 @@ def written_worst(results: BuildingResults) -> list[tuple[Worst, WrittenCheck]]:
 
 def written_table(found: WrittenCheck) -> Table:
     """Return the calculation of a check as a table."""
-    title = (
-        f"{found.group}: {found.member}, {found.kind} {found.section} of {found.material}, "
-        f"{found.length:.4g} m: {found.check}"
-    )
-    table = Table(title, ("quantity", "from", "clause", "value"), left=3, sentences=1, formulas=(0, 1, 3))
-    table.each = ("Checks written out", f"{found.group}: {found.member}, {found.check}")
-    table.name = "member_checks_in_numbers"
-    for step in found.steps:
-        table.rows.append([step.symbol, step.expression, step.clause, _shown(step)])
-    if not found.number:
-        table.notes.append("the check does not apply")
-    else:
-        table.notes.append(f"combination {found.number}: {found.combination}")
+    notes = ["the check does not apply"]
+    if found.number:
         met = "met" if found.utilisation <= 1.0 else "NOT MET"
-        if not found.steps:
-            table.notes.append("no calculation is written out here for this check as it was made")
-        table.notes.append(f"utilisation {number(finite(found.utilisation), 4)}: {met} ({found.clause})")
-    return table
+        notes = [f"combination {found.number}: {found.combination}"]
+        notes += [] if found.steps else ["no calculation is written out here for this check as it was made"]
+        notes.append(f"utilisation {significant(finite(found.utilisation))}: {met} ({found.clause})")
+    whose = f"{found.group}: {found.member}, {found.check}"
+    return CALCULATION.of(found.steps, whose=whose, found=found, notes=notes)
 
 
 def written_data(found: WrittenCheck) -> list[dict[str, object]]:
@@ -169,17 +198,20 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
         ArchiveError: a group is missing.
     """
     member = _member_number(results, name)
-    columns = [results.values("members", of)[member] for of in ("utilisation", "combination", "station")]
-    table = Table(
-        f"{name}: checks", ("check", "use", "combination", "x / L", "clause"), each=("Checks", name), name="checks"
-    )
-    names, clauses = results.values("members", "check"), results.values("members", "clause")
-    for check, clause, use, row, place in zip(names, clauses, *columns, strict=True):
-        if row:
-            cells = [str(check), number(finite(use), 3), whole(row), formatted(place, ".3g"), str(clause)]
-            table.rows.append(cells)
+    of = results.rows("members", "member")[member]
+    rows: list[dict[str, Value]] = [
+        {"check": check, "use": finite(use), "combination": combination, "x / L": place, "clause": clause}
+        for check, clause, use, combination, place in zip(
+            results.values("members", "check"),
+            results.values("members", "clause"),
+            *(of[name] for name in ("utilisation", "combination", "station")),
+            strict=True,
+        )
+        if combination
+    ]
     check = governing(results, member)
-    return [table, effects_table(results, member, check), written_table(written(results, member, check))]
+    checks = CHECKS.of(rows, whose=name)
+    return [checks, effects_table(results, member, check), written_table(written(results, member, check))]
 
 
 def effects_table(results: BuildingResults, member: int, check: int) -> Table:
@@ -190,35 +222,28 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
         member: number of the member, from 0.
         check: number of the check, from 0.
     """
-    name = results.values("members", "member")[member]
+    name = str(results.values("members", "member")[member])
     place = results.values("members", "station")[member, check]
     if not np.isfinite(place):
-        return Table(f"{name}: internal forces", notes=["no check applies"])
+        return NO_FORCES.of((), whose=name, notes=["no check applies"])
     station = int(np.abs(results.values("forces", "station") - place).argmin())
+    every = np.concatenate([results.values("forces", of)[:, member, station] for of in ("static", "seismic")])
     forces = [str(of) for of in results.values("forces", "force")]
-    units = [("kN*m" if of.startswith(("M", "T")) else "kN") for of in forces]
-    columns = [f"{of} [{unit}]" for of, unit in zip(forces, units, strict=True)]
-    table = Table(f"{name}: internal forces of each action at x = {place:.3g} L", ("action", *columns))
-    table.each = ("Internal forces of each action where a check governs", str(name))
-    table.name = "member_forces"
-    table.formulas = tuple(range(len(columns) + 1))
-    every = np.concatenate([results.values("forces", name)[:, member, station] for name in ("static", "seismic")])
-    moments = np.array([unit != "kN" for unit in units])
+    moments = np.array([of.startswith(("M", "T")) for of in forces])
     top = np.where(moments, np.abs(every[:, moments]).max(), np.abs(every[:, ~moments]).max())
-    least = np.maximum(NOTHING * top, np.finfo(float).tiny)
-    for names, values, sign in (
-        (results.values("forces", "case"), results.values("forces", "static"), ""),
-        ([f"E_{axis}" for axis in results.values("forces", "axis")], results.values("forces", "seismic"), "+-"),
-    ):
-        for action, of in zip(names, values[:, member, station], strict=True):
-            cells = [number(float(value), 4, 1e3, small) for value, small in zip(of, least, strict=True)]
-            table.rows.append([str(action), *(_signed(sign, cell) for cell in cells)])
-    table.notes.append("E with accidental torsion and second order; N positive in tension")
-    return table
-
-
-def _signed(sign: str, cell: str) -> str:
-    return NumberText(f"{sign}{cell}", cell.value) if isinstance(cell, NumberText) and cell != "0" else cell
+    every[np.abs(every) < NOTHING * top] = 0.0
+    columns: list[Column[dict[str, Value]]] = [
+        Column(of, of, unit=UNITS["N*m" if moment else "N"], negligible=np.finfo(float).tiny, symbols=True)
+        for of, moment in zip(forces, moments, strict=True)
+    ]
+    signs = {str(case): "" for case in results.values("forces", "case")}
+    signs |= {f"E_{axis}": "+-" for axis in results.values("forces", "axis")}
+    rows: list[dict[str, Value]] = [
+        {"action": action}
+        | {force: Marked(value, before=sign if value else "") for force, value in zip(forces, values, strict=True)}
+        for (action, sign), values in zip(signs.items(), every.tolist(), strict=True)
+    ]
+    return FORCES.of(rows, more=columns, whose=name, place=place)
 
 
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:
@@ -293,10 +318,3 @@ def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAl
     else:
         swing = np.tensordot(factors, seismic, 1)
     return ForcesAlong(results.values("forces", "station"), steady, swing)
-
-
-def _shown(step: Step) -> str:
-    if isinstance(step.value, str):
-        return step.value
-    unit, scale = UNITS.get(step.unit, (step.unit, 1.0))
-    return marked(number(finite(step.value), 4, scale), "", unit)

@@ -8,7 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.report.tables.table import Table, number
+from edesign.report.building.results import BuildingResults
+from edesign.report.tables.column import col, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import MM, ONE, M
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,27 @@ class WorstBeam:
     limit: float | None
 
 
+def _span_over_deflection(worst: WorstBeam) -> float | None:
+    return worst.span / worst.deflection if worst.deflection > 0.0 else None
+
+
+DEFLECTIONS = TableSpec[WorstBeam](
+    "beam_deflections",
+    "Deflections of beams, characteristic combinations",
+    (
+        text("group"),
+        text("loads", lambda worst: {"total": "all", "live": "variable"}[worst.load]),
+        text("beam"),
+        col("span", M, digits=3),
+        col("deflection", MM, digits=3),
+        col("span over it", ONE, _span_over_deflection, 3),
+        col("limit", ONE, lambda worst: None if worst.limit is None else 1.0 / worst.limit, 3),
+    ),
+    notes=("from the chord between the ends of the beam; without camber",),
+    keys=3,
+)
+
+
 def worst_beams(deflections: Group) -> Iterator[WorstBeam]:
     """Yield the worst beams of the groups, under all loads and under variable loads alone."""
     of = {name: variable.values for name, variable in deflections.variables.items()}
@@ -52,26 +76,6 @@ def worst_beams(deflections: Group) -> Iterator[WorstBeam]:
             )
 
 
-def deflection_table(deflections: Group) -> Table:
+def deflection_table(results: BuildingResults) -> Table:
     """Return the table of the worst beams."""
-    table = Table(
-        "Deflections of beams, characteristic combinations",
-        ("group", "loads", "beam", "span [m]", "deflection [mm]", "span over it", "limit"),
-        left=3,
-        name="beam_deflections",
-    )
-    for worst in worst_beams(deflections):
-        times = worst.span / worst.deflection if worst.deflection > 0.0 else None
-        table.rows.append(
-            [
-                worst.group,
-                {"total": "all", "live": "variable"}[worst.load],
-                worst.beam,
-                number(worst.span, 3),
-                number(worst.deflection, 3, 1e-3),
-                number(times, 3),
-                number(None if worst.limit is None else 1.0 / worst.limit, 3),
-            ]
-        )
-    table.notes.append("from the chord between the ends of the beam; without camber")
-    return table
+    return DEFLECTIONS.of(worst_beams(results.group("deflections")))

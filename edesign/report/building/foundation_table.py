@@ -2,53 +2,78 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.report.tables.table import Table, marked, number
+from edesign.report.building.results import BuildingResults, Row, part
+from edesign.report.tables.column import Column, col, text
+from edesign.report.tables.spec import MORE, Table, TableSpec
+from edesign.report.tables.unit import KN, ONE, Unit
 from edesign.space.checks.foundations import COMPONENTS
+from edesign.space.structure.frame import AXES
+
+F_X, F_Y, F_Z, M_X, M_Y, _ = range(len(COMPONENTS))
+KNM = Unit("kNm", 1e3)
 
 
-def reaction_table(of: Group) -> Table:
-    """Return the vertical reactions of the supports by action."""
-    static, seismic = of.variables["static"].values, of.variables["seismic"].values
-    cases = [str(case) for case in of.coords["case"].values]
-    table = Table(
-        "Supports: F_z on the frame by action, upwards, kN",
-        ("support", *cases, "E_x", "E_y"),
-        formulas=(),
-        name="supports",
-    )
-    table.units = ("", *("kN" for _ in table.columns[1:]))
-    for k, support in enumerate(of.coords["support"].values):
-        table.rows.append([str(support), *map(_force, (*static[:, k, 2], *seismic[:, k, 2]))])
-    return table
+def _acting(header: str, value: Callable[[Row], Any], unit: Unit = KN) -> Column[Row]:
+    """A column of forces or moments on a support; the title says the unit."""
+    return col(header, unit, value, negligible=0.05, silent=True)
 
 
-def foundation_table(of: Group) -> Table:
-    """Return the factors on the seismic action at each support, and the design actions over all combinations."""
-    least = of.variables["least"].values.min(axis=0)
-    largest = of.variables["largest"].values.max(axis=0)
-    size = np.maximum(np.abs(least), np.abs(largest))
-    factor, of_foot = of.variables["factor"].values, _of_foot(of)
-    table = Table(
-        "Foundations: design actions, kN and kNm",
-        ("support", "f_x", "f_y", "F_z,d", "to", "F_x,d", "F_y,d", "M_x,d", "M_y,d"),
-        units=("", "", "", "kN", "kN", "kN", "kN", "kNm", "kNm"),
-        formulas=(),
-        name="foundations",
-    )
-    for k, support in enumerate(of.coords["support"].values):
-        factors = [marked(number(factor[axis, k], 3), "*" * bool(of_foot[axis, k])) for axis in (0, 1)]
-        actions = map(_force, (least[k, 2], largest[k, 2], *size[k, [0, 1, 3, 4]]))
-        table.rows.append([str(support), *factors, *actions])
-    table.notes.append(
+def _size(component: int) -> Callable[[Row], float]:
+    """The largest magnitude over all combinations."""
+    return lambda support: float(np.abs([support["least"], support["largest"]])[:, :, component].max())
+
+
+def _of_its_foot(axis: int) -> Callable[[Row], str]:
+    return lambda support: "*" * bool(support["of_foot"][axis])
+
+
+REACTIONS = TableSpec[Row](
+    "supports",
+    "Supports: F_z on the frame by action, upwards, kN",
+    (text("support"), MORE, *(_acting(f"E_{axis}", part("seismic", i, F_Z)) for i, axis in enumerate(AXES))),
+    formulas=True,
+)
+FOUNDATIONS = TableSpec[Row](
+    "foundations",
+    "Foundations: design actions, kN and kNm",
+    (
+        text("support"),
+        *(col(f"f_{axis}", ONE, part("factor", i), 3, mark=_of_its_foot(i)) for i, axis in enumerate(AXES)),
+        _acting("F_z,d", lambda support: support["least"][:, F_Z].min()),
+        _acting("to", lambda support: support["largest"][:, F_Z].max()),
+        _acting("F_x,d", _size(F_X)),
+        _acting("F_y,d", _size(F_Y)),
+        _acting("M_x,d", _size(M_X), KNM),
+        _acting("M_y,d", _size(M_Y), KNM),
+    ),
+    notes=(
         "d: G + psi_2 Q with f_x E_x and f_y E_y, f = gamma_Rd Omega (EN 1998-1, 4.4.2.6(4)); F_z acts upwards on the "
-        "frame"
-    )
-    if of_foot.any():
-        table.notes.append("*: Omega of the hinge at the foot (4.4.2.6(5)), otherwise that of the direction")
-    return table
+        "frame",
+    ),
+    signs=("*: Omega of the hinge at the foot (4.4.2.6(5)), otherwise that of the direction",),
+    formulas=True,
+)
+
+
+def reaction_table(results: BuildingResults) -> Table:
+    """Return the vertical reactions of the supports by action."""
+    cases = results.values("foundations", "case")
+    more = [_acting(str(case), part("static", i, F_Z)) for i, case in enumerate(cases)]
+    return REACTIONS.of(results.rows("foundations", "support"), more=more)
+
+
+def foundation_table(results: BuildingResults) -> Table:
+    """Return the factors on the seismic action at each support, and the design actions over all combinations."""
+    supports, of_foot = results.rows("foundations", "support"), _of_foot(results.group("foundations"))
+    for support in supports:
+        support["of_foot"] = of_foot[:, support.number]
+    return FOUNDATIONS.of(supports)
 
 
 def foundation_summary(of: Group) -> list[dict[str, object]]:
@@ -85,7 +110,3 @@ def _of_foot(of: Group) -> np.ndarray:
     """Whether Omega is that of the foot, by direction and support; archives of older versions do not say so."""
     known = of.variables.get("of_foot")
     return np.zeros(of.variables["factor"].values.shape) if known is None else known.values
-
-
-def _force(value: float) -> str:
-    return number(value, 4, 1e3, negligible=0.05)

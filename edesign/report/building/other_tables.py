@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from edesign.archive.dataset import Variable
-from edesign.report.building.results import UNITS, BuildingResults
-from edesign.report.tables.table import Table, finite, number
+from edesign.report.building.results import UNITS, BuildingResults, Row
+from edesign.report.tables.column import Column, bounded
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import MM, Unit
 from edesign.space.archived import PLACE, SELECTION
 
 KNOWN = {
@@ -32,7 +36,9 @@ _HEADS: dict[str, tuple[str, str]] = {
 }
 """Words and symbols of the variables of these groups, in the order of their columns; other groups have their names."""
 _ALONG = {"persistent": "combination"}
-_LENGTH = {"m": ("mm", 1e-3)}  # of plates
+_UNITS = UNITS | {"m": MM}  # lengths are those of plates
+OTHERS = TableSpec[Row]("other_results", "{title}", (), named_by_title=True)
+VARIABLES = TableSpec[None]("other_variables", "{group}: in the archive", (), named_by_title=True)
 
 
 def other_tables(results: BuildingResults) -> list[Table]:
@@ -42,48 +48,36 @@ def other_tables(results: BuildingResults) -> list[Table]:
 
 
 def _tables(results: BuildingResults, name: str) -> list[Table]:
-    group = results.group(name)
+    group, words = results.group(name), name.replace("_", " ")
     tables = []
     for along, coordinate in group.coords.items():
-        columns = {key: variable for key, variable in group.variables.items() if variable.dims == (along,)}
-        if not columns:
+        variables = {key: of for key, of in group.variables.items() if of.dims == (along,)}
+        if not variables:
             continue
-        named = {key: columns[key] for key in _HEADS if key in columns} if name in _TITLES else {}
-        columns = {**named, **{key: of for key, of in columns.items() if key not in named}}
-        title = _TITLES.get(name, f"{name.replace('_', ' ')}, each {along}")
-        headers = [_header(key, of) if key in named else _with_unit(key, of) for key, of in columns.items()]
-        table = Table(title, (_ALONG.get(along, along), *headers), formulas=() if named else None)
-        cells = [_cells(of) for of in (coordinate, *columns.values())]
-        table.rows = [list(row) for row in zip(*cells, strict=True)][:ROWS]
-        symbols = {key: _HEADS[key][1] for key in named}
-        table.notes = [
-            f"{symbols.get(key, key)}: {of.long_name}" for key, of in columns.items() if symbols.get(key, key)
-        ]
-        if coordinate.values.size > ROWS:
-            table.notes.append(f"and {coordinate.values.size - ROWS} more, in the archive")
-        tables.append(table)
+        named = {key: _HEADS[key] for key in _HEADS if key in variables} if name in _TITLES else {}
+        heads = named | {key: ("", key) for key in variables if key not in named}
+        columns = [_column(" ".join(head).strip(), key, variables[key]) for key, head in heads.items()]
+        notes = [f"{symbol}: {variables[key].long_name}" for key, (_, symbol) in heads.items() if symbol]
+        rows = results.rows(name, along)
+        if len(rows) > ROWS:
+            notes.append(f"and {len(rows) - ROWS} more, in the archive")
+        tables.append(
+            replace(OTHERS, formulas=bool(named)).of(
+                rows[:ROWS],
+                more=[_column(_ALONG.get(along, along), along, coordinate), *columns],
+                notes=notes,
+                title=_TITLES.get(name, f"{words}, each {along}"),
+            )
+        )
     more = {key: of for key, of in group.variables.items() if len(of.dims) > 1}
     if more:
         notes = [f"{key}, by {', '.join(of.dims)}: {of.long_name}" for key, of in more.items()]
-        tables.append(Table(f"{name.replace('_', ' ')}: in the archive", notes=notes))
+        tables.append(VARIABLES.of((), notes=notes, group=words))
     return tables
 
 
-def _header(key: str, variable: Variable) -> str:
-    """Words, symbol and unit of a variable that is known."""
-    return _with_unit(" ".join(filter(None, _HEADS[key])), variable)
-
-
-def _with_unit(words: str, variable: Variable) -> str:
-    unit = _unit(variable)[0]
-    return f"{words} [{unit}]" if unit else words
-
-
-def _unit(variable: Variable) -> tuple[str, float]:
-    return (UNITS | _LENGTH).get(variable.unit, (variable.unit, 1.0))
-
-
-def _cells(variable: Variable) -> list[str]:
+def _column(header: str, key: str, variable: Variable) -> Column[Row]:
+    unit = _UNITS.get(variable.unit, Unit(variable.unit))
     if variable.values.dtype.kind in "iuU":
-        return [str(value) for value in variable.values]
-    return [number(finite(float(value)), 4, _unit(variable)[1], negligible=1e-300) for value in variable.values]
+        return Column(header, key, "text", unit)
+    return Column(header, bounded(key), unit=unit, negligible=1e-300)

@@ -2,27 +2,66 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Callable
+from typing import Any, Protocol
 
 import numpy as np
 
-from edesign.archive.dataset import Group
+from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError, InputError
+from edesign.report.tables.cell import Verdict
+from edesign.report.tables.unit import CM2, CM3, CM4, CM6, KN, MPA, ONE, Unit
 from edesign.space.archived import PLACE
 from edesign.study.results.kinds import BUILDING
 
 UNITS = {
-    "N": ("kN", 1e3),
-    "N*m": ("kN*m", 1e3),
-    "Pa": ("MPa", 1e6),
-    "m2": ("cm2", 1e-4),
-    "m3": ("cm3", 1e-6),
-    "m4": ("cm4", 1e-8),
-    "m6": ("cm6", 1e-12),
-    "1": ("", 1.0),
+    "N": KN,
+    "N*m": Unit("kN*m", 1e3),
+    "Pa": MPA,
+    "m2": CM2,
+    "m3": CM3,
+    "m4": CM4,
+    "m6": CM6,
+    "1": ONE,
 }
-"""Unit of the archive: the one that is shown, and how much it is."""
+"""Unit of the archive: the one that is shown."""
+
+
+MET, NOT_MET = Verdict("met", "good"), Verdict("NOT MET", "bad")
+"""Of the rules for the building."""
+
+
+class Row(dict[str, Any]):
+    """The values at one place along a dimension of a group, by variable; each is read when it is asked for.
+
+    Args:
+        results: of the building.
+        name: of the group.
+        dimension: such as `storey`.
+        number: of the place, from 0.
+    """
+
+    def __init__(self, results: BuildingResults, name: str, dimension: str, number: int) -> None:
+        super().__init__()
+        self.number = number
+        self._of = results, name, dimension
+
+    def __missing__(self, variable: str) -> Any:
+        """Return the value of a variable here, or its values along its other dimensions.
+
+        Raises:
+            ArchiveError: there is none.
+        """
+        results, name, dimension = self._of
+        found = results.variable(name, variable)
+        here = found.values.take(self.number, found.dims.index(dimension))
+        return here if here.ndim else here.item()
+
+
+def part(variable: str, *numbers: int) -> Callable[[Any], Any]:
+    """Return the function that gives the value of a row at numbers along the other dimensions of a variable."""
+    return lambda row: row[variable][numbers]
 
 
 class BuildingValues(Protocol):
@@ -72,11 +111,27 @@ class BuildingResults:
         Raises:
             ArchiveError: there is none.
         """
+        return self.variable(name, variable).values
+
+    def variable(self, name: str, variable: str) -> Variable:
+        """Return a variable or coordinate of a group; see `values`."""
         group = self.group(name)
         found = group.variables.get(variable) or group.coords.get(variable)
         if found is None:
             raise self._incomplete(name, variable)
-        return found.values
+        return found
+
+    def rows(self, name: str, dimension: str) -> list[Row]:
+        """Return what there is at each place along a dimension.
+
+        Args:
+            name: name of the group.
+            dimension: such as `storey`.
+
+        Raises:
+            ArchiveError: there is none.
+        """
+        return [Row(self, name, dimension, number) for number in range(self.values(name, dimension).size)]
 
     def number(self, attribute: str, name: str = "") -> float:
         """Return a number among the attributes of a group.

@@ -7,7 +7,7 @@ from edesign.report.building.checks import written_data, written_worst
 from edesign.report.building.deflection_table import worst_beams
 from edesign.report.building.foundation_table import foundation_summary
 from edesign.report.building.results import BuildingResults
-from edesign.report.tables.table import finite
+from edesign.report.tables.number import finite
 from edesign.space.archived import SELECTION
 from edesign.space.structure.frame import AXES
 
@@ -19,36 +19,18 @@ def building_summary(archive: Archive) -> dict[str, object]:
         ArchiveError: a group is missing or damaged.
     """
     results = BuildingResults(archive)
-    summary = results.group()
-    modes = results.group("modes")
-    found: dict[str, object] = {
-        name: finite(value) if isinstance(value, float) else value for name, value in summary.attributes.items()
-    } | {"passed": bool(results.number("passed"))}
+    found: dict[str, object] = finite(results.group().attributes) | {"passed": bool(results.number("passed"))}
     found["modes"] = [
-        {
-            "period_s": float(results.values("modes", "period")[k]),
-            **{name: float(results.values("modes", f"effective_mass_ratio_{name}")[k]) for name in ("x", "y", "rz")},
-        }
-        for k in range(modes.coords["mode"].values.size)
+        {"period_s": mode["period"], **{name: mode[f"effective_mass_ratio_{name}"] for name in ("x", "y", "rz")}}
+        for mode in results.rows("modes", "mode")
     ]
     for axis in AXES:
-        group = results.group(f"storeys_{axis}")
-        names = list(group.variables)
-        found[f"storeys_{axis}"] = [
-            {"storey": k + 1, **{name: float(group.variables[name].values[k]) for name in names}}
-            for k in range(group.coords["storey"].values.size)
-        ]
-    rules = results.group("criteria")
+        names = tuple(results.group(f"storeys_{axis}").variables)
+        found[f"storeys_{axis}"] = _rows(results, f"storeys_{axis}", "storey", names)
     found["rules"] = [
-        {
-            "clause": str(rules.variables["clause"].values[k]),
-            "text": str(rules.variables["text"].values[k]),
-            "required": finite(rules.variables["required"].values[k]),
-            "value": finite(rules.variables["value"].values[k]),
-            "passed": {1: True, 0: False}.get(int(rules.variables["passed"].values[k])),
-            "detail": str(rules.variables["detail"].values[k]),
-        }
-        for k in range(rules.coords["rule"].values.size)
+        {name: finite(rule[name]) for name in ("clause", "text", "required", "value")}
+        | {"passed": {1: True, 0: False}.get(rule["passed"]), "detail": rule["detail"]}
+        for rule in results.rows("criteria", "rule")
     ]
     found["groups"] = [
         {
@@ -100,8 +82,4 @@ def _basis(results: BuildingResults) -> dict[str, object]:
 
 def _rows(results: BuildingResults, group: str, key: str, names: tuple[str, ...]) -> list[dict[str, object]]:
     """The values along a dimension, a mapping each."""
-    columns = {name: results.values(group, name).tolist() for name in (key, *names)}
-    return [
-        {name: finite(value) if isinstance(value, float) else value for name, value in zip(columns, row, strict=True)}
-        for row in zip(*columns.values(), strict=True)
-    ]
+    return [{name: finite(row[name]) for name in (key, *names)} for row in results.rows(group, key)]

@@ -2,67 +2,35 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.building.check_table import check_words
+from edesign.report.building.check_table import check_words, use
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
-from edesign.report.building.results import BuildingResults
-from edesign.report.tables.table import Table, finite, marked, number, whole
-from edesign.space.structure.frame import AXES
+from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
+from edesign.report.tables.cell import Value
+from edesign.report.tables.column import bounded, col, count, formula, text, verdict
+from edesign.report.tables.number import finite, significant
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, M_S2, MM, ONE, PERCENT, S, Unit
+from edesign.space.structure.frame import AXES, Axis
 
-MODES_SHOWN = 12
 _SIGN_OF_HORIZONTAL = re.compile(r"[+-] (?=(?:[0-9.]+ )?(?:E_[xyz]|S_[xy]|SRSS\())")
 
-Make = Callable[[BuildingResults], list[Table]]
+Make = Callable[[BuildingResults], Table]
 
 
-def building_tables(archive: Archive) -> list[Table]:
-    """Return the tables of a building: modes, base shear, storeys, rules, members by group, combinations, verdict.
-
-    Of a damaged archive, or one of another version, they are those whose groups are there; the others are named.
-
-    Raises:
-        ArchiveError: nothing of the building is there.
-    """
-    return _made(archive, TABLES)
-
-
-def short_building_tables(archive: Archive) -> list[Table]:
-    """Return base shear, the governing check of each group of members, and the verdict; see `building_tables`."""
-    return _made(archive, SHORT_TABLES)
-
-
-def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
-    results = BuildingResults(archive)
-    results.group()
-    missing = Table("Missing", name="missing")
-    tables = [table for make in makes for table in or_missing(make, results, missing)]
-    return [*tables, missing] if missing.notes else tables
-
-
-def or_missing(make: Make, results: BuildingResults, missing: Table) -> list[Table]:
-    """Return tables, or none where a group that they need cannot be read, which is noted in `missing`.
-
-    Args:
-        make: makes the tables.
-        results: the results of the building.
-        missing: the table whose notes name what cannot be read.
-    """
-    try:
-        return make(results)
-    except ArchiveError as error:
-        if str(error) not in missing.notes:
-            missing.notes.append(str(error))
-        return []
+def _at_lower_bound(axis: Axis) -> Callable[[Row], str]:
+    return lambda mode: "*" * bool(mode[f"lower_bound_{axis}"])
 
 
 @dataclass(frozen=True)
@@ -91,6 +59,138 @@ class Worst:
     combination: int
 
 
+NATURAL_MODES = TableSpec[Row](
+    "natural_modes",
+    "Natural modes",
+    (
+        count("mode"),
+        col("T", S, "period"),
+        *(
+            col(f"mass {name}", PERCENT, f"effective_mass_ratio_{name}", 3, negligible=1e-5)
+            for name in ("x", "y", "rz")
+        ),
+        *(col(f"S_d {of}", M_S2, f"design_acceleration_{of}", 3, mark=_at_lower_bound(of)) for of in AXES),
+    ),
+    signs=("*: the lower bound beta a_g governs (EN 1998-1, 3.2.2.5(4)P)",),
+    formulas=True,
+    most=12,
+    cut="the first {shown} of {all} modes",
+)
+SEISMIC_ACTION = TableSpec[dict[str, Value]](
+    "seismic_action",
+    "Seismic action",
+    (
+        text("direction"),
+        col("q", ONE, digits=3),
+        col("V", KN),
+        col("by weight", ONE, digits=3),
+        col("without beta", Unit("", 1e3)),  # kN, as V
+        col("F_b", KN),
+        col("Omega", ONE, digits=3),
+        text("of"),
+    ),
+    notes=(
+        "mass {mass} t; Omega: least overstrength of dissipative members",
+        "V: base shear, combined from the modes",
+    ),
+    formulas=True,
+)
+STOREYS = TableSpec[Row](
+    "building_storeys",
+    "Storeys, direction {axis}",
+    (
+        count("storey"),
+        col("V", KN, "shear"),
+        col("P", KN, "gravity"),
+        col("d_r", MM, "drift", 3),
+        col("q d_e", Unit("", 1e-3), "drift_q", 3),  # mm, as d_r
+        col("theta", ONE, digits=3),
+        col("theta_q", ONE, digits=3),
+        col("factor", ONE, "amplification", 3),
+        col("nu d_r/h", ONE, "reduced", 3),
+    ),
+    notes=("theta_q: with q d_e; factor: on the effects of the action, for second order.",),
+    formulas=True,
+    named_by_title=True,
+)
+RULES = TableSpec[Row](
+    "building_rules",
+    "Rules for the building, clauses of EN 1998-1 where no other code is named",
+    (
+        text("clause"),
+        formula("rule", lambda rule: ": ".join(filter(None, (rule["text"], rule["detail"]))), broken=1),
+        col("value", ONE, bounded("value"), 3),
+        col("limit", ONE, bounded("required"), 3),
+        verdict("", lambda rule: {1: MET, 0: NOT_MET}.get(int(rule["passed"]))),
+    ),
+    keys=2,
+)
+MEMBERS = TableSpec[Worst](
+    "members",
+    "Members: the governing check of each group",
+    (
+        text("group"),
+        text("section"),
+        count("members", "count"),
+        col("use", ONE, lambda worst: use(worst.utilisation), 3),
+        text("check", "name"),
+        text("member"),
+        count("combination"),
+    ),
+    notes=("use: effect over resistance; combination: its number among those below",),
+    keys=2,
+)
+COMBINATIONS = TableSpec[dict[str, str]](
+    "combinations",
+    "Combinations of actions",
+    (text("no."), formula("combination", broken=1), formula("situation"), text("EN 1990")),
+    keys=4,
+)
+VERDICT = TableSpec[None]("verdict", "Verdict", ())
+MISSING = TableSpec[None]("missing", "Missing", ())
+
+
+def building_tables(archive: Archive) -> list[Table]:
+    """Return the tables of a building: modes, base shear, storeys, rules, members by group, combinations, verdict.
+
+    Of a damaged archive, or one of another version, they are those whose groups are there; the others are named.
+
+    Raises:
+        ArchiveError: nothing of the building is there.
+    """
+    return _made(archive, TABLES)
+
+
+def short_building_tables(archive: Archive) -> list[Table]:
+    """Return base shear, the governing check of each group of members, and the verdict; see `building_tables`."""
+    return _made(archive, SHORT_TABLES)
+
+
+def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
+    results = BuildingResults(archive)
+    results.group()
+    tables: list[Table] = []
+    missing: list[str] = []
+    for make in makes:
+        with or_missing(missing):
+            tables.append(make(results))
+    return [*tables, MISSING.of((), notes=missing)] if missing else tables
+
+
+@contextmanager
+def or_missing(missing: list[str]) -> Iterator[None]:
+    """Go on where a group that is needed cannot be read.
+
+    Args:
+        missing: what cannot be read; it is added.
+    """
+    try:
+        yield
+    except ArchiveError as error:
+        if str(error) not in missing:
+            missing.append(str(error))
+
+
 def worst_of_groups(results: BuildingResults) -> Iterator[Worst]:
     """Yield the governing check of each group, in the order of the members."""
     groups, utilisation = results.values("members", "group"), results.values("members", "utilisation")
@@ -115,65 +215,33 @@ def worst_of_groups(results: BuildingResults) -> Iterator[Worst]:
 
 def modes_table(results: BuildingResults) -> Table:
     """Return periods, effective masses and design accelerations of the first modes."""
-    period = results.values("modes", "period")
-    ratios = [results.values("modes", f"effective_mass_ratio_{name}") for name in ("x", "y", "rz")]
-    S_d = [results.values("modes", f"design_acceleration_{axis}") for axis in AXES]
-    bound = [results.values("modes", f"lower_bound_{axis}") for axis in AXES]
-    table = Table(
-        "Natural modes",
-        ("mode", "T [s]", "mass x [%]", "mass y [%]", "mass rz [%]", "S_d x [m/s2]", "S_d y [m/s2]"),
-        name="natural_modes",
-    )
-    table.units = ("",) * 5 + ("m/s2", "m/s2")
-    table.formulas = ()
-    for k in range(min(MODES_SHOWN, period.size)):
-        table.rows.append(
-            [
-                whole(k + 1),
-                number(period[k]),
-                *(number(ratio[k], 3, 0.01, negligible=1e-5) for ratio in ratios),
-                *(marked(number(of[k], 3), "*" * bool(lower[k])) for of, lower in zip(S_d, bound, strict=True)),
-            ]
-        )
-    if period.size > MODES_SHOWN:
-        table.notes.append(f"the first {MODES_SHOWN} of {period.size} modes")
-    if any("*" in cell for row in table.rows for cell in row):
-        table.notes.append("*: the lower bound beta a_g governs (EN 1998-1, 3.2.2.5(4)P)")
-    return table
+    return NATURAL_MODES.of(results.rows("modes", "mode"))
 
 
 def base_shear_table(results: BuildingResults) -> Table:
     """Return base shear and overstrength of both directions."""
     mass = results.number("mass_kg")
-    table = Table(
-        "Seismic action",
-        ("direction", "q", "V [kN]", "by weight", "without beta", "F_b [kN]", "Omega", "of"),
-        name="seismic_action",
-    )
-    table.formulas = ()
     lateral = "F_b_x_N" in results.group().attributes  # not in all archives
+    rows: list[dict[str, Value]] = []
     for axis in AXES:
         shear = results.number(f"base_shear_{axis}_N")
-        table.rows.append(
-            [
-                axis,
-                number(results.number(f"q_{axis}"), 3),
-                number(shear, 4, 1e3),
-                number(shear / (mass * STANDARD_GRAVITY), 3),
-                number(results.number(f"base_shear_without_beta_{axis}_N"), 4, 1e3),
-                number(results.number(f"F_b_{axis}_N"), 4, 1e3) if lateral else "-",
-                number(results.number(f"Omega_{axis}"), 3),
-                results.text(f"Omega_member_{axis}"),
-            ]
+        rows.append(
+            {
+                "direction": axis,
+                "q": results.number(f"q_{axis}"),
+                "V": shear,
+                "by weight": shear / (mass * STANDARD_GRAVITY),
+                "without beta": results.number(f"base_shear_without_beta_{axis}_N"),
+                "F_b": results.number(f"F_b_{axis}_N") if lateral else None,
+                "Omega": results.number(f"Omega_{axis}"),
+                "of": results.text(f"Omega_member_{axis}"),
+            }
         )
-    table.notes.append(f"mass {number(mass, 4, 1e3)} t; Omega: least overstrength of dissipative members")
-    table.notes.append("V: base shear, combined from the modes")
-    if lateral:
-        table.notes.append(
-            "F_b = S_d(T_1) m lambda: of the lateral force method, whose forces F_i give static moments of accidental "
-            "torsion (EN 1998-1, 4.3.3.2.2 and 4.3.3.3.3)"
-        )
-    return table
+    by_forces = (
+        "F_b = S_d(T_1) m lambda: of the lateral force method, whose forces F_i give static moments of accidental "
+        "torsion (EN 1998-1, 4.3.3.2.2 and 4.3.3.3.3)"
+    )
+    return SEISMIC_ACTION.of(rows, mass=significant(mass / 1e3), notes=[by_forces] if lateral else [])
 
 
 def storeys_table(results: BuildingResults, axis: str) -> Table:
@@ -184,41 +252,14 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
         axis: direction of the seismic action, x or y.
     """
     name = f"storeys_{axis}"
-    columns = (
-        ("V [kN]", "shear", 4, 1e3),
-        ("P [kN]", "gravity", 4, 1e3),
-        ("d_r [mm]", "drift", 3, 1e-3),
-        ("q d_e", "drift_q", 3, 1e-3),
-        ("theta", "theta", 3, 1.0),
-        ("theta_q", "theta_q", 3, 1.0),
-        ("factor", "amplification", 3, 1.0),
-        ("nu d_r/h", "reduced", 3, 1.0),
-    )
-    table = Table(f"Storeys, direction {axis}", ("storey", *(header for header, *_ in columns)), formulas=())
-    found = [(results.values(name, variable), digits, unit) for _, variable, digits, unit in columns]
-    for k in reversed(range(found[0][0].size)):
-        table.rows.append([whole(k + 1), *(number(of[k], digits, unit) for of, digits, unit in found)])
-    table.notes.append("theta_q: with q d_e; factor: on the effects of the action, for second order.")
-    if (limit := results.group(name).attributes.get("limit")) is not None:
-        table.notes.append(f"Limit of nu d_r/h: {number(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))")
-    return table
+    limit = results.group(name).attributes.get("limit")
+    told = [] if limit is None else [f"Limit of nu d_r/h: {significant(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))"]
+    return STOREYS.of(reversed(results.rows(name, "storey")), axis=axis, notes=told)
 
 
 def criteria_table(results: BuildingResults) -> Table:
     """Return the rules for the whole building, with the values and places found."""
-    table = Table(
-        "Rules for the building, clauses of EN 1998-1 where no other code is named",
-        ("clause", "rule", "value", "limit", ""),
-        left=2,
-        name="building_rules",
-    )
-    table.sentences, table.formulas = 1, (1,)
-    columns = [results.values("criteria", of) for of in ("clause", "text", "detail", "value", "required", "passed")]
-    for clause, text, detail, value, limit, passed in zip(*columns, strict=True):
-        rule = f"{text}: {detail}" if detail else str(text)
-        found = {1: "met", 0: "NOT MET"}.get(int(passed), "-")
-        table.rows.append([str(clause), rule, number(finite(value), 3), number(finite(limit), 3), found])
-    return table
+    return RULES.of(results.rows("criteria", "rule"))
 
 
 def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> Table:
@@ -228,50 +269,34 @@ def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> T
         results: the results of the building.
         say: gives the name of a group of members.
     """
-    table = Table(
-        "Members: the governing check of each group",
-        ("group", "section", "members", "use", "check", "member", "combination"),
-        left=2,
-        name="members",
-    )
-    clauses: dict[str, str] = {}
-    for worst in worst_of_groups(results):
-        use = "inf" if math.isinf(worst.utilisation) else number(finite(worst.utilisation), 3)
-        cells = [worst.group, worst.section, whole(worst.count), use]
-        table.rows.append([*cells, say(worst.name), worst.member, whole(worst.combination)])
-        clauses.setdefault(say(worst.name), worst.clause)
-    table.notes.append("use: effect over resistance; combination: its number among those below")
-    if any(row[3] == "inf" for row in table.rows):
-        table.notes.append(
-            "inf: there is no resistance, as beyond a critical force, or beside so much shear or axial force"
-        )
-    table.notes += [f"{name}: {clause}" for name, clause in clauses.items()]
-    return table
+    groups = [replace(worst, name=say(worst.name)) for worst in worst_of_groups(results)]
+    notes = []
+    if any(use(worst.utilisation) == "inf" for worst in groups):
+        notes.append("inf: there is no resistance, as beyond a critical force, or beside so much shear or axial force")
+    clauses = {worst.name: worst.clause for worst in groups}
+    return MEMBERS.of(groups, notes=[*notes, *(f"{name}: {clause}" for name, clause in clauses.items())])
 
 
 def combinations_table(results: BuildingResults) -> Table:
     """Return the combinations of actions; those that differ in signs of horizontal actions stand in one row."""
-    table = Table(
-        "Combinations of actions",
-        ("no.", "combination", "situation", "EN 1990"),
-        left=4,
-        name="combinations",
-    )
-    table.sentences, table.formulas = 1, (1, 2)
-    columns = [results.values("combinations", of) for of in ("name", "set", "equation", "static", "seismic")]
-    alike: dict[tuple[object, ...], list[int]] = {}
-    for k, (_, kind, equation, static, seismic) in enumerate(zip(*columns, strict=True)):
-        alike.setdefault((kind, equation, *np.abs(static), *np.abs(seismic)), []).append(k)
-    for numbers in alike.values():
-        name, kind, equation, _, seismic = (column[numbers[0]] for column in columns)
-        name = _SIGN_OF_HORIZONTAL.sub("+- ", str(name)) if len(numbers) > 1 else str(name)
-        situation = f"{kind}, 1.1 gamma_ov Omega" if np.abs(seismic).max(initial=0.0) > 1.0 else str(kind)
-        table.rows.append([_numbers(numbers), name, situation, str(equation)])
-    if any("S_x" in row[1] for row in table.rows):
-        table.notes.append(
-            "S_x, S_y: sway imperfections, of the combination that they stand in; P_Delta: its sway amplified"
+    alike: dict[tuple[object, ...], list[Row]] = {}
+    for row in results.rows("combinations", "combination"):
+        alike.setdefault((row["set"], row["equation"], *np.abs(row["static"]), *np.abs(row["seismic"])), []).append(row)
+    rows = []
+    for several in alike.values():
+        first = several[0]
+        amplified = np.abs(first["seismic"]).max(initial=0.0) > 1.0
+        name = str(first["name"])
+        rows.append(
+            {
+                "no.": _numbers([row.number for row in several]),
+                "combination": _SIGN_OF_HORIZONTAL.sub("+- ", name) if len(several) > 1 else name,
+                "situation": f"{first['set']}, 1.1 gamma_ov Omega" if amplified else first["set"],
+                "EN 1990": first["equation"],
+            }
         )
-    return table
+    imperfect = "S_x, S_y: sway imperfections, of the combination that they stand in; P_Delta: its sway amplified"
+    return COMBINATIONS.of(rows, notes=[imperfect] if any("S_x" in row["combination"] for row in rows) else [])
 
 
 def _numbers(places: list[int]) -> str:
@@ -284,10 +309,10 @@ def _numbers(places: list[int]) -> str:
 
 def verdict_table(results: BuildingResults) -> Table:
     """Return the checks that are not met and remarks for the engineer as a table without columns."""
-    verdict = [f"not met: {text}" for text in failures(results)]
+    found = [f"not met: {failure}" for failure in failures(results)]
     if results.number("passed"):
-        verdict = ["all checks and rules are met"]
-    return Table("Verdict", notes=[*verdict, *remarks(results)], name="verdict")
+        found = ["all checks and rules are met"]
+    return VERDICT.of((), notes=[*found, *remarks(results)])
 
 
 def remarks(results: BuildingResults) -> list[str]:
@@ -298,34 +323,30 @@ def remarks(results: BuildingResults) -> list[str]:
 
 def failures(results: BuildingResults) -> list[str]:
     """Return the checks and rules that are not met, checks of groups first."""
-    over = [worst for worst in worst_of_groups(results) if worst.utilisation > 1.0]
-    columns = ("text", "detail", "value", "required", "passed", "clause")
-    rules = zip(*(results.values("criteria", name) for name in columns), strict=True)
     found = [
         f"{worst.group} {worst.section}: {check_words(worst.name)} {worst.utilisation:.3f} ({worst.clause})"
-        for worst in over
+        for worst in worst_of_groups(results)
+        if worst.utilisation > 1.0
     ]
-    for text, detail, value, limit, passed, clause in rules:
-        if passed == 0:
-            about = f"{text} ({detail})" if detail else str(text)
-            code = f"EN 1998-1, {clause}" if str(clause)[:1].isdigit() else str(clause)
-            found.append(f"{about}: {number(finite(value), 3)}, limit {number(finite(limit), 3)} ({code})")
+    for rule in results.rows("criteria", "rule"):
+        if rule["passed"] == 0:
+            about = f"{rule['text']} ({rule['detail']})" if rule["detail"] else rule["text"]
+            code = f"EN 1998-1, {rule['clause']}" if rule["clause"][:1].isdigit() else rule["clause"]
+            value, limit = (significant(finite(rule[of]), 3) for of in ("value", "required"))
+            found.append(f"{about}: {value}, limit {limit} ({code})")
     return found
 
 
 TABLES: tuple[Make, ...] = (
-    lambda results: [modes_table(results)],
-    lambda results: [base_shear_table(results)],
-    *(lambda results, axis=axis: [storeys_table(results, axis)] for axis in AXES),
-    lambda results: [criteria_table(results)],
-    lambda results: [groups_table(results)],
-    lambda results: [deflection_table(results.group("deflections"))],
-    lambda results: [reaction_table(results.group("foundations")), foundation_table(results.group("foundations"))],
-    lambda results: [combinations_table(results)],
-    lambda results: [verdict_table(results)],
+    modes_table,
+    base_shear_table,
+    *(partial(storeys_table, axis=axis) for axis in AXES),
+    criteria_table,
+    groups_table,
+    deflection_table,
+    reaction_table,
+    foundation_table,
+    combinations_table,
+    verdict_table,
 )
-SHORT_TABLES: tuple[Make, ...] = (
-    lambda results: [base_shear_table(results)],
-    lambda results: [groups_table(results)],
-    lambda results: [verdict_table(results)],
-)
+SHORT_TABLES: tuple[Make, ...] = (base_shear_table, groups_table, verdict_table)

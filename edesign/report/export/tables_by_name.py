@@ -4,17 +4,34 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.report.building import section_table, selection_tables
+from edesign.report.building import (
+    basis_tables,
+    check_table,
+    checks,
+    deflection_table,
+    foundation_table,
+    other_tables,
+    section_table,
+    selection_tables,
+)
+from edesign.report.building import tables as building_tables
 from edesign.report.export import catalogue
 from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
 from edesign.report.tables.spec import TableSpec
 
 MODULES = (
+    basis_tables,
     brace_table,
+    building_tables,
     catalogue,
+    check_table,
+    checks,
     damper_results,
+    deflection_table,
+    foundation_table,
     ground_tables,
     hinge_tables,
+    other_tables,
     restrained_braces,
     section_table,
     selection_tables,

@@ -13,7 +13,8 @@ from edesign.building.building_file import load_building
 from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec8.capacity import foundation_factor
 from edesign.report.building.foundation_table import foundation_summary, foundation_table
-from edesign.report.tables.table import number
+from edesign.report.building.results import BuildingResults
+from edesign.report.tables.number import significant
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports
 from edesign.space.elastic_design import ElasticDesign
@@ -132,16 +133,16 @@ def test_the_table_of_foundations_says_which_factor_each_support_has(tmp_path: P
     file.write_text(changed(FRAME, pinned), encoding="utf-8")
     path, design = run_building(load_building(file))
     with open_archive(path) as archive:
-        of = archive.group("building/foundations")
-        table, summary = foundation_table(of), foundation_summary(of)
+        table = foundation_table(BuildingResults(archive))
+        summary = foundation_summary(archive.group("building/foundations"))
     base = design.foundations
     assert base.of_foot.tolist() == [[node[0] != "B" for node in base.nodes]] * 2
     of_frame = foundation_factor(design.overstrength["x"].Omega, 4.0)
     np.testing.assert_allclose(base.factor[0][~base.of_foot[0]], of_frame, rtol=1e-12)
-    for k, row in enumerate(table.rows):
+    for k, row in enumerate(table.texts):
         for axis, name in enumerate("xy"):
             mark = "*" if base.of_foot[axis, k] else ""
-            assert row[table.columns.index(f"f_{name}")] == number(base.factor[axis, k], 3) + mark
+            assert row[table.headers.index(f"f_{name}")] == significant(base.factor[axis, k], 3) + mark
             assert summary[k][f"Omega_of_foot_{name}"] is bool(base.of_foot[axis, k])
     assert sum(note.startswith("*: Omega of the hinge at the foot") for note in table.notes) == 1
 

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from edesign.archive.dataset import Group
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.assumptions import building_assumption_rows
 from edesign.report.building.basis_tables import (
@@ -43,7 +42,7 @@ from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table, formatted
+from edesign.report.tables.spec import Table
 from edesign.space.structure.frame import AXES
 
 Parts = Callable[[Source, BuildingResults], Iterable[Part]]
@@ -53,20 +52,21 @@ def building_sections(source: Source) -> list[Section]:
     """Return the sections of a building. What cannot be read of it is named in the first."""
     results = BuildingResults(source.archive)
     results.group()
-    missing = Table("Missing", name="missing")
+    missing: list[str] = []
     sections = [made(which[1], partial(_section, source, results, missing, *which)) for which in _SECTIONS]
     first, *others = sections
-    lost = [Warnings("What cannot be read of the archive", tuple(missing.notes))] if missing.notes else []
+    lost = [Warnings("What cannot be read of the archive", tuple(missing))] if missing else []
     first = Section(first.id, first.title, first.intro, (*lost, *first.parts))
     return [section for section in (first, *others) if section]
 
 
 def _section(
-    source: Source, results: BuildingResults, missing: Table, anchor: str, title: str, makers: tuple[Parts, ...]
+    source: Source, results: BuildingResults, missing: list[str], anchor: str, title: str, makers: tuple[Parts, ...]
 ) -> Section:
     parts: list[Part] = []
     for make in makers:
-        parts += or_missing(lambda of, make=make: list(make(source, of)), results, missing)  # type: ignore[misc]
+        with or_missing(missing):
+            parts += list(make(source, results))
     return Section(anchor, title, (), tuple(part for part in parts if not isinstance(part, Table) or _filled(part)))
 
 
@@ -81,7 +81,7 @@ def _verdict(source: Source, results: BuildingResults) -> Iterable[Part]:
     tiles = [
         Headline("met" if met else "not met", "Checks and rules", f"{len(broken)} not met", _state(met)),
         Headline(
-            formatted(worst.utilisation, ".3f"),
+            f"{worst.utilisation:.3f}",
             "Largest utilisation",
             f"{worst.member}, {worst.section}: {check_words(worst.name)}",
             _state(worst.utilisation <= 1.0),
@@ -156,10 +156,6 @@ def _table(make: Callable[[BuildingResults], Table]) -> Parts:
     return lambda source, results: [make(results)]
 
 
-def _of_group(name: str, make: Callable[[Group], Table]) -> Parts:
-    return lambda source, results: [make(results.group(name))]
-
-
 _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ("building", "Verdict", (_verdict,)),
     ("model", "The model", (_pictures(archived_building_model),)),
@@ -181,16 +177,12 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
             _table(partial(groups_table, say=check_words)),
             _table(selection_table),
             _written,
-            _of_group("deflections", deflection_table),
+            _table(deflection_table),
         ),
     ),
     ("checks", "Checks of members", (_checks,)),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
-    (
-        "foundations",
-        "Foundations",
-        (_of_group("foundations", reaction_table), _of_group("foundations", foundation_table)),
-    ),
+    ("foundations", "Foundations", (_table(reaction_table), _table(foundation_table))),
     ("others", "Other results", (_others,)),
     ("combinations", "Combinations of actions", (_table(combinations_table),)),
 )
