@@ -18,8 +18,7 @@ from edesign.study.design.designer import REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.hysteretic.estimate import HystereticEstimate, bare_estimate, hysteretic_estimate
-from edesign.study.design.hysteretic.frame import HystereticFrame
-from edesign.study.design.hysteretic.optimum import optimum_warnings, search_optimum
+from edesign.study.design.hysteretic.model import HystereticFrame
 from edesign.study.design.hysteretic.results import (
     store_hysteretic_bounds,
     store_hysteretic_curve,
@@ -35,6 +34,7 @@ from edesign.study.design.hysteretic.sizing import (
     size_hysteretic,
 )
 from edesign.study.design.loop import LARGEST_FACTOR, Search
+from edesign.study.design.optimum import optimum_warnings, search_optimum
 from edesign.study.design.results import of_storeys
 from edesign.study.design.verification import Judge, Respond
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.study.design.estimate import Action, FrameEstimate, frame_estimate, spectral_peaks
-from edesign.study.design.hysteretic.frame import HystereticFrame, SecantVibration
+from edesign.study.design.hysteretic.model import HystereticFrame, SecantVibration
 
 
 @dataclass(frozen=True)

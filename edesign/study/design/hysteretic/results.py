@@ -13,10 +13,10 @@ from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.hysteretic.estimate import HystereticEstimate, hysteretic_estimate
-from edesign.study.design.hysteretic.frame import HystereticFrame
-from edesign.study.design.hysteretic.optimum import objective
+from edesign.study.design.hysteretic.model import HystereticFrame
 from edesign.study.design.hysteretic.sizing import LARGEST_SHARE, HystereticSizing, damping_curve
 from edesign.study.design.loop import Round
+from edesign.study.design.optimum import objective
 from edesign.study.design.results import (
     MODES,
     STROKE,

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.designs import BraceRatio
-from edesign.study.design.hysteretic.frame import HystereticFrame, SecantVibration
+from edesign.study.design.hysteretic.model import HystereticFrame, SecantVibration
 from edesign.study.design.pattern import pattern_of
 from edesign.study.design.reach import reach
 

@@ -24,8 +24,8 @@ from edesign.study.design.fully_stressed import StoreySizes
 from edesign.study.design.loop import LARGEST_FACTOR, Search
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.estimate import ViscousEstimate, viscous_estimate
-from edesign.study.design.viscous.frame import ViscousFrame
 from edesign.study.design.viscous.least_coefficient import storey_sizes
+from edesign.study.design.viscous.model import ViscousFrame
 from edesign.study.design.viscous.plausibility import viscous_warnings
 from edesign.study.design.viscous.results import (
     store_viscous_bounds,

@@ -9,7 +9,7 @@ import numpy as np
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.estimate import Action, FrameEstimate, SpectralPeaks, frame_estimate, spectral_peaks
-from edesign.study.design.viscous.frame import Vibration, ViscousFrame
+from edesign.study.design.viscous.model import Vibration, ViscousFrame
 
 
 @dataclass(frozen=True)

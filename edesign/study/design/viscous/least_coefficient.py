@@ -8,7 +8,7 @@ from edesign.study.design.fully_stressed import StoreySizes
 from edesign.study.design.least_total import LEAST, OutOfReach, Problem, least_total
 from edesign.study.design.loop import LARGEST_FACTOR
 from edesign.study.design.viscous.estimate import viscous_drift
-from edesign.study.design.viscous.frame import Vibration, ViscousFrame
+from edesign.study.design.viscous.model import Vibration, ViscousFrame
 
 _MOST = 2.0
 """Of omega c / k_S, with which a storey by itself is critically damped: no spectrum tells what more would do."""

@@ -10,7 +10,7 @@ from edesign.project.dampers.designs import DriftAmplitude, RoofAmplitude
 from edesign.study.design.plausibility import beyond_the_optimum, spread
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.estimate import ViscousEstimate
-from edesign.study.design.viscous.frame import ViscousFrame
+from edesign.study.design.viscous.model import ViscousFrame
 from edesign.study.design.viscous.sizing import ViscousSizing
 
 LARGEST_FORCE = 8e6

@@ -24,7 +24,7 @@ from edesign.study.design.results import (
     store_storeys,
 )
 from edesign.study.design.viscous.estimate import ViscousEstimate
-from edesign.study.design.viscous.frame import ViscousFrame
+from edesign.study.design.viscous.model import ViscousFrame
 from edesign.study.design.viscous.sizing import ViscousSizing
 
 _DAMPING = "added damping ratio of the first mode, complex eigenvalue with linear dashpots and braces"

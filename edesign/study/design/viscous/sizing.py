@@ -14,8 +14,8 @@ from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.pattern import pattern_of
 from edesign.study.design.reach import reach
 from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
-from edesign.study.design.viscous.frame import Vibration, ViscousFrame, difference
 from edesign.study.design.viscous.least_coefficient import least_coefficient
+from edesign.study.design.viscous.model import Vibration, ViscousFrame, difference
 
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
 _LOCKED = 100.0  # damping ratio by energy at which dampers with a hundredth of it all are locked too

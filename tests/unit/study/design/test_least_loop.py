@@ -15,8 +15,8 @@ from edesign.errors import AnalysisError
 from edesign.project.dampers.dampers import Dampers
 from edesign.study.design.design import first_warnings, run_design
 from edesign.study.design.fully_stressed import StoreySizes, search_fully_stressed
-from edesign.study.design.hysteretic.optimum import search_optimum
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
+from edesign.study.design.optimum import search_optimum
 
 LIMIT = 0.01
 SIZES = StoreySizes(np.array([0.1, 0.1]), np.ones(2), 0.1, 1e-3, 20.0, np.array([1, 3]))
