@@ -21,16 +21,19 @@ from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, la
 from edesign.core import Channel, Newmark
 from edesign.damper import sizing as s
 from edesign.errors import InputError
+from edesign.project.dampers.designs import SimplifiedDesign, StrainEnergyDesign
 from edesign.project.loader import parse_project
+from edesign.project.project import Project
 from edesign.study.analysis.structure import make_structure
 from edesign.study.design.building import make_building
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.design import DesignResult, run_design
-from edesign.study.design.elastomer.least_area import least_area
+from edesign.study.design.elastomer.designer import ElastomerDesigner
+from edesign.study.design.elastomer.distribution import least_area
 from edesign.study.design.elastomer.material import Moduli
+from edesign.study.design.elastomer.model import ElastomerModel, Layers
 from edesign.study.design.elastomer.simplified import static_response
-from edesign.study.design.elastomer.sizing import place_stiffness
-from edesign.study.design.estimate import Action, cqc, estimate, make_action
+from edesign.study.design.estimate import cqc
 
 N = 0.35
 COMMON = "law: rubber, kind: storey, bays: 1, strain: 20 %, layer_thickness: 20 mm, state: initial"
@@ -127,14 +130,20 @@ def test_dampers_in_proportion_to_the_storeys() -> None:
     np.testing.assert_allclose(group.variables["damping_complex"].values, exact, rtol=1e-6)
 
 
+def model_of(text: str, project: Project) -> ElastomerModel:
+    """The dampers of a design in the frame."""
+    spec = design(text, project)
+    assert isinstance(spec, StrainEnergyDesign | SimplifiedDesign)
+    return ElastomerDesigner(project, "tried", spec, Path("."), lambda text: None).model
+
+
 @pytest.mark.parametrize("brace", [None, np.array([2.0, 5.0, 1.0]) * STIFFNESS])
 def test_unequal_dampers_against_explicit_matrices(brace: np.ndarray | None) -> None:
     project = shear_project(3)
-    building = make_building(
-        project, "tried", design(f"{COMMON}, method: strain_energy, damping: 5 %, {FIXED}", project)
-    )
+    model = model_of(f"{COMMON}, method: strain_energy, damping: 5 %, {FIXED}", project)
+    model.brace = brace
     k_D = np.array([0.2, 3.0, 1.0]) * STIFFNESS
-    found = modal_damping(building.frame, building.frame.modes(), place_stiffness(building, k_D, N, brace))
+    found = modal_damping(model.building.frame, model.bare, model.stiffness(k_D, N))
     damper = k_D * (1.0 + 1j * N)
     added = damper if brace is None else 1.0 / (1.0 / damper + 1.0 / brace)
     M, K = shear_matrices(np.full(3, STIFFNESS))
@@ -211,20 +220,13 @@ def test_distributions_reach_the_target_in_the_first_mode(distribution: str) -> 
 # --- response
 
 
-def action_of(storeys: int) -> Action:
-    project = shear_project(storeys)
-    found = make_action(project, design(f"{COMMON}, method: strain_energy, damping: 5 %, level: DBE, {FIXED}", project))
-    assert found is not None
-    return found
-
-
 def test_estimate_of_one_storey() -> None:
     project = shear_project(1)
     text = f"{COMMON}, method: strain_energy, damping: 10 %, level: DBE, inherent_damping: 2 %, {FIXED}"
     spec = design(f"{text}, brace: {{ratio: 4}}", project)
     result = run_design(project, "tried", spec, Path("."))
-    building, action = make_building(project, "tried", spec), make_action(project, spec)
-    assert action is not None
+    model = model_of(f"{text}, brace: {{ratio: 4}}", project)
+    assert model.action is not None
     damper, brace = STIFFNESS * 0.2 / (N - 0.2) * (1.0 + 1j * N), 4.0 * STIFFNESS
     added = 1.0 / (1.0 / damper + 1.0 / brace)
     omega = math.sqrt((STIFFNESS + added.real) / MASS)
@@ -232,13 +234,13 @@ def test_estimate_of_one_storey() -> None:
     T = 2.0 * math.pi / omega
     assert 0.2 < T < 0.6  # on the plateau
     u = 0.36 * 9.80665 * 1.15 * 2.5 * damping_correction(damping) / omega**2
-    found = estimate(building, action, np.array([added]), np.array([brace]), 0.02)
+    found = model.estimate(Layers(np.array([added]), np.array([brace]), 0.02), model.action)
     assert found.roof_displacement == pytest.approx(u, rel=1e-6)
     assert found.drift[0] == pytest.approx(u / HEIGHT, rel=1e-6)
     assert found.base_shear == pytest.approx((STIFFNESS + added.real) * u, rel=1e-6)
     assert found.storey_shear[0] == pytest.approx(STIFFNESS * u, rel=1e-6)
     assert found.damper_force[0] == pytest.approx(abs(added) * u, rel=1e-6)
-    assert found.damper_strain[0] == pytest.approx(abs(added / damper) * u / 0.02, rel=1e-6)
+    assert found.dampers["strain"][0] == pytest.approx(abs(added / damper) * u / 0.02, rel=1e-6)
     assert result.group.variables["estimated_storey_drift"].values[0] == pytest.approx(u / HEIGHT, rel=1e-6)
 
 
@@ -273,13 +275,11 @@ def test_correlation_of_modes() -> None:
 def test_static_response_of_the_simplified_method() -> None:
     project = shear_project(2)
     text = f"{COMMON}, method: simplified, level: DBE, drift: 1 %, inherent_damping: 5 %, forces: heights, {FIXED}"
-    spec = design(text, project)
-    building, action = make_building(project, "tried", spec), make_action(project, spec)
-    assert action is not None
+    model = model_of(text, project)
+    assert isinstance(model.spec, SimplifiedDesign)
     beta, alpha = 1.5, 10.0
-    storey = np.full(2, STIFFNESS)
     fixed = Moduli(1e6, N)
-    found = static_response(building, spec, lambda f: fixed, action, beta * storey, alpha * storey)  # type: ignore[arg-type]
+    found = static_response(model, model.spec, lambda f: fixed, beta * np.full(2, STIFFNESS))
     added = 1.0 / (1.0 / (beta * (1.0 + 1j * N)) + 1.0 / alpha)
     omega = math.sqrt((3.0 - math.sqrt(5.0)) / 2.0 * (1.0 + added.real) * STIFFNESS / MASS)  # of two equal storeys
     T, damping = 2.0 * math.pi / omega, 0.05 + added.imag / (2.0 * (1.0 + added.real))
@@ -305,14 +305,13 @@ def test_simplified_method_takes_the_least_beta() -> None:
 
 def test_least_area_against_all_distributions_of_a_grid() -> None:
     project = shear_project(2)
-    spec = design(f"{COMMON}, method: strain_energy, damping: 5 %, level: DBE, {FIXED}", project)
-    building, action, moduli, limit = make_building(project, "tried", spec), action_of(2), Moduli(1e6, N), 0.012
-    best = least_area(building, moduli, action, limit, None, 0.02) / STIFFNESS
+    model = model_of(f"{COMMON}, method: strain_energy, damping: 5 %, level: DBE, {FIXED}", project)
+    action, limit = model.action, 0.012
+    assert action is not None
+    best = least_area(model, Moduli(1e6, N), limit, 0.02) / STIFFNESS
 
     def drift(x: np.ndarray) -> float:
-        return float(
-            estimate(building, action, place_stiffness(building, x * STIFFNESS, N, None), None, 0.02).drift.max()
-        )
+        return float(model.estimate(Layers(model.stiffness(x * STIFFNESS, N), None, 0.02), action).drift.max())
 
     assert drift(best) <= limit * (1.0 + 1e-6)
     axis = np.linspace(1e-3, 1.5 * best.sum(), 50)

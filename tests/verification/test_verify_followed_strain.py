@@ -19,7 +19,7 @@ from edesign.archive.dataset import Group
 from edesign.damper.sizing import stiffness_ratio
 from edesign.errors import InputError
 from edesign.study.design.design import first_warnings, run_design
-from edesign.study.design.elastomer.own_strain import effective_strain
+from edesign.study.design.elastomer.model import effective_strain
 
 # thesis Table A.1 at 20 degC and 0.5 Hz, between which the tables of a design are linear
 STRAIN = (0.1, 0.2, 0.3, 0.4, 0.5)

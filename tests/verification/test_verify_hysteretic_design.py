@@ -151,11 +151,11 @@ def test_largest_damping_is_at_the_optimum_strength_ratio(ratio: float) -> None:
     root = math.sqrt(1.0 + ratio)
     limit = 2.0 / math.pi * (root - 1.0) / (root + 1.0)
     text = f"law: stiff, brace: {{ratio: {ratio}}}, amplitude: {{roof_displacement: 40 mm}}"
-    frame = designer(f"damping: 2 %, {text}", shear(1)).frame
-    assert largest_hysteretic_damping(frame) == pytest.approx(limit, rel=1e-6)
+    model = designer(f"damping: 2 %, {text}", shear(1)).model
+    assert largest_hysteretic_damping(model) == pytest.approx(limit, rel=1e-6)
     made = designer(f"damping: {99.9999 * limit} %, {text}", shear(1))
     sizing = made.make(0.999999 * limit)
-    share = sizing.yield_force[0] / (sizing.yield_force[0] + STIFFNESS * 0.04)
+    share = sizing.size[0] / (sizing.size[0] + STIFFNESS * 0.04)
     assert share == pytest.approx(1.0 - 1.0 / root, rel=3e-3)  # flat at the top: 1e-6 of damping is 1e-3 of force
     with pytest.raises(
         InputError, match=rf"a target these .* has {100.0 * limit:.4g} % at most, .* {ratio:g} times as"
@@ -333,7 +333,7 @@ def test_estimates_of_one_storey() -> None:
 def test_curve_goes_through_the_design() -> None:
     made = designer("law: pad, shear_share: 25 %, level: DBE, brace: {ratio: 3}", shear(3))
     sizing = made.make(0.25)
-    np.testing.assert_allclose(sizing.yield_force, 0.25 * unit_forces(made.frame))
+    np.testing.assert_allclose(sizing.size, 0.25 * unit_forces(made.model))
     group = run("law: pad, shear_share: 25 %, level: DBE, brace: {ratio: 3}", shear(3)).group
     curve = np.interp(0.25, group.coords["curve_share"].values, group.variables["curve_damping"].values)
     assert curve == pytest.approx(float(str(group.attributes["damping"])), rel=1e-2)  # chords between 25 points

@@ -180,11 +180,11 @@ def test_each_place_has_its_own_length() -> None:
     spec = design(text, project)
     assert isinstance(spec, HystereticDesign)
     made = HystereticDesigner(project, "tried", spec, lambda text: None)
-    scale = made.frame.scale(made.make(0.25).yield_force)
+    scale = made.model.scale(made.make(0.25).size)
     lengths = np.hypot([8.0, 5.0, 8.0, 5.0], HEIGHT)
     brace = RestrainedBrace.of_law(VALUES)
     for amplitude in (0.005, 0.012, 0.06):
-        found = made.frame.secants(scale, np.full(4, amplitude))
+        found = made.model.secants(scale, np.full(4, amplitude))
         own = [RestrainedCycles(brace.at(float(s), float(of))) for s, of in zip(scale, lengths, strict=True)]
         u = np.array(amplitude)
         np.testing.assert_allclose(found.force, [float(law.force(u)) for law in own], rtol=1e-12)
@@ -192,7 +192,7 @@ def test_each_place_has_its_own_length() -> None:
         np.testing.assert_allclose(found.tangent, [float(law.tangent(u)) for law in own], rtol=1e-12)
         np.testing.assert_allclose(found.stroke, amplitude, rtol=1e-12)
     yields = [brace.at(1.0, float(of)).yield_deformation for of in lengths]
-    np.testing.assert_allclose(made.frame.yield_deformation, yields, rtol=1e-12)
+    np.testing.assert_allclose(made.model.yield_deformation, yields, rtol=1e-12)
 
 
 def test_a_strain_beyond_the_values_of_the_manufacturer_is_told() -> None:

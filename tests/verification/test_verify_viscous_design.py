@@ -27,7 +27,7 @@ from edesign.study.analysis.structure import make_structure
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.estimate import make_action
 from edesign.study.design.viscous.designer import ViscousDesigner
-from edesign.study.design.viscous.estimate import viscous_drift
+from edesign.study.design.viscous.model import Dashpots
 from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping
 
 ROOT = THESIS.parents[2]
@@ -128,7 +128,7 @@ def test_brace_limits_the_damping(ratio: float) -> None:
         tried.append(-s.real / abs(s) if s.imag > 0.0 else 0.0)
     assert max(tried) == pytest.approx(limit, rel=1e-4)  # steps of 0.1 % miss it by less
     brace = f"brace: {{ratio: {ratio:g}}}"
-    assert largest_viscous_damping(designer(f"damping: 2 %, {brace}", shear(1)).frame) == pytest.approx(limit, rel=1e-6)
+    assert largest_viscous_damping(designer(f"damping: 2 %, {brace}", shear(1)).model) == pytest.approx(limit, rel=1e-6)
     result = run(f"damping: {99.0 * limit} %, {brace}", shear(1))
     assert result.group.attributes["damping"] == pytest.approx(0.99 * limit, rel=1e-9)
     said = rf"a target these dampers cannot reach: .* has {100.0 * limit:.4g} % at most, .* {ratio:g} times as stiff"
@@ -276,7 +276,7 @@ def test_least_coefficients_against_a_grid() -> None:
     assert action is not None
 
     def drift(c: np.ndarray) -> float:
-        return float(viscous_drift(made.building, action, c, np.zeros(2), first(2)).max())
+        return float(made.model.drift(Dashpots(c, c, np.zeros(2), first(2)), action).max())
 
     assert drift(best) <= limit * (1.0 + 1e-6)
     axis = np.linspace(0.0, 1.2 * best.sum(), 50)

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.project.dampers.designs import Bounds
 from edesign.study.design.estimate import FrameEstimate
 
-NAMES = ("lower", "nominal", "upper")
-
-E = TypeVar("E", bound=FrameEstimate)
-
 
 @dataclass(frozen=True)
-class Bound(Generic[E]):
+class Bound:
     """The frame with one set of properties.
 
     Attributes:
@@ -35,7 +30,7 @@ class Bound(Generic[E]):
     stiffness_ratio: float
     period: float
     damping: float
-    response: E
+    response: FrameEstimate
 
 
 def property_factors(bounds: Bounds) -> tuple[float, float]:
@@ -61,7 +56,20 @@ def property_factors(bounds: Bounds) -> tuple[float, float]:
     return low, high
 
 
-def governing(found: tuple[Bound[E], ...], further: Mapping[str, Callable[[E], float]]) -> dict[str, str]:
+def analyse_bounds(bounds: Bounds, analyse: Callable[[str, float, float | None], Bound]) -> tuple[Bound, ...]:
+    """Return the response with lower properties (at the highest temperature), those of the design, and upper ones.
+
+    Args:
+        bounds: of the design, with factors and temperatures.
+        analyse: estimates the response of a bound by its name, factor and temperature (degC; None: of the design).
+    """
+    low, high = property_factors(bounds)
+    cold, hot = bounds.temperatures if bounds.temperatures is not None else (None, None)
+    cases = zip(("lower", "nominal", "upper"), (low, 1.0, high), (hot, None, cold), strict=True)
+    return tuple(analyse(*case) for case in cases)
+
+
+def governing(found: Sequence[Bound], further: Mapping[str, Callable[[FrameEstimate], float]]) -> dict[str, str]:
     """Return the bound of the properties that makes each response quantity largest.
 
     Args:
@@ -71,7 +79,7 @@ def governing(found: tuple[Bound[E], ...], further: Mapping[str, Callable[[E], f
     Returns:
         The name of the governing bound, by the name of the quantity.
     """
-    quantities: dict[str, Callable[[E], float]] = {
+    quantities: dict[str, Callable[[FrameEstimate], float]] = {
         "storey_drift": lambda r: float(r.drift.max()),
         "roof_displacement": lambda r: r.roof_displacement,
         "column_shear": lambda r: float(r.storey_shear.max()),

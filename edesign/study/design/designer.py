@@ -6,6 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
@@ -14,16 +15,27 @@ from edesign.archive.dataset import Group
 from edesign.core import LawValues
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import SizedDesign
+from edesign.project.dampers.designs import Optimum, SizedDesign
 from edesign.project.project import Project
-from edesign.study.design.building import Building, make_building
-from edesign.study.design.estimate import Action, make_action
+from edesign.study.design.bounds import Bound, analyse_bounds
+from edesign.study.design.building import Building, make_building, sized_dampers
+from edesign.study.design.device_model import DeviceModel
+from edesign.study.design.device_text import devices_text
+from edesign.study.design.estimate import Action, FrameEstimate, make_action
 from edesign.study.design.fully_stressed import StoreySizes, search_fully_stressed
-from edesign.study.design.loop import Round, RoundOutcome, S, Search, search
-from edesign.study.design.verification import Judge, Respond, judged, kept_outcome
+from edesign.study.design.loop import LARGEST_FACTOR, Round, RoundOutcome, S, Search, search
+from edesign.study.design.optimum import search_optimum
+from edesign.study.design.results import (
+    Results,
+    store_bounds,
+    store_estimate,
+    store_iterations,
+    store_rounds,
+    store_sizing,
+)
+from edesign.study.design.verification import Judge, Respond, histories_at, judged, kept_outcome, mean_drift
 
 REACHABLE = 0.95  # of the largest damping: towards it the dampers grow without limit
-
 _ROUNDING = 1e-5  # relative, of a drift that a search has led to its limit
 
 L = TypeVar("L")
@@ -34,9 +46,13 @@ class Designer(ABC, Generic[S]):
 
     Attributes:
         words: of what the loop may change, by its name.
+        results: what is archived of its dampers.
+        model: of its dampers in the frame.
     """
 
     words: ClassVar[Mapping[str, str]]
+    results: ClassVar[Results]
+    model: DeviceModel[Any, Any]
 
     def __init__(self, project: Project, name: str, spec: SizedDesign, progress: Callable[[str], None]) -> None:
         self.name, self.project, self.progress = name, project, progress
@@ -66,23 +82,79 @@ class Designer(ABC, Generic[S]):
         except InputError as error:
             raise InputError(f"{where}: `{spec.law}`: {error}") from error
 
+    @property
     @abstractmethod
+    def target(self) -> float:
+        """What the dampers are first sized for, in the quantity of the method; nan: a drift."""
+
+    @abstractmethod
+    def largest(self, target: float) -> float:
+        """Return the largest target to which the loop may go from the first one."""
+
+    @abstractmethod
+    def sized(self, target: float, factor: float) -> S:
+        """Size the dampers for a target, with a factor on what the loop changes if that is not the target."""
+
+    @abstractmethod
+    def device(self, sizing: S) -> dict[str, Any]:
+        """Return the keys of a device of the project file that say how large the dampers of a sizing are."""
+
+    @abstractmethod
+    def facts(self, sizing: S) -> dict[str, Any]:
+        """Return the attributes of the archive that describe the dampers of a sizing."""
+
+    @abstractmethod
+    def modes(self, sizing: S) -> Any:
+        """Return the modes with the dampers of a sizing, of which the columns `modes` of the results are."""
+
+    @abstractmethod
+    def state(self, sizing: S) -> Any:
+        """Return the state of the model in which the dampers of a sizing count."""
+
+    @abstractmethod
+    def bound(self, sizing: S, action: Action, name: str, factor: float, temperature_C: float | None) -> Bound:
+        """Estimate the response with a bound of the dampers' properties.
+
+        Args:
+            sizing: the dampers.
+            action: spectrum, and damping ratio of the frame without dampers.
+            name: of the bound.
+            factor: property modification factor.
+            temperature_C: of the dampers, degC; None: that of the design.
+        """
+
+    @abstractmethod
+    def further(self, group: Group, done: Search[S], status: str, found: FrameEstimate | None) -> list[str]:
+        """Add to the group of a design what its method alone has; return what is implausible, a sentence each.
+
+        Args:
+            group: of the design.
+            done: all rounds and the chosen one.
+            status: completed, failed, interrupted or checked.
+            found: the estimated response; None: the design has no level.
+        """
+
     def make(self, value: float) -> S:
         """Size the dampers for a value of the quantity that the loop changes."""
+        return self.sized(value, 1.0) if self.changed == "target" else self.sized(self.target, value)
 
-    @abstractmethod
     def range(self) -> tuple[float, float]:
         """Return the first and the largest value of the quantity that the loop changes."""
+        if self.changed != "target":
+            return 1.0, LARGEST_FACTOR
+        target = self.target
+        return target, target if math.isnan(target) or self._spec.verify is None else self.largest(target)
 
-    @abstractmethod
     def dampers(self, sizing: S) -> Dampers:
         """Return the project's dampers with those of a sizing."""
+        brace = None if self.model.brace is None else self.model.brace / self.building.attachment()
+        return sized_dampers(self.building, self._spec, brace, self.device(sizing))
 
-    @abstractmethod
-    def size(self, sizing: S) -> Mapping[str, float | np.ndarray]:
+    def identity(self, sizing: S) -> Mapping[str, float | np.ndarray]:
         """Return what identifies the dampers of a sizing, by the name of the archived variable `round_NAME`."""
+        columns = {name: of for name, _, of, _, _ in self.results.rounds}
+        return {name: columns[name](self.model, sizing) for name in self.results.identity}
 
-    @abstractmethod
     def group(self, done: Search[S], status: str) -> Group:
         """Return the archived group of a design.
 
@@ -90,14 +162,26 @@ class Designer(ABC, Generic[S]):
             done: all rounds and the chosen one.
             status: completed, failed, interrupted or checked.
         """
+        spec, model, results, sizing = self._spec, self.model, self.results, done.chosen.sizing
+        group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
+        store_sizing(group, model, results, sizing, self.modes(sizing))
+        group.attributes |= self.facts(sizing)
+        store_iterations(group, model, results, done.rounds)
+        store_rounds(group, model, results, done.rounds, self.words[self.changed])
+        group.attributes["chosen_round"] = done.chosen.number
+        found, action = None, self.action
+        if action is not None:
+            found = model.estimate(self.state(sizing), action)
+            store_estimate(group, model, results, found, model.bare_estimate(action))
+            if spec.bounds is not None:
+                bounds = analyse_bounds(spec.bounds, partial(self.bound, sizing, action))
+                store_bounds(group, model, results, bounds)
+        group.attributes["warnings"] = list(dict.fromkeys(self.further(group, done, status, found)))
+        group.attributes["devices"] = devices_text(self.dampers(sizing))
+        return group
 
-    def strain(self, sizing: S, histories: Mapping[str, Group]) -> float:
-        """Return the effective shear strain of the layers in the histories of a sizing; nan for dampers without layers.
-
-        Args:
-            sizing: the dampers of the round.
-            histories: results of its histories, by name.
-        """
+    def strain(self, sizing: S, histories: Sequence[Group]) -> float:
+        """Return the effective shear strain of the layers in histories of a sizing; nan for dampers without layers."""
         return math.nan
 
     def least(self) -> tuple[S, StoreySizes] | None:
@@ -142,7 +226,7 @@ class Designer(ABC, Generic[S]):
     def search(
         self, respond: Respond | None, judge: Judge | None, resume: Group | None, keep: Callable[[Group], None] | None
     ) -> Search[S]:
-        """Size the dampers and change them, round by round, until the histories meet the criteria.
+        """Size the dampers, and change them round by round until the criteria are met, or an objective is least.
 
         Args:
             respond: runs the histories of a round; None: the design is not verified.
@@ -161,12 +245,15 @@ class Designer(ABC, Generic[S]):
             return Search((only,), only, sizing.reason)
 
         least = self.least()
-        tried = self.outcomes(respond, judge, resume, drifts=least is not None)
+        tried, kept = self.outcomes(respond, judge, resume, drifts=least is not None), self.kept(keep)
+        optimum: Optimum | None = getattr(self._spec, "optimum", None)
+        if optimum is not None:
+            return search_optimum(self.make, tried, optimum.range, optimum.least, verify.rounds, verify.precision, kept)
         if least is not None:
-            ends = (verify.rounds, verify.precision, self.kept(keep), self.settled)
+            ends = (verify.rounds, verify.precision, kept, self.settled)
             return search_fully_stressed(least[0], self.made, tried, least[1], *ends)
         limits = (start, largest, verify.rounds, verify.precision)
-        return search(self.make, tried, *limits, self.kept(keep), self._value, self.settled)
+        return search(self.make, tried, *limits, kept, self._value, self.settled)
 
     def outcomes(
         self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool = False
@@ -184,27 +271,17 @@ class Designer(ABC, Generic[S]):
         """
 
         def outcome(sizing: S, number: int, value: float) -> RoundOutcome:
-            found = kept_outcome(resume, number, value, self.size(sizing))
+            found = kept_outcome(resume, number, value, self.identity(sizing))
             if found is not None:
                 self.progress(f"round {number} is already there")
                 return found
             self.progress(f"round {number}, {self.words[self.changed]} {value:.4g}")
             histories = respond(self.dampers(sizing), number)
-            drift = _mean_drift(self.at_level(histories)) if drifts else ()
-            return replace(judged(histories, judge), strain=self.strain(sizing, histories), drift=drift)
+            at_level = histories_at(self._spec.level, self._spec.verify, histories)
+            drift = mean_drift(at_level) if drifts else ()
+            return replace(judged(histories, judge), strain=self.strain(sizing, at_level), drift=drift)
 
         return outcome
-
-    def at_level(self, histories: Mapping[str, Group]) -> list[Group]:
-        """Return the histories at the level of the design, else at the first level of its verification.
-
-        Args:
-            histories: results of the histories of a round, by name.
-        """
-        levels = {str(group.attributes.get("level") or "") for group in histories.values()}
-        verify, level = self._spec.verify, self._spec.level
-        at = level if level in levels or verify is None or not verify.levels else verify.levels[0]
-        return [group for group in histories.values() if (group.attributes.get("level") or "") == (at or "")]
 
     def kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
         """Return the function that keeps all rounds after each of them; it does nothing where `keep` is None."""
@@ -219,16 +296,6 @@ class Designer(ABC, Generic[S]):
     def _value(self, sizing: S, value: float) -> float:
         """The value that a sizing really has: the simplified method may take a larger beta than it is asked for."""
         return sizing.target if self.changed == "target" else value
-
-
-def _mean_drift(histories: Sequence[Group]) -> tuple[float, ...]:
-    """Storey drifts over height, (f,), mean of the peaks of completed histories; empty if there are none."""
-    peaks = [
-        np.maximum(group.variables["storey_drift_max"].values, -group.variables["storey_drift_min"].values)
-        for group in histories
-        if group.attributes.get("status", "completed") == "completed" and "storey_drift_max" in group.variables
-    ]
-    return tuple(np.mean(peaks, axis=0).tolist()) if peaks else ()
 
 
 def labels(spec: SizedDesign) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +16,6 @@ from edesign.project.dampers.designs import SimplifiedDesign, SizedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import CondensedFrame, LinearModes
-from edesign.study.design.damping import strain_energy_damping
 
 _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left out
 
@@ -47,6 +47,8 @@ class FrameEstimate:
         storey_shear: in the columns, without dampers, (f,) N.
         base_shear: of columns and dampers, N.
         damper_force: of the dampers at each place, (d,) N.
+        dampers: what else the dampers at each place have to bear, (d,) each: strain (of layers), stroke (without brace,
+            m), velocity (m/s), ductility, core_strain.
     """
 
     drift: np.ndarray
@@ -54,17 +56,7 @@ class FrameEstimate:
     storey_shear: np.ndarray
     base_shear: float
     damper_force: np.ndarray
-
-
-@dataclass(frozen=True)
-class Estimate(FrameEstimate):
-    """Largest values over time by CQC of a frame with dampers of elastomer.
-
-    Attributes:
-        damper_strain: of their layers, (d,).
-    """
-
-    damper_strain: np.ndarray
+    dampers: Mapping[str, np.ndarray]
 
 
 def make_action(project: Project, spec: SizedDesign) -> Action | None:
@@ -104,33 +96,6 @@ def action_of(project: Project, level: str, inherent_damping: float | None) -> A
     """
     ratio = first_ratio(project.damping) if inherent_damping is None else inherent_damping
     return Action(elastic_spectrum(checked_hazard(project), level), ratio)
-
-
-def estimate(
-    building: Building,
-    action: Action,
-    stiffness: np.ndarray,
-    brace: np.ndarray | None,
-    thickness: float,
-) -> Estimate:
-    """Estimate the response by the response spectrum method.
-
-    Args:
-        building: the frame with its places.
-        action: the spectrum and the damping of the frame without dampers.
-        stiffness: complex stiffness of the dampers at each place with their brace, (d,) N/m.
-        brace: stiffness of the brace at each place, (d,) N/m; None: rigid.
-        thickness: of a layer, m.
-
-    Source: thesis Eq. 5.6 for the damping of each mode; EN 1998-1:2004, 3.2.2.2(3) (eta) and 4.3.3.3; CQC: Der
-        Kiureghian (1981), Earthquake Engineering and Structural Dynamics 9(5), with unequal damping.
-    """
-    modes = building.frame.modes(stiffness.real)
-    peaks = spectral_peaks(building.frame, action, modes, strain_energy_damping(modes, stiffness))
-    deformation = peaks.combined(modes.dampers)
-    layers = 1.0 if brace is None else np.abs(1.0 - stiffness / brace)  # share of the deformation in the elastomer
-    found = frame_estimate(building, modes, stiffness.real, peaks, deformation * np.abs(stiffness))
-    return Estimate(**vars(found), damper_strain=deformation * layers / thickness)
 
 
 @dataclass(frozen=True)
@@ -178,8 +143,24 @@ def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, ad
     return SpectralPeaks(kept, modes.participation[kept] * np.array(spectral), cqc(omega, damping))
 
 
+def storey_drift(building: Building, modes: LinearModes, peaks: SpectralPeaks) -> np.ndarray:
+    """Return the storey drifts over height from the peaks of the modes, (f,).
+
+    Args:
+        building: the frame with its places.
+        modes: with the dampers.
+        peaks: of the modes.
+    """
+    return peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / building.heights
+
+
 def frame_estimate(
-    building: Building, modes: LinearModes, storage: np.ndarray, peaks: SpectralPeaks, damper_force: np.ndarray
+    building: Building,
+    modes: LinearModes,
+    storage: np.ndarray,
+    peaks: SpectralPeaks,
+    damper_force: np.ndarray,
+    dampers: Mapping[str, np.ndarray],
 ) -> FrameEstimate:
     """Return the response of the frame from the peaks of its modes.
 
@@ -189,17 +170,19 @@ def frame_estimate(
         storage: stiffness of the dampers that is in them, (d,) N/m.
         peaks: of the modes.
         damper_force: of the dampers at each place, (d,) N.
+        dampers: what else they bear (see `FrameEstimate`).
     """
     shears = mode_shears(building.frame, modes)
     columns = shears.copy()
     horizontal = modes.dampers * storage * building.cosine
     np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
     return FrameEstimate(
-        peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / building.heights,
+        storey_drift(building, modes, peaks),
         float(peaks.combined(modes.floors[:, -1:])[0]),
         peaks.combined(columns),
         float(peaks.combined(shears[:, :1])[0]),
         damper_force,
+        dampers,
     )
 
 

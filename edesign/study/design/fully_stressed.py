@@ -9,7 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.errors import AnalysisError, InputError
-from edesign.study.design.loop import LARGEST_STEP, Round, RoundOutcome, S, Search, demand_of
+from edesign.study.design.building import Building
+from edesign.study.design.least_total import LEAST
+from edesign.study.design.loop import LARGEST_FACTOR, LARGEST_STEP, Round, RoundOutcome, S, Search, demand_of
 
 _FIRST_POWER = 2.0  # of the drift, with which damping grows: displacements fall about with its root
 
@@ -32,6 +34,24 @@ class StoreySizes:
     least: float
     most: float
     storeys: np.ndarray
+
+
+def storey_sizes(
+    building: Building, first: np.ndarray, unit: np.ndarray, weight: np.ndarray, inherent: float, most: float
+) -> StoreySizes:
+    """Return the sizes from which a search by histories starts.
+
+    Args:
+        building: the frame with its places.
+        first: size of the dampers of the first round, (s,).
+        unit: size over which the search takes them, (s,).
+        weight: of each in the sum that is to be least, (s,).
+        inherent: with which the dampers of a storey damp as the frame does without them, over the unit.
+        most: the largest that an estimate would take, over the unit; histories know what more would do.
+    """
+    return StoreySizes(
+        np.maximum(first / unit, LEAST), weight, inherent, LEAST, LARGEST_FACTOR * most, building.storeys
+    )
 
 
 def search_fully_stressed(

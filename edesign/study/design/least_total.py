@@ -32,20 +32,24 @@ class Problem:
     """A constrained minimisation of the total size of the dampers.
 
     Attributes:
-        used: drift over its limit of each storey of the frame for dampers x over the stiffness of their storey, (s,).
+        used: drift over its limit of each storey of the frame for dampers of a size, (s,).
+        unit: sizes of which a storey has x, (s,), those that go with its stiffness.
         weight: of each x in the sum, (s,).
         drift: the limit, for messages.
         most: largest x.
         subject: of x for messages, such as "dampers".
         summed: what the sum is of, such as "area".
+        nearest: whether the dampers nearest to the limit are taken where the estimate knows no others.
     """
 
     used: Callable[[np.ndarray], np.ndarray]
+    unit: np.ndarray
     weight: np.ndarray
     drift: float
     most: float
     subject: str
     summed: str
+    nearest: bool
 
 
 def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray:
@@ -53,15 +57,26 @@ def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray
 
     Args:
         problem: what is to be found.
-        start: where the search begins; None: equal x that meet the limit.
+        start: sizes (s,) where the search begins; None: equal x that meet the limit.
 
     Raises:
-        OutOfReach: the estimated drift is met without dampers, or no dampers meet it, or the search stopped.
+        OutOfReach: the estimated drift is met without dampers, or no dampers meet it, or the search stopped; unless the
+            nearest are asked for.
     """
-    weight, most = problem.weight, problem.most
+    try:
+        return _least(problem, None if start is None else start / problem.unit) * problem.unit
+    except OutOfReach as error:
+        if not problem.nearest:
+            raise
+        return error.nearest * problem.unit
+
+
+def _least(problem: Problem, start: np.ndarray | None) -> np.ndarray:
+    """The x (s,) of least sum, from a start."""
+    weight, most = problem.weight / problem.weight.sum(), problem.most
 
     def spare(x: np.ndarray) -> np.ndarray:
-        return 1.0 - problem.used(x)
+        return 1.0 - problem.used(x * problem.unit)
 
     def gradient(x: np.ndarray) -> np.ndarray:
         columns = [(spare(x + _STEP * e) - spare(x - _STEP * e)) / (2.0 * _STEP) for e in np.eye(x.size)]

@@ -1,9 +1,10 @@
-"""What designs of all methods archive alike: storeys, modes, iterations, rounds with verdicts, estimates, bounds."""
+"""What a design archives: variables declared as columns, those of all methods here, those of one beside its sizing."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.study.design.bounds import Bound, governing
 from edesign.study.design.building import Building
-from edesign.study.design.condensed import LinearModes
+from edesign.study.design.device_model import DeviceModel
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.loop import Round
 from edesign.study.design.verification import store_outcomes
@@ -19,179 +20,218 @@ from edesign.study.results.recording import coordinate
 
 MODES = 3
 
+Model = DeviceModel[Any, Any]
+Text = str | Callable[[Any], str]
+Column = tuple[str, tuple[str, ...], Callable[[Any, Any], Any], Text, Text]
+"""Name of a variable, dimensions and value of one item (given the model too; None: it has none), unit, and meaning.
 
-Column = tuple[str, Callable[[Any], float], str, str]
-"""Name of a variable, its value for one item, its unit and what it is."""
-Demand = tuple[str, Callable[[Any], np.ndarray], str, str]
-"""The same of what dampers have to bear at their places, (d,)."""
-
-STROKE: Demand = ("damper_stroke", lambda r: r.damper_stroke, "m", "estimated stroke of the dampers")
+Along `PLACE` a value has one number for each place (d,), of which the largest of each storey is archived."""
+ONE: tuple[str, ...] = ()
+STOREY, FRAME, MODE, PLACE = ("storey",), ("frame_storey",), ("mode",), ("place",)
 
 
-def store_storeys(group: Group, building: Building, number: int, brace: np.ndarray | None) -> None:
-    """Add the storeys of the frame and those with dampers, their stiffness, and how many dampers there are.
+@dataclass(frozen=True)
+class Results:
+    """What designs by one method archive beside what all do.
+
+    Attributes:
+        storeys: of the dampers of a sizing.
+        modes: of the modes with dampers, as the designer of the method has them.
+        steps: of an iteration, each a variable `iteration_NAME`.
+        rounds: of the sizing of a round, each a variable `round_NAME`.
+        identity: names of those of a round that identify its dampers.
+        estimate: of the estimated response, each a variable `estimated_NAME`.
+        demand: what dampers bear in the estimate of a bound, a variable `bound_NAME`.
+        bounds: meaning of the ratio and of the damping of a bound.
+    """
+
+    storeys: tuple[Column, ...]
+    modes: tuple[Column, ...]
+    steps: tuple[Column, ...]
+    rounds: tuple[Column, ...]
+    identity: tuple[str, ...]
+    estimate: tuple[Column, ...]
+    demand: Column
+    bounds: tuple[str, str]
+
+
+_STIFFNESS = "stiffness of the storey: shear over drift under the loads of the first mode, without dampers"
+_STOREY_STIFFNESS = "stiffness of the storey without dampers"
+_MET = "1: all criteria met, or no verification asked for"
+_COLUMN_SHEAR = "estimated shear of the columns, without dampers' forces"
+_TEMPERATURE = "temperature of the dampers; nan: that of the design"
+
+_STOREYS: tuple[Column, ...] = (
+    ("storey_stiffness", STOREY, lambda m, s: m.building.designed_stiffness, "N/m", _STOREY_STIFFNESS),
+    ("computed_storey_stiffness", FRAME, lambda m, s: m.building.computed_stiffness, "N/m", _STIFFNESS),
+    ("brace_stiffness", STOREY, lambda m, s: m.brace, "N/m", "horizontal stiffness of the braces of the storey"),
+)
+_ROUNDS: tuple[Column, ...] = (
+    ("target", ONE, lambda m, r: r.sizing.target, "1", "target: damping ratio, beta, or share"),
+    ("met", ONE, lambda m, r: int(r.outcome is not None and r.outcome.met), "1", _MET),
+)
+_DRIFT = "storey drift over height estimated by the response spectrum"
+_ESTIMATE: tuple[Column, ...] = (
+    ("storey_drift", FRAME, lambda m, r: r.drift, "1", f"{_DRIFT}, with dampers"),
+    ("column_shear", FRAME, lambda m, r: r.storey_shear, "N", _COLUMN_SHEAR),
+    ("damper_force", PLACE, lambda m, r: r.damper_force, "N", "estimated force of the dampers of a place"),
+)
+_BARE: tuple[Column, ...] = (("bare_storey_drift", FRAME, lambda m, r: r.drift, "1", f"{_DRIFT}, without dampers"),)
+_BOUNDS: tuple[Column, ...] = (
+    ("factor", ONE, lambda m, b: b.factor, "1", "property modification factor"),
+    ("temperature", ONE, lambda m, b: math.nan if b.temperature_C is None else b.temperature_C, "degC", _TEMPERATURE),
+    ("period", ONE, lambda m, b: b.period, "s", "first period with dampers and braces"),
+    ("storey_drift", FRAME, lambda m, b: b.response.drift, "1", "estimated storey drift over height"),
+    ("column_shear", FRAME, lambda m, b: b.response.storey_shear, "N", "estimated shear of columns"),
+    ("roof_displacement", ONE, lambda m, b: b.response.roof_displacement, "m", "estimated displacement of the roof"),
+    ("base_shear", ONE, lambda m, b: b.response.base_shear, "N", "estimated shear of columns and dampers"),
+    ("damper_force", PLACE, lambda m, b: b.response.damper_force, "N", "estimated force of the dampers of a place"),
+)
+DEVICE_COUNT: Column = (
+    "device_count",
+    STOREY,
+    lambda m, s: m.spec.number * np.bincount(m.building.place_storey),
+    "1",
+    "number of dampers in the storey",
+)
+DEVICE_DEMANDS: tuple[Column, ...] = (
+    ("device_force", PLACE, lambda m, r: r.damper_force / m.spec.number, "N", "estimated force of one damper"),
+    ("device_stroke", PLACE, lambda m, r: r.dampers["stroke"], "m", "estimated stroke of a damper, without its brace"),
+)
+STROKE: Column = ("damper_stroke", PLACE, lambda m, r: r.dampers["stroke"], "m", "estimated stroke of the dampers")
+
+
+def store(group: Group, model: Model, columns: Iterable[Column], item: Any, prefix: str = "") -> None:
+    """Add the variables of one item to the group of a design; those without a value are left out.
 
     Args:
         group: of the design.
-        building: the frame with its places.
-        number: of dampers side by side at a place.
-        brace: stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
+        model: of its dampers.
+        columns: the variables.
+        item: that they are of.
+        prefix: of their names.
     """
-    group.attributes |= {"number": number, "places": int(building.place_storey.size)}
+    for name, dims, of, unit, label in columns:
+        value = of(model, item)
+        if value is not None:
+            at, value = _archived(model.building, dims, value)
+            group.add(f"{prefix}{name}", at, value, _text(unit, model), _text(label, model))
+
+
+def store_rows(group: Group, model: Model, axis: str, columns: Iterable[Column], items: Sequence[Any]) -> None:
+    """Add variables AXIS_NAME of a row of items along an axis that the group has.
+
+    Args:
+        group: of the design.
+        model: of its dampers.
+        axis: of the row.
+        columns: the variables.
+        items: in the order of the axis.
+    """
+    for name, dims, of, unit, label in columns:
+        found = [_archived(model.building, dims, of(model, item)) for item in items]
+        at = (axis, *found[0][0])
+        group.add(f"{axis}_{name}", at, [row for _, row in found], _text(unit, model), _text(label, model))
+
+
+def store_sizing(group: Group, model: Model, results: Results, sizing: Any, modes: Any) -> None:
+    """Add the storeys of the frame, the dampers in them, and the modes without and with them.
+
+    Args:
+        group: of the design.
+        model: of its dampers.
+        results: of its method.
+        sizing: the dampers.
+        modes: with them, as the columns of the method take them.
+    """
+    building, bare = model.building, model.bare
+    group.attributes |= {"number": model.spec.number, "places": int(building.place_storey.size)}
     coordinate(group, "storey", building.storeys, "1", "storey with dampers")
     coordinate(group, "frame_storey", np.arange(1, building.heights.size + 1), "1", "storey of the frame")
-    add = group.add
-    add("storey_stiffness", ("storey",), building.designed_stiffness, "N/m", "stiffness of the storey without dampers")
-    label = "stiffness of the storey: shear over drift under the loads of the first mode, without dampers"
-    add("computed_storey_stiffness", ("frame_storey",), building.computed_stiffness, "N/m", label)
-    if brace is not None:
-        label = "horizontal stiffness of the braces of the storey"
-        add("brace_stiffness", ("storey",), brace, "N/m", label)
-
-
-def store_bare_modes(group: Group, bare: LinearModes, known: int) -> int:
-    """Add the axis of modes and the periods without dampers; return how many modes are archived.
-
-    Args:
-        group: of the design.
-        bare: modes without dampers.
-        known: how many are known with dampers.
-    """
-    count = min(MODES, bare.omega.size, known)
+    store(group, model, (*_STOREYS, *results.storeys), sizing)
+    found = [np.asarray(of(model, modes)) for _, _, of, _, _ in results.modes]
+    count = min(MODES, bare.omega.size, *(values.shape[-1] for values in found))
     coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
-    group.add("bare_period", ("mode",), 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
-    return count
+    group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
+    for (name, dims, _, unit, label), values in zip(results.modes, found, strict=True):
+        group.add(name, dims, values[..., :count], _text(unit, model), _text(label, model))
 
 
-def store_iterations(group: Group, rounds: Sequence[Round[Any]], columns: Sequence[Column]) -> list[Any]:
-    """Add the iterations of all rounds, one after the other, and return them.
+def store_iterations(group: Group, model: Model, results: Results, rounds: Sequence[Round[Any]]) -> None:
+    """Add the iterations of all rounds, one after the other; nothing for a method that has none.
 
     Args:
         group: of the design.
+        model: of its dampers.
+        results: of its method.
         rounds: all.
-        columns: of an iteration, each a variable `iteration_NAME`.
     """
-    rows = [(r.number, item) for r in rounds for item in r.sizing.iterations]
+    if not results.steps:
+        return
+    rows = [(r.number, step) for r in rounds for step in r.sizing.iterations]
     coordinate(group, "iteration", np.arange(1, len(rows) + 1), "1", "number of the iteration, of all rounds")
     numbers = [number for number, _ in rows]
     group.add("iteration_round", ("iteration",), numbers, "1", "round that the iteration belongs to")
-    items = [item for _, item in rows]
-    for name, of, unit, label in columns:
-        group.add(f"iteration_{name}", ("iteration",), np.array([of(item) for item in items], dtype=float), unit, label)
-    return items
+    store_rows(group, model, "iteration", results.steps, [step for _, step in rows])
 
 
-def store_rounds(group: Group, rounds: Sequence[Round[Any]], changed: str, columns: Sequence[Column]) -> None:
-    """Add the rounds of sizing and verification, and their verdicts.
+def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[Round[Any]], changed: str) -> None:
+    """Add the rounds of sizing and verification: what each changed and aimed at, its dampers, and its verdicts.
 
     Args:
         group: of the design.
-        rounds: all.
-        changed: what they change, for people.
-        columns: of a sizing, each a variable `round_NAME`.
-    """
-    _store_verdicts(group, rounds, changed)
-    for name, of, unit, label in columns:
-        group.add(f"round_{name}", ("round",), [of(r.sizing) for r in rounds], unit, label)
-
-
-def _store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) -> None:
-    """Add what each round of sizing and verification changed and aimed at, and its verdicts.
-
-    Args:
-        group: of the design.
+        model: of its dampers.
+        results: of its method.
         rounds: all.
         changed: what they change, for people.
     """
     coordinate(group, "round", [r.number for r in rounds], "1", "round of sizing and verification")
-    add = group.add
-    add("round_changed", ("round",), [r.changed for r in rounds], "1", f"what is changed: {changed}")
-    add("round_target", ("round",), [r.sizing.target for r in rounds], "1", "target: damping ratio, beta, or share")
-    met = [r.outcome.met if r.outcome is not None else False for r in rounds]
-    add("round_met", ("round",), np.array(met, dtype=int), "1", "1: all criteria met, or no verification asked for")
+    group.add("round_changed", ("round",), [r.changed for r in rounds], "1", f"what is changed: {changed}")
+    store_rows(group, model, "round", _ROUNDS, rounds)
     store_outcomes(group, "round", [r.number for r in rounds], [r.outcome for r in rounds])
     drifts = [() if r.outcome is None else r.outcome.drift for r in rounds]
     storeys = max(map(len, drifts))
     if storeys:
         rows = [drift or (math.nan,) * storeys for drift in drifts]
         label = "storey drift over height, mean of the histories of the round; nan: none was completed"
-        add("round_history_drift", ("round", "frame_storey"), rows, "1", label)
+        group.add("round_history_drift", ("round", "frame_storey"), rows, "1", label)
+    store_rows(group, model, "round", results.rounds, [r.sizing for r in rounds])
 
 
-def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, without: FrameEstimate) -> None:
-    """Add the storey drifts that the spectrum estimates, without and with dampers, and the estimated forces.
-
-    Args:
-        group: of the design.
-        building: the frame with its places.
-        with_dampers: the estimated response with dampers.
-        without: the estimated response without dampers.
-    """
-    label = "storey drift over height estimated by the response spectrum"
-    group.add("estimated_storey_drift", ("frame_storey",), with_dampers.drift, "1", f"{label}, with dampers")
-    group.add("estimated_bare_storey_drift", ("frame_storey",), without.drift, "1", f"{label}, without dampers")
-    label = "estimated shear of the columns, without dampers"
-    group.add("estimated_column_shear", ("frame_storey",), with_dampers.storey_shear, "N", f"{label}' forces")
-    force = of_storeys(building, with_dampers.damper_force)
-    group.add("estimated_damper_force", ("storey",), force, "N", "estimated force of the dampers of a place")
-
-
-def store_devices(group: Group, building: Building, number: int, found: FrameEstimate, stroke: np.ndarray) -> None:
-    """Add the estimated force and stroke of one damper of each storey.
+def store_estimate(group: Group, model: Model, results: Results, found: FrameEstimate, bare: FrameEstimate) -> None:
+    """Add the response that the spectrum estimates. Forces of a place are of all its dampers, those of a device of one.
 
     Args:
         group: of the design.
-        building: the frame with its places.
-        number: of dampers side by side at a place.
-        found: response with the force of all dampers of a place.
-        stroke: of the dampers at their places, without braces, (d,) m.
+        model: of its dampers.
+        results: of its method.
+        found: the response with dampers.
+        bare: the response without dampers.
     """
-    force = of_storeys(building, found.damper_force) / number
-    group.add("estimated_device_force", ("storey",), force, "N", "estimated force of one damper")
-    label = "estimated stroke of a damper, without its brace"
-    group.add("estimated_device_stroke", ("storey",), of_storeys(building, stroke), "m", label)
+    store(group, model, (*_ESTIMATE, *results.estimate), found, "estimated_")
+    store(group, model, _BARE, bare, "estimated_")
 
 
-def store_bounds(
-    group: Group,
-    building: Building,
-    found: tuple[Bound[Any], ...],
-    labels: tuple[str, str],
-    demand: Demand,
-) -> None:
+def store_bounds(group: Group, model: Model, results: Results, found: Sequence[Bound]) -> None:
     """Add the estimated response with each bound of the properties, and the bound that governs each quantity.
 
     Args:
         group: of the design.
-        building: the frame with its places.
+        model: of its dampers.
+        results: of its method.
         found: the bounds.
-        labels: what the ratio of each to the design is of, and what its damping is, for people.
-        demand: of the dampers by the method, at the places of a response, a variable `bound_NAME`.
     """
-    ratio, damping = labels
+    name, dims, of, unit, label = results.demand
+    ratio, damping = results.bounds
     coordinate(group, "bound", [b.name for b in found], "", "bound of the properties of the dampers")
-    add = group.add
-    temperatures = [math.nan if b.temperature_C is None else b.temperature_C for b in found]
-    add("bound_factor", ("bound",), [b.factor for b in found], "1", "property modification factor")
-    add("bound_temperature", ("bound",), temperatures, "degC", "temperature of the dampers; nan: that of the design")
-    add("bound_stiffness_ratio", ("bound",), [b.stiffness_ratio for b in found], "1", ratio)
-    add("bound_period", ("bound",), [b.period for b in found], "s", "first period with dampers and braces")
-    add("bound_damping", ("bound",), [b.damping for b in found], "1", damping)
-    responses = [b.response for b in found]
-    across = ("bound", "frame_storey")
-    add("bound_storey_drift", across, [r.drift for r in responses], "1", "estimated storey drift over height")
-    add("bound_column_shear", across, [r.storey_shear for r in responses], "N", "estimated shear of columns")
-    roof = [r.roof_displacement for r in responses]
-    add("bound_roof_displacement", ("bound",), roof, "m", "estimated displacement of the roof")
-    add(
-        "bound_base_shear", ("bound",), [r.base_shear for r in responses], "N", "estimated shear of columns and dampers"
+    columns: tuple[Column, ...] = (
+        *_BOUNDS,
+        ("stiffness_ratio", ONE, lambda m, b: b.stiffness_ratio, "1", ratio),
+        ("damping", ONE, lambda m, b: b.damping, "1", damping),
+        (name, dims, lambda m, b: of(m, b.response), unit, label),
     )
-    forces = [of_storeys(building, r.damper_force) for r in responses]
-    add("bound_damper_force", ("bound", "storey"), forces, "N", "estimated force of the dampers of a place")
-    name, of, unit, label = demand
-    demands = [of_storeys(building, of(r)) for r in responses]
-    group.add(f"bound_{name}", ("bound", "storey"), demands, unit, label)
-    group.attributes["governing"] = governing(found, {name: lambda r: float(of(r).max())})
+    store_rows(group, model, "bound", columns, found)
+    group.attributes["governing"] = governing(found, {name: lambda r: float(of(model, r).max())})
 
 
 def of_storeys(building: Building, of_places: np.ndarray) -> np.ndarray:
@@ -202,3 +242,12 @@ def of_storeys(building: Building, of_places: np.ndarray) -> np.ndarray:
         of_places: a value of each place, (d,).
     """
     return np.array([of_places[building.place_storey == i].max() for i in range(building.storeys.size)])
+
+
+def _archived(building: Building, dims: tuple[str, ...], value: Any) -> tuple[tuple[str, ...], Any]:
+    """Dimensions and value as archived: of places the largest of each storey."""
+    return (STOREY, of_storeys(building, value)) if dims == PLACE else (dims, value)
+
+
+def _text(text: Text, model: Model) -> str:
+    return text if isinstance(text, str) else text(model)

@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict
 from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.verification import AnyVerify
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
 from edesign.study.results.recording import coordinate
 
@@ -41,6 +42,29 @@ def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
         value = math.nan if verdict.value is None else verdict.value
         verdicts.append(RoundVerdict(name, value, verdict.limit, bool(verdict.met), verdict.unit))
     return RoundOutcome(tuple(verdicts), failed)
+
+
+def histories_at(level: str | None, verify: AnyVerify | None, histories: Mapping[str, Group]) -> list[Group]:
+    """Return the histories at the level of a design, else at the first level of its verification.
+
+    Args:
+        level: of the design; None: it has none.
+        verify: its verification.
+        histories: results of the histories of a round, by name.
+    """
+    levels = {str(group.attributes.get("level") or "") for group in histories.values()}
+    at = level if level in levels or verify is None or not verify.levels else verify.levels[0]
+    return [group for group in histories.values() if (group.attributes.get("level") or "") == (at or "")]
+
+
+def mean_drift(histories: Sequence[Group]) -> tuple[float, ...]:
+    """Return the storey drifts over height, (f,), mean of the peaks of completed histories; empty if there are none."""
+    peaks = [
+        np.maximum(group.variables["storey_drift_max"].values, -group.variables["storey_drift_min"].values)
+        for group in histories
+        if group.attributes.get("status", "completed") == "completed" and "storey_drift_max" in group.variables
+    ]
+    return tuple(np.mean(peaks, axis=0).tolist()) if peaks else ()
 
 
 def kept_outcome(

@@ -11,37 +11,31 @@ from edesign.damper.sizing import stiffness_ratio
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
 from edesign.study.design.building import Building
-from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.elastomer.least_area import least_area
 from edesign.study.design.elastomer.material import Moduli
-from edesign.study.design.elastomer.sizing import place_stiffness
-from edesign.study.design.estimate import Action
+from edesign.study.design.elastomer.model import ElastomerModel, Layers
+from edesign.study.design.least_total import Problem, least_total
 from edesign.study.design.pattern import pattern_of
 
+MOST = 30.0
+"""Of k_D / k_S, that dampers of the least area may have."""
 _SCALES = np.geomspace(1e-4, 1e4, 81)  # of the dampers' stiffness over that of the storeys
 
 
 def distribute(
-    building: Building,
+    model: ElastomerModel,
     spec: StrainEnergyDesign,
     moduli: Moduli,
     target: float,
-    in_target: np.ndarray | None,
-    action: Action | None,
-    brace: np.ndarray | None,
     thickness: float,
     before: np.ndarray | None,
 ) -> np.ndarray:
     """Return the storage stiffness k_D of each storey with dampers in the distribution of a design, (s,) N/m.
 
     Args:
-        building: the frame with its places.
+        model: of the dampers.
         spec: the design.
         moduli: of the elastomer.
         target: damping ratio to be added.
-        in_target: horizontal stiffness of the braces that count in it, (s,) N/m; None: they do not.
-        action: spectrum and damping without dampers, for the distribution `least_area`; None: not needed.
-        brace: horizontal stiffness of the braces of each storey, (s,) N/m; None: rigid.
         thickness: thickness of a layer, m.
         before: k_D of the previous iteration, (s,) N/m, from which `least_area` starts; None: none.
 
@@ -50,21 +44,62 @@ def distribute(
         AnalysisError: this distribution does not reach it.
     """
     if spec.distribution == "least_area":
-        assert action is not None and spec.drift is not None, "check_design wants them"
-        args = (building, moduli, action, spec.drift, brace, thickness, before)
-        return least_area(*args, nearest=spec.verify is not None and spec.verify.change == "area")
+        assert spec.drift is not None, "check_design wants it"
+        nearest = spec.verify is not None and spec.verify.change == "area"
+        return least_area(model, moduli, spec.drift, thickness, before, nearest)
     if spec.distribution == "storey_stiffness" and spec.target_in != "first_mode":
-        ratio = math.inf
-        if in_target is not None and isinstance(spec.brace, BraceRatio):
-            ratio = spec.brace.ratio
-        return stiffness_ratio(target, moduli.loss_factor, ratio) * building.designed_stiffness
-    pattern = pattern_of(building, spec.distribution)
-    return _scale(building, pattern, moduli.loss_factor, target, in_target) * pattern
+        ratio = spec.brace.ratio if spec.braces_in_target and isinstance(spec.brace, BraceRatio) else math.inf
+        return stiffness_ratio(target, moduli.loss_factor, ratio) * model.building.designed_stiffness
+    pattern = pattern_of(model.building, spec.distribution)
+    return _scale(model, pattern, moduli.loss_factor, target, spec.braces_in_target) * pattern
 
 
-def _scale(
-    building: Building, pattern: np.ndarray, loss_factor: float, target: float, in_target: np.ndarray | None
-) -> float:
+def least_area(
+    model: ElastomerModel,
+    moduli: Moduli,
+    drift: float,
+    thickness: float,
+    start: np.ndarray | None = None,
+    nearest: bool = False,
+) -> np.ndarray:
+    """Return the storage stiffnesses k_D of least sum with which no storey drifts more than the target, (s,) N/m.
+
+    All layers have one thickness and modulus, so area is in proportion to stiffness. The drifts are estimated by the
+    response spectrum of the frame with dampers and braces. Sequential quadratic programming finds a local optimum.
+
+    Args:
+        model: of the dampers.
+        moduli: of the elastomer.
+        drift: limit of storey drift over height.
+        thickness: of a layer, m.
+        start: where the search begins; None: in proportion to the storeys.
+        nearest: whether those nearest to the limit are taken where the estimate knows no others.
+
+    Raises:
+        OutOfReach: the drift is met without dampers, or no dampers meet it.
+    """
+    building, action = model.building, model.action
+    assert action is not None, "check_design wants a level"
+
+    def used(k_D: np.ndarray) -> np.ndarray:
+        """Drift / limit of each storey."""
+        return model.drift(Layers(model.stiffness(k_D, moduli.loss_factor), model.braces, thickness), action) / drift
+
+    unit, weight = building.designed_stiffness, area_weight(building)
+    return least_total(Problem(used, unit, weight, drift, MOST, "dampers", "area", nearest), start)
+
+
+def area_weight(building: Building) -> np.ndarray:
+    """Return the stiffness of the dampers along their slope in sum for k_D = k_S, (s,) N/m, which goes with their area.
+
+    Args:
+        building: the frame with its places.
+    """
+    # k_D of a place is shared by equal dampers, whose area grows with 1 / cos^2 of their slope
+    return np.asarray(np.bincount(building.place_storey) / building.attachment() * building.designed_stiffness)
+
+
+def _scale(model: ElastomerModel, pattern: np.ndarray, loss_factor: float, target: float, braces: bool) -> float:
     """The least factor on a pattern with which the first mode has the target damping (Eq. 5.6).
 
     Raises:
@@ -74,8 +109,7 @@ def _scale(
     stiffness_ratio(target, loss_factor)  # refuses what no frame allows
 
     def excess(scale: float) -> float:
-        at_places = place_stiffness(building, scale * pattern, loss_factor, in_target)
-        return float(strain_energy_damping(building.frame.modes(at_places.real), at_places)[0]) - target
+        return model.first_damping(model.stiffness(scale * pattern, loss_factor, braces)) - target
 
     largest = -math.inf
     low = float(_SCALES[0])

@@ -3,45 +3,80 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
 from edesign.errors import AnalysisError
-from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
+from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer.material import Elastomer, Moduli
-from edesign.study.design.elastomer.sizing import place_stiffness
+from edesign.study.design.elastomer.model import ElastomerModel, Iteration
 from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS
 
 
+@dataclass(frozen=True)
+class AtFrequency:
+    """Dampers with the elastomer's properties at one frequency.
+
+    Attributes:
+        iterations: on the way to it; properties, k_D and damping are those of the last.
+        stiffness: complex, at each place with the brace, (d,) N/m.
+        modes: with its storage.
+        reason: why the frequency is not that of the first mode; empty if it is.
+    """
+
+    iterations: tuple[Iteration, ...]
+    stiffness: np.ndarray
+    modes: LinearModes
+    reason: str
+
+    @property
+    def last(self) -> Iteration:
+        """The last iteration."""
+        return self.iterations[-1]
+
+
 def at_own_frequency(
-    building: Building,
-    material: Elastomer,
+    model: ElastomerModel,
+    elastomer: Elastomer,
     k_D: Callable[[Moduli], np.ndarray],
-    brace: np.ndarray | None,
     start: float,
-) -> tuple[Moduli, np.ndarray, LinearModes]:
+    braces: bool = True,
+) -> AtFrequency:
     """Iterate until the elastomer's properties are those at the first frequency of the frame with its dampers.
 
     Args:
-        building: the frame with its places.
-        material: properties of the elastomer at a frequency.
+        model: of the dampers.
+        elastomer: properties of the elastomer at a frequency.
         k_D: horizontal storage stiffness of the storeys (s,) N/m that dampers of some properties have.
-        brace: of the storeys, (s,) N/m; None: rigid.
         start: frequency of the first iteration, Hz.
+        braces: whether the braces are in series.
+    """
+    frequency, iterations = start, list[Iteration]()
+    reason = f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
+    while reason and len(iterations) < MOST_ITERATIONS:
+        moduli = elastomer(frequency)
+        wanted = k_D(moduli)
+        stiffness = model.stiffness(wanted, moduli.loss_factor, braces)
+        modes = model.building.frame.modes(stiffness.real)
+        before, frequency = frequency, modes.first_frequency
+        damping = float(strain_energy_damping(modes, stiffness)[0])
+        iterations.append(Iteration(before, moduli, wanted, frequency, damping, {}))
+        if abs(frequency - before) <= AGREEMENT * frequency:
+            reason = ""
+    return AtFrequency(tuple(iterations), stiffness, modes, reason)
 
-    Returns:
-        The properties, the complex stiffness at each place with its brace (d,) N/m, and the modes with it.
+
+def agreed(found: AtFrequency) -> AtFrequency:
+    """Return dampers at their own frequency.
+
+    Args:
+        found: by `at_own_frequency`.
 
     Raises:
         AnalysisError: no frequency agrees with itself.
     """
-    frequency = start
-    for _ in range(MOST_ITERATIONS):
-        moduli = material(frequency)
-        at_places = place_stiffness(building, k_D(moduli), moduli.loss_factor, brace)
-        modes = building.frame.modes(at_places.real)
-        before, frequency = frequency, modes.first_frequency
-        if abs(frequency - before) <= AGREEMENT * frequency:
-            return moduli, at_places, modes
-    raise AnalysisError(f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations")
+    if found.reason:
+        raise AnalysisError(found.reason)
+    return found

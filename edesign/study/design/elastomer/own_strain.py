@@ -12,11 +12,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.errors import InputError
-from edesign.project.dampers.designs import ElastomerDesign
-from edesign.study.design.building import Building
 from edesign.study.design.elastomer.material import Moduli
-from edesign.study.design.elastomer.sizing import StrainStep, place_stiffness
-from edesign.study.design.estimate import Action, estimate
+from edesign.study.design.elastomer.model import ElastomerModel, StrainStep, effective_strain
 from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
 
 _LARGEST_STEP = math.log(2.0)  # of ln(strain); a secant through two steps that hardly differ may point anywhere
@@ -41,38 +38,6 @@ class AtStrain(Generic[T]):
     reason: str = ""
 
 
-def effective_strain(stiffness: np.ndarray, strain: np.ndarray) -> float:
-    """Return the one strain whose properties stand for dampers that strain differently.
-
-    The mean of the strains, each weighted with the energy of its damper. With it the sums of stored and of lost energy
-    are right to first order: both go with G(gamma) V gamma^2, and the terms in the slope of G cancel.
-
-    Args:
-        stiffness: storage stiffness of each damper, (d,) N/m, in proportion to the volume V of its elastomer.
-        strain: amplitude of each, (d,).
-    """
-    energy = stiffness * strain**2
-    return float(energy @ strain / energy.sum())
-
-
-def reached_strain(
-    building: Building, action: Action, k_D: np.ndarray, loss_factor: float, brace: np.ndarray | None, thickness: float
-) -> float:
-    """Return the effective strain of dampers at the peaks that the response spectrum estimates.
-
-    Args:
-        building: the frame with its places.
-        action: the spectrum.
-        k_D: storage stiffness of the dampers of each storey, (s,) N/m.
-        loss_factor: of the elastomer.
-        brace: horizontal stiffness of the braces of each storey, (s,) N/m; None: rigid.
-        thickness: of a layer, m.
-    """
-    at_places = place_stiffness(building, k_D, loss_factor, brace)
-    found = estimate(building, action, at_places, None if brace is None else building.at_places(brace), thickness)
-    return effective_strain(building.at_places(k_D), found.damper_strain)
-
-
 def history_strain(k_D: np.ndarray, histories: Iterable[Group]) -> float:
     """Return the effective strain of dampers in histories, from the mean of the peaks of completed histories.
 
@@ -92,26 +57,24 @@ def history_strain(k_D: np.ndarray, histories: Iterable[Group]) -> float:
     return effective_strain(k_D, np.mean(peaks, axis=0)) if peaks else math.nan
 
 
-def start_strain(building: Building, spec: ElastomerDesign, action: Action | None, thickness: float) -> float:
+def start_strain(model: ElastomerModel, thickness: float) -> float:
     """Return the strain at which properties are first taken.
 
     It is the strain of the design, or that of dampers without stiffness, at most `strain_limit`.
 
     Args:
-        building: the frame with its places.
-        spec: the design.
-        action: the spectrum; None: the design gives its strain.
+        model: of the dampers.
         thickness: of a layer, m.
     """
+    spec = model.spec
     if not isinstance(spec.strain, str):
         return spec.strain
-    assert action is not None, "check_design wants a level"
-    bare = reached_strain(building, action, np.full(building.storeys.size, 1e-9), 0.0, None, thickness)
+    bare = model.estimated_strain(np.full(model.building.storeys.size, 1e-9), 0.0, thickness, braces=False)
     return bare if spec.strain_limit is None else min(bare, spec.strain_limit)
 
 
 def at_own_strain(
-    spec: ElastomerDesign,
+    model: ElastomerModel,
     solve: Callable[[float], T],
     moduli: Callable[[T], Moduli],
     reached: Callable[[T], float],
@@ -122,7 +85,7 @@ def at_own_strain(
     A strain with which no dampers do what is wanted is drawn towards the last one with which they did.
 
     Args:
-        spec: the design.
+        model: of the dampers.
         solve: solves with the properties at a strain.
         moduli: returns the elastomer's properties of a solution.
         reached: returns the effective strain of a solution.
@@ -134,7 +97,7 @@ def at_own_strain(
     Raises:
         InputError: no strain lets the dampers do what is wanted.
     """
-    if not isinstance(spec.strain, str):
+    if not isinstance(model.spec.strain, str):
         return AtStrain(solve(start), start)
     strain, good, relax = start, 0.0, Relaxation()
     steps: list[StrainStep] = []

@@ -5,17 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-import numpy as np
-
 from edesign.errors import InputError
 from edesign.project.dampers.designs import ElastomerDesign, FixedProperties
 from edesign.project.reading.words import percent
-from edesign.study.design.building import Building
-from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.elastomer.material import Material
-from edesign.study.design.elastomer.own_strain import effective_strain
-from edesign.study.design.elastomer.sizing import Sizing, place_stiffness, total_area
-from edesign.study.design.estimate import Action, Estimate, estimate
+from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, effective_strain
+from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, spread
 
 LARGEST_BETA = 5.0
@@ -25,59 +19,48 @@ LARGEST_OVER_DESIGN = 1.5
 
 
 def elastomer_warnings(
-    building: Building,
-    spec: ElastomerDesign,
-    sizing: Sizing,
-    material: Material,
-    action: Action | None,
-    found: Estimate | None,
-    in_histories: float,
+    model: ElastomerModel, sizing: ElastomerSizing, found: FrameEstimate | None, in_histories: float
 ) -> Iterator[str]:
     """Yield one sentence for each implausible property of a design of dampers with layers of elastomer.
 
     Args:
-        building: the frame with its places.
-        spec: the design.
+        model: of the dampers.
         sizing: the dampers.
-        material: the elastomer at the temperature of the design.
-        action: of the level of the design; None: there is none.
-        found: response that its spectrum estimates; None: there is no level.
+        found: response that the spectrum of the level estimates; None: there is no level.
         in_histories: effective strain of the dampers in the histories of a verification; nan: there are none.
     """
-    yield from _too_stiff(building, sizing)
-    if action is not None and found is not None:
-        yield from _more_base_shear(building, spec, sizing, action, found)
-    yield from _too_slender(building, spec, sizing)
+    spec = model.spec
+    yield from _too_stiff(model, sizing)
+    if found is not None:
+        yield from _more_base_shear(model, sizing, found)
+    yield from _too_slender(model, sizing)
     where, reached, strains = "in the histories", in_histories, None
     if found is not None:
-        strains = found.damper_strain
-        estimated = effective_strain(building.at_places(sizing.stiffness), strains)
+        strains = found.dampers["strain"]
+        estimated = effective_strain(model.at_places(sizing.size), strains)
         if math.isfinite(in_histories):
             strains = strains * (in_histories / estimated)
         else:
             where, reached = f"in the estimate at {spec.level}", estimated
     if math.isfinite(reached):
-        yield from _other_strain(building, spec, sizing, material, reached, where)
+        yield from _other_strain(model, sizing, reached, where)
     if strains is not None:
-        yield from _too_much_strain(building, spec, float(strains.max()), where)
-        yield from _too_thick(building, spec, sizing, material, float(strains.max()), reached)
+        yield from _too_much_strain(model, float(strains.max()), where)
+        yield from _too_thick(model, sizing, float(strains.max()), reached)
 
 
-def _other_strain(
-    building: Building, spec: ElastomerDesign, sizing: Sizing, material: Material, reached: float, where: str
-) -> Iterator[str]:
+def _other_strain(model: ElastomerModel, sizing: ElastomerSizing, reached: float, where: str) -> Iterator[str]:
     """What the properties at the strain of the design miss where the dampers reach another one.
 
     Args:
-        building: the frame with its places.
-        spec: the design.
+        model: of the dampers.
         sizing: the dampers.
-        material: the elastomer at the temperature of the design.
         reached: effective strain of the dampers.
         where: that was found, for people.
 
     Source: for the difference that needs no word ASCE/SEI 7-16, 18.2.4.5, whose bounds are 0.85 and 1.2 at least.
     """
+    spec = model.spec
     taken, (low, high, source) = sizing.moduli, spread(spec.bounds)
     strains = f"the dampers reach {percent(reached)} strain {where}, not the {percent(sizing.strain)} of the design"
     if isinstance(spec.properties, FixedProperties):
@@ -91,7 +74,7 @@ def _other_strain(
             )
         return
     try:
-        there = material(reached)(sizing.frequency)
+        there = model.material(reached)(sizing.frequency)
     except InputError as error:
         yield f"{strains}; there {error}"
         return
@@ -99,7 +82,7 @@ def _other_strain(
     loses = stores * there.loss_factor / taken.loss_factor
     if low <= min(stores, loses) and max(stores, loses) <= high:
         return
-    designed, real = (_first_damping(building, sizing.complex_stiffness(building, moduli=m)) for m in (taken, there))
+    designed, real = (model.first_damping(model.of(sizing, moduli=m)) for m in (taken, there))
     yield (
         f"{strains}. There G' is {1e-6 * there.G_storage:.4g} MPa, not {1e-6 * taken.G_storage:.4g} MPa, and n "
         f"{there.loss_factor:.4g}, not {taken.loss_factor:.4g}. The dampers store {stores:.3g} and lose {loses:.3g} "
@@ -108,13 +91,14 @@ def _other_strain(
     )
 
 
-def _too_stiff(building: Building, sizing: Sizing) -> Iterator[str]:
+def _too_stiff(model: ElastomerModel, sizing: ElastomerSizing) -> Iterator[str]:
+    building = model.building
+
     def damping(share: float) -> float:
-        k_D = share * sizing.stiffness
-        return _first_damping(building, place_stiffness(building, k_D, sizing.moduli.loss_factor, sizing.brace))
+        return model.first_damping(model.stiffness(share * sizing.size, sizing.moduli.loss_factor))
 
     yield from beyond_the_optimum(damping, "elastomer")
-    ratio = sizing.stiffness / building.designed_stiffness
+    ratio = sizing.size / building.designed_stiffness
     if ratio.max() > LARGEST_BETA * (1.0 + ROUNDING):
         yield (
             f"k_D is {ratio.max():.3g} times the stiffness of the storey in storey "
@@ -123,26 +107,24 @@ def _too_stiff(building: Building, sizing: Sizing) -> Iterator[str]:
         )
 
 
-def _more_base_shear(
-    building: Building, spec: ElastomerDesign, sizing: Sizing, action: Action, found: Estimate
-) -> Iterator[str]:
+def _more_base_shear(model: ElastomerModel, sizing: ElastomerSizing, found: FrameEstimate) -> Iterator[str]:
     """Dampers that stiffen the frame more than they damp it: it bears a larger base shear than without them.
 
     Of one storey, where the spectrum goes as 1/T and eta as EN 1998-1, 3.2.2.2(3), has it, the base shear grows from
     k_D / k_S = 50 n / (5 + 100 zeta) - 1 on, zeta the inherent damping.
     """
-    none = np.zeros_like(building.at_places(sizing.stiffness), dtype=complex)
-    bare = estimate(building, action, none, None, sizing.thickness)
+    assert model.action is not None
+    bare, level = model.bare_estimate(model.action), model.spec.level
     if found.base_shear > bare.base_shear * (1.0 + ROUNDING):
-        ratio = float((sizing.stiffness / building.designed_stiffness).max())
+        ratio = float((sizing.size / model.building.designed_stiffness).max())
         yield (
             f"the dampers stiffen the frame more than they damp it: with k_D of up to {ratio:.3g} times the stiffness "
-            f"of a storey the base shear at {spec.level} is estimated as {1e-3 * found.base_shear:.4g} kN, and as "
+            f"of a storey the base shear at {level} is estimated as {1e-3 * found.base_shear:.4g} kN, and as "
             f"{1e-3 * bare.base_shear:.4g} kN without dampers"
         )
 
 
-def _too_slender(building: Building, spec: ElastomerDesign, sizing: Sizing) -> Iterator[str]:
+def _too_slender(model: ElastomerModel, sizing: ElastomerSizing) -> Iterator[str]:
     """Layers that bend rather than shear.
 
     Source: Rivlin and Saunders (1949), Cylindrical shear mountings, Transactions of the Institution of the Rubber
@@ -150,47 +132,40 @@ def _too_slender(building: Building, spec: ElastomerDesign, sizing: Sizing) -> I
     """
     i = int(sizing.area.argmin())
     side = math.sqrt(float(sizing.area[i]))
-    share, (low, _, source) = 1.0 / (1.0 + (sizing.thickness / side) ** 2 / 3.0), spread(spec.bounds)
+    share, (low, _, source) = 1.0 / (1.0 + (sizing.thickness / side) ** 2 / 3.0), spread(model.spec.bounds)
     if share < low:
         yield (
-            f"a layer of storey {building.storeys[i]} is {1e3 * sizing.thickness:.4g} mm thick and as a square "
+            f"a layer of storey {model.building.storeys[i]} is {1e3 * sizing.thickness:.4g} mm thick and as a square "
             f"{1e3 * side:.4g} mm wide: it bends, and has {share:.2g} of the stiffness in shear (Rivlin and Saunders "
             f"1949), less than {low:g} ({source})"
         )
 
 
-def _too_much_strain(building: Building, spec: ElastomerDesign, largest: float, where: str) -> Iterator[str]:
-    limits = {f"the tests of the law `{spec.law}`": building.law.tested_strain, "`strain_limit`": spec.strain_limit}
+def _too_much_strain(model: ElastomerModel, largest: float, where: str) -> Iterator[str]:
+    spec, tested = model.spec, model.building.law.tested_strain
+    limits = {f"the tests of the law `{spec.law}`": tested, "`strain_limit`": spec.strain_limit}
     passed = [f"{name} ({percent(limit)})" for name, limit in limits.items() if limit is not None and largest > limit]
     if passed:
         yield f"the layers strain to about {percent(largest)} {where}, beyond {' and '.join(passed)}"
 
 
-def _too_thick(
-    building: Building,
-    spec: ElastomerDesign,
-    sizing: Sizing,
-    material: Material,
-    largest: float,
-    reached: float,
-) -> Iterator[str]:
+def _too_thick(model: ElastomerModel, sizing: ElastomerSizing, largest: float, reached: float) -> Iterator[str]:
     """Yield a warning if layers stay so far below their strain limit that thinner ones would save elastomer.
 
     Args:
-        building: the frame with its places.
-        spec: the design.
+        model: of the dampers.
         sizing: the dampers.
-        material: the elastomer at a strain.
         largest: largest strain of the layers at the level of the design.
         reached: effective strain of the layers at the level of the design.
     """
+    spec = model.spec
     limit, rarer = spec.strain_limit, LARGEST_OVER_DESIGN * largest
     if limit is None or rarer >= limit:
         return
     ratio = rarer / limit  # of the thicknesses, at the same deformation
-    area = total_area(building, spec, sizing.area)
+    area = model.total_area(sizing.area)
     try:
-        needed = area * ratio * sizing.moduli.G_storage / material(reached / ratio)(sizing.frequency).G_storage
+        needed = area * ratio * sizing.moduli.G_storage / model.material(reached / ratio)(sizing.frequency).G_storage
     except InputError:
         return
     if needed < spread(spec.bounds)[0] * area:
@@ -201,11 +176,6 @@ def _too_thick(
             f"{1e3 * sizing.thickness:.3g} mm, have the same stiffness with {needed:.3g} m2 of elastomer, not "
             f"{area:.3g} m2"
         )
-
-
-def _first_damping(building: Building, stiffness: np.ndarray) -> float:
-    """Damping of the first mode with dampers and braces of a complex stiffness (d,) N/m."""
-    return float(strain_energy_damping(building.frame.modes(stiffness.real), stiffness)[0])
 
 
 def _remedy(spec: ElastomerDesign) -> str:

@@ -2,196 +2,117 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.dampers.designs import ElastomerDesign
-from edesign.study.design.bounds import Bound
-from edesign.study.design.building import Building
-from edesign.study.design.damping import modal_damping
-from edesign.study.design.elastomer.own_strain import effective_strain
-from edesign.study.design.elastomer.sizing import Sizing, layers, total_area
-from edesign.study.design.estimate import Action, Estimate, estimate
+from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing
 from edesign.study.design.loop import Round
-from edesign.study.design.results import (
-    Column,
-    of_storeys,
-    store_bare_modes,
-    store_bounds,
-    store_drifts,
-    store_iterations,
-    store_rounds,
-    store_storeys,
-)
+from edesign.study.design.results import ONE, PLACE, STOREY, Column, Results, store_rows
 from edesign.study.results.recording import coordinate
 
 ASSEMBLIES = ("dampers", "dampers_and_braces")
+_ASSEMBLIES = "with the storage stiffness of the dampers alone, or with their braces in series"
+_BOTH = ("assembly", "mode")
 _WAYS = (
     ("damping_strain_energy", "strain_energy", "by Eq. 5.6 with the modes of the frame with dampers"),
     ("damping_frequencies", "frequencies", "by Eq. 5.8 from the frequencies without and with dampers"),
     ("damping_complex", "complex", "of free vibration with complex stiffness"),
 )
-_STEPS: tuple[Column, ...] = (
-    ("frequency", lambda i: i.frequency, "Hz", "frequency at which properties were taken"),
-    ("next_frequency", lambda i: i.next_frequency, "Hz", "first frequency with these dampers"),
-    ("G_storage", lambda i: i.moduli.G_storage, "Pa", "storage modulus"),
-    ("loss_factor", lambda i: i.moduli.loss_factor, "1", "loss factor"),
-    ("damping", lambda i: i.damping, "1", "added damping ratio of the first mode, Eq. 5.6"),
+_DAMPER_STIFFNESS = "horizontal storage stiffness of the dampers of the storey, without braces"
+_AREA_RATIO = "area of a layer over that of the prototype, A_D/A_P"
+
+_STRAIN_STEPS: tuple[Column, ...] = (
+    ("round", ONE, lambda m, row: row[0], "1", "round that the step belongs to"),
+    ("taken", ONE, lambda m, row: row[1].strain, "1", "strain at which properties were taken"),
+    ("reached", ONE, lambda m, row: row[1].reached, "1", "effective strain of these dampers"),
+    ("G_storage", ONE, lambda m, row: row[1].moduli.G_storage, "Pa", "storage modulus"),
+    ("loss_factor", ONE, lambda m, row: row[1].moduli.loss_factor, "1", "loss factor"),
 )
-_ROUNDS: tuple[Column, ...] = (
-    ("layer_thickness", lambda s: s.thickness, "m", "thickness of a layer"),
-    ("strain", lambda s: s.strain, "1", "strain at which properties were taken"),
+_OF_ROUND: tuple[Column, ...] = (
+    ("period", ONE, lambda m, d: 2.0 * np.pi / float(d.omega[0]), "s", "first period with dampers and braces"),
+    *(
+        (
+            name,
+            ONE,
+            lambda m, d, way=way: float(getattr(d, way)[0]),
+            "1",
+            f"added damping ratio of the first mode, with braces, {label}",
+        )
+        for name, way, label in _WAYS
+    ),
+)
+_STRAIN: Column = (
+    "damper_strain",
+    PLACE,
+    lambda m, r: r.dampers["strain"],
+    "1",
+    "estimated shear strain of the layers",
+)
+
+ELASTOMER = Results(
+    storeys=(
+        ("damper_stiffness", STOREY, lambda m, s: s.size, "N/m", _DAMPER_STIFFNESS),
+        ("layer_area", STOREY, lambda m, s: s.area, "m^2", "area of one layer of elastomer"),
+        ("area_ratio", STOREY, lambda m, s: s.area / m.building.law.layer_area, "1", _AREA_RATIO),
+    ),
+    modes=(
+        ("period", _BOTH, lambda m, found: [2.0 * np.pi / d.omega for d in found], "s", "natural period with dampers"),
+        *(
+            (
+                name,
+                _BOTH,
+                lambda m, found, way=way: [getattr(d, way) for d in found],
+                "1",
+                f"added damping ratio {label}",
+            )
+            for name, way, label in _WAYS
+        ),
+    ),
+    steps=(
+        ("frequency", ONE, lambda m, i: i.frequency, "Hz", "frequency at which properties were taken"),
+        ("next_frequency", ONE, lambda m, i: i.next_frequency, "Hz", "first frequency with these dampers"),
+        ("G_storage", ONE, lambda m, i: i.moduli.G_storage, "Pa", "storage modulus"),
+        ("loss_factor", ONE, lambda m, i: i.moduli.loss_factor, "1", "loss factor"),
+        ("damping", ONE, lambda m, i: i.damping, "1", "added damping ratio of the first mode, Eq. 5.6"),
+        ("damper_stiffness", STOREY, lambda m, i: i.stiffness, "N/m", "stiffness of the dampers"),
+    ),
+    rounds=(
+        ("layer_thickness", ONE, lambda m, s: s.thickness, "m", "thickness of a layer"),
+        ("strain", ONE, lambda m, s: s.strain, "1", "strain at which properties were taken"),
+        ("layer_area", STOREY, lambda m, s: s.area, "m^2", "area of one layer"),
+    ),
+    identity=("strain", "layer_thickness", "layer_area"),
+    estimate=(_STRAIN,),
+    demand=_STRAIN,
+    bounds=(
+        "storage stiffness of the dampers over that of the design",
+        "added damping ratio of the first mode, Eq. 5.6",
+    ),
 )
 
 
-def store_elastomer_sizing(group: Group, building: Building, spec: ElastomerDesign, sizing: Sizing) -> None:
-    """Add the dampers of each storey, the elastomer's properties, and the modes with and without dampers.
+def store_elastomer(group: Group, model: ElastomerModel, rounds: Sequence[Round[ElastomerSizing]]) -> None:
+    """Add what no other method has: assemblies of modes, lateral forces, strains, and damping in several ways.
 
     Args:
-        group: of the design.
-        building: the frame with its places.
-        spec: the design.
-        sizing: the chosen dampers.
-    """
-    store_storeys(group, building, spec.number, sizing.brace)
-    add = group.add
-    label = "horizontal storage stiffness of the dampers of the storey, without braces"
-    add("damper_stiffness", ("storey",), sizing.stiffness, "N/m", label)
-    add("layer_area", ("storey",), sizing.area, "m^2", "area of one layer of elastomer")
-    law = building.law
-    assert law.layer_area is not None and law.layers is not None, "the elastomer wants a prototype"
-    ratio = sizing.area / law.layer_area
-    add("area_ratio", ("storey",), ratio, "1", "area of a layer over that of the prototype, A_D/A_P")
-    total = total_area(building, spec, sizing.area)
-    group.attributes |= {
-        "layers": layers(building, spec),
-        "layer_thickness_m": sizing.thickness,
-        "total_layer_area_m2": total,
-        "prototypes": total / (law.layers * law.layer_area),
-        "G_storage_Pa": sizing.moduli.G_storage,
-        "loss_factor": sizing.moduli.loss_factor,
-        "strain": sizing.strain,
-        "frequency_Hz": sizing.frequency,
-    }
-    _store_modes(group, building, sizing)
-
-
-def store_elastomer_iterations(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
-    """Add the iterations of all rounds, one after the other, to the group of a design.
-
-    Args:
-        group: of the design.
+        group: of the design, with its iterations and rounds.
+        model: of its dampers.
         rounds: all rounds in their order.
     """
-    steps = store_iterations(group, rounds, _STEPS)
-    add = group.add
-    stiffness = np.array([step.stiffness for step in steps])
-    add("iteration_damper_stiffness", ("iteration", "storey"), stiffness, "N/m", "stiffness of the dampers")
+    coordinate(group, "assembly", list(ASSEMBLIES), "", _ASSEMBLIES)
+    steps = [step for r in rounds for step in r.sizing.iterations]
     for name in steps[0].values:
         unit = "N" if name.endswith("base_shear") else "1"
         values = [step.values[name] for step in steps]
-        add(f"iteration_{name}", ("iteration",), values, unit, f"{name.replace('_', ' ')} under lateral forces")
-
-
-def store_strain_steps(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
-    """Add the steps of the strain iteration of all rounds, if the design iterates on the strain.
-
-    Args:
-        group: of the design.
-        rounds: all rounds in their order.
-    """
+        group.add(f"iteration_{name}", ("iteration",), values, unit, f"{name.replace('_', ' ')} under lateral forces")
     rows = [(r.number, step) for r in rounds for step in r.sizing.strain_steps]
-    if not rows:
-        return
-    coordinate(group, "strain_step", np.arange(1, len(rows) + 1), "1", "number of the step, of all rounds")
-    columns = (
-        ("round", [number for number, _ in rows], "1", "round that the step belongs to"),
-        ("taken", [step.strain for _, step in rows], "1", "strain at which properties were taken"),
-        ("reached", [step.reached for _, step in rows], "1", "effective strain of these dampers"),
-        ("G_storage", [step.moduli.G_storage for _, step in rows], "Pa", "storage modulus"),
-        ("loss_factor", [step.moduli.loss_factor for _, step in rows], "1", "loss factor"),
-    )
-    for name, values, unit, label in columns:
-        group.add(f"strain_step_{name}", ("strain_step",), values, unit, label)
-
-
-def store_elastomer_rounds(group: Group, building: Building, rounds: Sequence[Round[Sizing]], changed: str) -> None:
-    """Add the rounds of sizing and verification.
-
-    Args:
-        group: of the design.
-        building: the frame with its places.
-        rounds: all.
-        changed: what the rounds change, for people.
-    """
-    store_rounds(group, rounds, changed, _ROUNDS)
-    add = group.add
-    outcomes = [r.outcome for r in rounds]
-    if any(outcomes):
-        strains = [math.nan if outcome is None else outcome.strain for outcome in outcomes]
+    if rows:
+        coordinate(group, "strain_step", np.arange(1, len(rows) + 1), "1", "number of the step, of all rounds")
+        store_rows(group, model, "strain_step", _STRAIN_STEPS, rows)
+    if any(r.outcome is not None for r in rounds):
+        strains = [np.nan if r.outcome is None else r.outcome.strain for r in rounds]
         label = "effective strain of the layers, mean of the histories"
-        add("round_history_strain", ("round",), strains, "1", label)
-    areas = np.array([r.sizing.area for r in rounds])
-    add("round_layer_area", ("round", "storey"), areas, "m^2", "area of one layer")
-    bare = building.frame.modes()
-    damping = [modal_damping(building.frame, bare, r.sizing.complex_stiffness(building)) for r in rounds]
-    periods = [2.0 * math.pi / float(d.omega[0]) for d in damping]
-    add("round_period", ("round",), periods, "s", "first period with dampers and braces")
-    for name, way, label in _WAYS:
-        values = [float(getattr(d, way)[0]) for d in damping]
-        add(f"round_{name}", ("round",), values, "1", f"added damping ratio of the first mode, with braces, {label}")
-
-
-def store_elastomer_estimate(group: Group, building: Building, sizing: Sizing, action: Action) -> Estimate:
-    """Add the response that the spectrum estimates, with and without dampers, to the group of a design.
-
-    Args:
-        group: of the design.
-        building: the frame with its places.
-        sizing: the chosen dampers.
-        action: spectrum, and damping ratio of the frame without dampers.
-
-    Returns:
-        The estimated response with dampers.
-    """
-    brace = None if sizing.brace is None else building.at_places(sizing.brace)
-    stiffness = sizing.complex_stiffness(building)
-    with_dampers = estimate(building, action, stiffness, brace, sizing.thickness)
-    without = estimate(building, action, 0.0 * stiffness, None, sizing.thickness)
-    store_drifts(group, building, with_dampers, without)
-    strain = of_storeys(building, with_dampers.damper_strain)
-    group.add("estimated_damper_strain", ("storey",), strain, "1", "estimated shear strain of the layers")
-    k_D = building.at_places(sizing.stiffness)
-    group.attributes["estimated_strain"] = effective_strain(k_D, with_dampers.damper_strain)
-    return with_dampers
-
-
-def store_elastomer_bounds(group: Group, building: Building, found: tuple[Bound[Estimate], ...]) -> None:
-    """Add the estimated response with each bound of the properties, and the bound that governs each quantity.
-
-    Args:
-        group: of the design.
-        building: the frame with its places.
-        found: the response with lower, nominal and upper properties.
-    """
-    ratio = "storage stiffness of the dampers over that of the design"
-    strain = ("damper_strain", lambda r: r.damper_strain, "1", "estimated shear strain of the layers")
-    store_bounds(group, building, found, (ratio, "added damping ratio of the first mode, Eq. 5.6"), strain)
-
-
-def _store_modes(group: Group, building: Building, sizing: Sizing) -> None:
-    bare = building.frame.modes()
-    count = store_bare_modes(group, bare, bare.omega.size)
-    label = "with the storage stiffness of the dampers alone, or with their braces in series"
-    coordinate(group, "assembly", list(ASSEMBLIES), "", label)
-    found = [
-        modal_damping(building.frame, bare, sizing.complex_stiffness(building, braces)) for braces in (False, True)
-    ]
-    periods = [2.0 * np.pi / damping.omega[:count] for damping in found]
-    group.add("period", ("assembly", "mode"), periods, "s", "natural period with dampers")
-    for name, way, label in _WAYS:
-        values = [getattr(damping, way)[:count] for damping in found]
-        group.add(name, ("assembly", "mode"), values, "1", f"added damping ratio {label}")
+        group.add("round_history_strain", ("round",), strains, "1", label)
+    store_rows(group, model, "round", _OF_ROUND, [model.modal_damping(r.sizing) for r in rounds])

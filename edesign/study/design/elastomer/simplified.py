@@ -14,11 +14,10 @@ from edesign.project.checks.designs import design_warnings
 from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
-from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer.material import Elastomer, Material, Moduli
-from edesign.study.design.elastomer.own_frequency import at_own_frequency
-from edesign.study.design.elastomer.own_strain import AtStrain, at_own_strain, reached_strain, start_strain
-from edesign.study.design.elastomer.sizing import Iteration, Sizing, layer_areas, layer_thickness
+from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, Iteration
+from edesign.study.design.elastomer.own_frequency import agreed, at_own_frequency
+from edesign.study.design.elastomer.own_strain import AtStrain, at_own_strain, start_strain
 from edesign.study.design.estimate import Action
 
 _ROUNDING = 1e-9  # of the number of steps of beta
@@ -46,55 +45,46 @@ class StaticResponse:
 
 
 def size_simplified(
-    building: Building,
+    model: ElastomerModel,
     spec: SimplifiedDesign,
-    material: Material,
-    cold: Material | None,
-    action: Action,
-    least: float | None = None,
+    least: float,
     area_factor: float = 1.0,
     thickness_factor: float = 1.0,
-    share: float = 1.0,
-) -> Sizing:
+) -> ElastomerSizing:
     """Find the least beta of the range whose drifts under lateral forces stay below the target.
 
     Args:
-        building: the frame with its places.
+        model: of the dampers; at the low end of temperatures they are stiffer.
         spec: the design.
-        material: properties at the design temperature.
-        cold: at the low end of temperatures, where the dampers are stiffer; None: not looked at.
-        action: the spectrum and the damping of the frame itself.
-        least: lowest beta to be tried; None: the lower end of the range.
+        least: lowest beta to be tried.
         area_factor: on areas and with them on stiffnesses, after beta is chosen.
         thickness_factor: on thickness and area.
-        share: what the strain of histories is of the estimated one, where the strain is followed.
 
     Source: thesis 5.3.4, steps 2 to 9, after Fan (1998) and Lee (2003); EN 1998-1:2004, 4.3.3.2, for the forces.
     """
     assert spec.drift is not None, "check_design wants it"
-    k_S = building.designed_stiffness
-    brace = spec.alpha * k_S
-    thickness = thickness_factor * layer_thickness(building, spec)
-    start = start_strain(building, spec, action, thickness)
+    k_S = model.building.designed_stiffness
+    thickness = thickness_factor * model.thickness
+    start = start_strain(model, thickness)
+    cold = None if spec.low_temperature is None else model.material_at(spec.low_temperature)
 
     def respond(elastomer: Material, k_D: Callable[[float], np.ndarray]) -> AtStrain[StaticResponse]:
         """The response at a strain, or at the one that is reached, with k_D (s,) at a strain."""
 
         def solve(strain: float) -> StaticResponse:
-            return static_response(building, spec, elastomer(strain), action, k_D(strain), brace)
+            return static_response(model, spec, elastomer(strain), k_D(strain))
 
         def reached(found: StaticResponse) -> float:
-            return share * reached_strain(building, action, found.k_D, found.moduli.loss_factor, brace, thickness)
+            return model.share * model.estimated_strain(found.k_D, found.moduli.loss_factor, thickness)
 
-        return at_own_strain(spec, solve, lambda found: found.moduli, reached, start)
+        return at_own_strain(model, solve, lambda found: found.moduli, reached, start)
 
     iterations: list[Iteration] = []
-    betas = [least] if least is not None else []
-    betas += [beta for beta in _betas(spec) if least is None or beta > least]
+    betas = [least, *(beta for beta in _betas(spec) if beta > least)]
     reason = ""
     for beta in betas:
         wanted = beta * k_S
-        at = respond(material, partial(_same, wanted))
+        at = respond(model.material, partial(_same, wanted))
         found = at.found
         values = _values(beta, found, "")
         if cold is not None:
@@ -111,15 +101,24 @@ def size_simplified(
         else:  # histories decide, from the beta that the estimate likes best
             beta = betas[int(np.argmin(drifts))]
             wanted = beta * k_S
-            at = respond(material, partial(_same, wanted))
+            at = respond(model.material, partial(_same, wanted))
             found = at.found
     stiffness = area_factor * wanted
     if area_factor != 1.0:
-        at = respond(material, partial(_same, stiffness))
+        at = respond(model.material, partial(_same, stiffness))
         found = at.found
-    area = layer_areas(building, spec, stiffness, thickness, found.moduli.G_storage)
-    size = (stiffness, found.moduli, found.frequency, thickness, area, brace)
-    return Sizing(beta, *size, tuple(iterations), reason or at.reason, at.strain, at.steps)
+    return ElastomerSizing(
+        target=beta,
+        size=stiffness,
+        iterations=tuple(iterations),
+        reason=reason or at.reason,
+        moduli=found.moduli,
+        frequency=found.frequency,
+        thickness=thickness,
+        area=model.areas(stiffness, thickness, found.moduli.G_storage),
+        strain=at.strain,
+        strain_steps=at.steps,
+    )
 
 
 def _beyond(spec: SimplifiedDesign, largest: float, least_drift: float) -> str:
@@ -150,44 +149,37 @@ def static_drift(step: Iteration) -> float:
 
 
 def static_response(
-    building: Building,
-    spec: SimplifiedDesign,
-    material: Elastomer,
-    action: Action,
-    k_D: np.ndarray,
-    brace: np.ndarray,
+    model: ElastomerModel, spec: SimplifiedDesign, elastomer: Elastomer, k_D: np.ndarray
 ) -> StaticResponse:
     """Return the drifts under the lateral forces of the spectrum reduced for the added damping.
 
     Args:
-        building: the frame with its places.
+        model: of the dampers.
         spec: the design.
-        material: properties of the elastomer; the loss factor follows the frequency, k_D is given.
-        action: the spectrum.
+        elastomer: its properties; the loss factor follows the frequency, k_D is given.
         k_D: storage stiffness of the dampers of each storey, (s,) N/m.
-        brace: of the braces, (s,) N/m.
 
     Source: EN 1998-1:2004, 4.3.3.2.2 and 4.3.3.2.3, with the elastic spectrum of 3.2.2.2 for inherent and added damping
         (displacements of the elastic structure, as 4.3.4 has them).
     """
+    building, action = model.building, model.action
+    assert action is not None, "check_design wants a level"
     frame = building.frame
-    start = frame.modes().first_frequency
-    moduli, at_places, modes = at_own_frequency(building, material, lambda moduli: k_D, brace, start)
-    frequency = modes.first_frequency
-    added = float(strain_energy_damping(modes, at_places)[0])
+    at = agreed(at_own_frequency(model, elastomer, lambda moduli: k_D, model.bare.first_frequency))
+    frequency, added = at.last.next_frequency, at.last.damping
     spectrum = action.spectrum.with_damping(min(action.inherent_damping + added, 1.0))
     corner = spectrum.corners["T_C"]
     across = frame.influence > 0.0
     mass = np.where(across, frame.mass, 0.0)
     period = 1.0 / frequency
     F_b = base_shear(float(spectrum.acceleration(period)), float(mass.sum()), period, corner, building.heights.size)
-    loads = lateral_forces(F_b, mass, _shape(building, spec, modes))
-    floors, _ = frame.static(loads, at_places.real)
+    loads = lateral_forces(F_b, mass, _shape(building, spec, at.modes))
+    floors, _ = frame.static(loads, at.stiffness.real)
     drift = np.abs(np.diff(floors, prepend=0.0)) / building.heights
-    return StaticResponse(k_D, frequency, moduli, added, drift, F_b)
+    return StaticResponse(k_D, frequency, at.last.moduli, added, drift, F_b)
 
 
-def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:
+def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: ElastomerSizing) -> list[str]:
     """Return one sentence for each property outside the recommendations of the simplified procedure.
 
     Args:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,10 +12,11 @@ import scipy
 from edesign.damper.hysteresis import Hysteresis, behind_brace
 from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.errors import AnalysisError
-from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, HystereticDesign, RoofAmplitude
+from edesign.project.dampers.designs import HystereticDesign, RoofAmplitude
 from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import LinearModes
-from edesign.study.design.estimate import Action, spectral_peaks
+from edesign.study.design.device_model import DeviceModel
+from edesign.study.design.estimate import Action, SpectralPeaks, spectral_peaks
 from edesign.study.design.relaxation import AGREEMENT, Relaxation
 
 _MOST_ITERATIONS = 300  # of shapes, and of Newton's method; ten where storeys do not hand the drift to each other
@@ -47,6 +49,7 @@ class SecantVibration:
     """A vibration of the frame in its first mode with the secant stiffness of its dampers at the amplitude.
 
     Attributes:
+        scale: factor on the forces of the law that gives all dampers of each place, (d,).
         roof: amplitude at the roof, m.
         deformation: amplitude of dampers and braces together, (d,) m.
         secants: of the dampers there.
@@ -56,6 +59,7 @@ class SecantVibration:
         damping: the one that counts.
     """
 
+    scale: np.ndarray
     roof: float
     deformation: np.ndarray
     secants: Secants
@@ -75,8 +79,8 @@ class SecantVibration:
         return self.secants.force / self.deformation
 
 
-class HystereticFrame:
-    """The frame of a design with hysteretic dampers and their braces.
+class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
+    """Hysteretic dampers and their braces in the frame of a design.
 
     Args:
         building: the frame with its places.
@@ -85,11 +89,11 @@ class HystereticFrame:
         action: the spectrum; None: there is none.
     """
 
+    power = 1.0
+
     def __init__(self, building: Building, spec: HystereticDesign, loop: Hysteresis, action: Action | None) -> None:
-        self.building, self.spec, self.loop, self.action = building, spec, loop, action
-        self.bare = building.frame.modes()
-        ratio = spec.brace.ratio if isinstance(spec.brace, BraceRatio) else None
-        self.brace = None if ratio is None else ratio * building.designed_stiffness
+        super().__init__(building, spec, action)
+        self.loop = loop
         known = "first_mode" if action is None else "spectrum"
         self.shear_of = "given" if isinstance(spec.shear, tuple) else spec.shear or known
         self.shears = self._shears()
@@ -100,7 +104,7 @@ class HystereticFrame:
         Args:
             yield_force: of all dampers of each storey along its drift, (s,) N.
         """
-        return self.building.at_places(yield_force, 1.0) / self.loop.yield_force
+        return self.at_places(yield_force) / self.loop.yield_force
 
     @property
     def yield_deformation(self) -> np.ndarray:
@@ -133,9 +137,7 @@ class HystereticFrame:
             deformation: amplitude of damper and brace together, (..., d) m.
         """
         to_law = self.building.deformation_scale
-        flexibility = np.zeros_like(scale)
-        if self.brace is not None:
-            flexibility = scale / self.building.at_places(self.brace)
+        flexibility = np.zeros_like(scale) if self.braces is None else scale / self.braces
         of_law = behind_brace(self.loop, to_law * deformation, to_law * flexibility)
         tangent = scale * to_law * self.loop.tangent(of_law)
         tangent = tangent / (1.0 + tangent * flexibility / scale)
@@ -149,8 +151,8 @@ class HystereticFrame:
             yield_force: of all dampers of each storey along its drift, (s,) N.
         """
         flexibility = 1.0 / self.stiffness(self.scale(yield_force))
-        if self.brace is not None:
-            flexibility = flexibility + 1.0 / self.building.at_places(self.brace)
+        if self.braces is not None:
+            flexibility = flexibility + 1.0 / self.braces
         return self.building.frame.modes(1.0 / flexibility)
 
     def yield_drift(self, yield_force: np.ndarray) -> np.ndarray:
@@ -160,9 +162,8 @@ class HystereticFrame:
             yield_force: of all dampers of each storey along its drift, (s,) N.
         """
         deformation = self.yield_deformation
-        if self.brace is not None:
-            force = self.building.at_places(yield_force, 1.0)
-            deformation = deformation + force / self.building.at_places(self.brace)
+        if self.braces is not None:
+            deformation = deformation + self.at_places(yield_force) / self.braces
         storeys = self.building.place_storey
         horizontal = np.bincount(storeys, deformation / self.building.cosine) / np.bincount(storeys)
         return np.asarray(horizontal / self.building.heights[self.building.storeys - 1])
@@ -193,9 +194,38 @@ class HystereticFrame:
             yield_force: of all dampers of each storey along its drift, (s,) N.
         """
         roof = self._roof(self.bare, 0.0, None)
-        work = 4.0 * float(self.building.at_places(yield_force, 1.0) @ self._deformation(self.bare, roof))
+        work = 4.0 * float(self.at_places(yield_force) @ self._deformation(self.bare, roof))
         generalised = roof / float(self.bare.floors[0, -1])
         return work / (2.0 * math.pi * (float(self.bare.omega[0]) * generalised) ** 2)
+
+    def storage(self, state: SecantVibration) -> np.ndarray:
+        """Return the secant stiffness of dampers and braces in the first mode, for all modes, (d,) N/m."""
+        return state.stiffness
+
+    def added_damping(self, state: SecantVibration, modes: LinearModes) -> np.ndarray:
+        """Return the damping ratio of each mode, (n,): that of the first alone.
+
+        Source: ASCE/SEI 7-16, 18.7.3.2: hysteretic damping is that of the fundamental mode.
+        """
+        added = np.zeros(modes.omega.size)
+        added[0] = state.damping
+        return added
+
+    def demands(
+        self, state: SecantVibration, modes: LinearModes, peaks: SpectralPeaks
+    ) -> tuple[np.ndarray, Mapping[str, np.ndarray]]:
+        """Return the largest force of the dampers at each place, (d,) N, their stroke and ductility, and core strain.
+
+        The force of a buckling-restrained brace is its compression, the larger one.
+        """
+        secants = self.secants(state.scale, peaks.combined(modes.dampers))
+        stroke, force = secants.stroke, secants.force
+        further = {"stroke": stroke, "ductility": stroke / self.yield_deformation}
+        if isinstance(self.loop, RestrainedCycles):
+            of_law = self.building.deformation_scale * stroke
+            force = state.scale * self.loop.compression(of_law)
+            further["core_strain"] = self.loop.core_strain(of_law)
+        return force, further
 
     def _at_wanted_roof(self, scale: np.ndarray, action: Action | None) -> SecantVibration:
         """The first mode at the amplitude that its period, shape and damping at this amplitude want."""
@@ -285,7 +315,7 @@ class HystereticFrame:
         at_amplitude = energy / (2.0 * math.pi * float(modes.omega[0]) ** 2)
         average = self.spec.equivalent_damping == "average"
         damping = self._average(scale, deformation, modes) if average else at_amplitude
-        return SecantVibration(roof, deformation, secants, modes, at_amplitude, math.nan, damping)
+        return SecantVibration(scale, roof, deformation, secants, modes, at_amplitude, math.nan, damping)
 
     def _average(self, scale: np.ndarray, deformation: np.ndarray, modes: LinearModes) -> float:
         """Mean of the equivalent damping over amplitudes up to that of a deformation (d,) m, in the same shape."""
@@ -299,17 +329,8 @@ class HystereticFrame:
 
     def _roof(self, modes: LinearModes, damping: float, action: Action | None) -> float:
         """Amplitude of the first of modes at the roof, m, with a damping ratio that the dampers add."""
-        amplitude = self.spec.amplitude
-        at_roof = float(modes.floors[0, -1])
-        if action is None and isinstance(amplitude, RoofAmplitude):
-            return amplitude.roof_displacement
-        if action is None and isinstance(amplitude, DriftAmplitude):
-            drifts = np.abs(np.diff(modes.floors[0], prepend=0.0)) / self.building.heights
-            return amplitude.drift * abs(at_roof) / float(drifts.max())
-        action = action or self.action
-        assert action is not None, "check_design wants a level"
-        ratio = min(action.inherent_damping + damping, 1.0)
-        return abs(float(modes.participation[0]) * at_roof) * action.displacement(float(modes.omega[0]), ratio)
+        share = float(modes.participation[0]) * float(modes.floors[0, -1])
+        return self.roof_amplitude(modes.floors[0], share, float(modes.omega[0]), damping, action)
 
     @staticmethod
     def _deformation(modes: LinearModes, roof: float) -> np.ndarray:

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from edesign.project.dampers.designs import DriftAmplitude, RoofAmplitude
+from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.plausibility import beyond_the_optimum, spread
 from edesign.study.design.results import of_storeys
-from edesign.study.design.viscous.estimate import ViscousEstimate
-from edesign.study.design.viscous.model import ViscousFrame
+from edesign.study.design.viscous.model import ViscousModel
 from edesign.study.design.viscous.sizing import ViscousSizing
 
 LARGEST_FORCE = 8e6
@@ -19,17 +19,16 @@ LEAST_SHARE = 0.03
 """Of the largest force: the least and the largest standard size are 250 and 8000 kN, which is about this share."""
 
 
-def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousEstimate | None) -> Iterator[str]:
+def viscous_warnings(model: ViscousModel, sizing: ViscousSizing, found: FrameEstimate | None) -> Iterator[str]:
     """Yield one sentence for each implausible property of a design of viscous dampers.
 
     Args:
-        frame: with its dampers' law.
+        model: of the dampers.
         sizing: the dampers.
         found: response that the spectrum estimates; None: there is no level.
     """
-    building, vibration, spec = frame.building, sizing.vibration, frame.spec
-    damper = 1.0j * vibration.omega * vibration.linear
-    pushed = np.abs(damper / (1.0 + damper * vibration.flexibility))  # force over drift, with the spring in series
+    building, vibration, spec = model.building, sizing.vibration, model.spec
+    pushed = np.abs(vibration.stiffness(vibration.omega))  # force over drift, with the spring in series
     ratio = np.bincount(building.place_storey, pushed * building.cosine**2) / building.designed_stiffness
     if ratio.max() > 1.0:
         yield (
@@ -37,11 +36,11 @@ def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousE
             "its columns (omega c_eq over k_S, with braces): they hold the storey rather than damp it; 2 is the "
             "critical damping of a storey by itself"
         )
-    weight = vibration.linear / frame.at_places(sizing.coefficient)
+    weight = vibration.linear / model.at_places(sizing.size)
 
     def damping(share: float) -> float:
-        coefficient = share * sizing.coefficient
-        return frame.modes(weight * frame.at_places(coefficient), coefficient).first_damping
+        coefficient = share * sizing.size
+        return model.modes(weight * model.at_places(coefficient), coefficient).first_damping
 
     yield from beyond_the_optimum(damping, "coefficients")
     if found is None:
@@ -61,20 +60,20 @@ def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousE
             f"{1e-3 * force.min():.3g} kN at least: they do next to nothing; leave these storeys out by `storeys`, or "
             "take another `distribution`"
         )
-    yield from _amplitude(frame, sizing)
+    yield from _amplitude(model, sizing)
 
 
-def _amplitude(frame: ViscousFrame, sizing: ViscousSizing) -> Iterator[str]:
+def _amplitude(model: ViscousModel, sizing: ViscousSizing) -> Iterator[str]:
     """What a given amplitude misses where the spectrum says another one."""
-    vibration, alpha, action = sizing.vibration, frame.dashpot.alpha, frame.action
-    if not isinstance(frame.spec.amplitude, (RoofAmplitude, DriftAmplitude)) or action is None or alpha == 1.0:
+    vibration, alpha, action = sizing.vibration, model.dashpot.alpha, model.action
+    if not isinstance(model.spec.amplitude, (RoofAmplitude, DriftAmplitude)) or action is None or alpha == 1.0:
         return
-    reached = frame.spectral_roof(vibration.modes, action)
+    reached = model.roof(vibration.modes, action)
     ratio = (reached / vibration.roof) ** (alpha - 1.0)
-    low, high, source = spread(frame.spec.bounds)
+    low, high, source = spread(model.spec.bounds)
     if not low <= ratio <= high:
         yield (
             f"the dampers count at a roof amplitude of {1e3 * vibration.roof:.4g} mm, but the first mode reaches "
-            f"{1e3 * reached:.4g} mm at {frame.spec.level}: there c_eq is {ratio:.3g} times what the design counts on, "
+            f"{1e3 * reached:.4g} mm at {model.spec.level}: there c_eq is {ratio:.3g} times what the design counts on, "
             f"outside {low:g} to {high:g} ({source}); `amplitude: spectrum` follows the amplitude"
         )

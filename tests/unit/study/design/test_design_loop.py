@@ -19,7 +19,7 @@ from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.project import Project
 from edesign.study.analysis.structure import make_structure
 from edesign.study.design.design import DesignResult, run_design
-from edesign.study.design.elastomer.sizing import Sizing
+from edesign.study.design.device_model import Sizing
 from edesign.study.design.loop import Round, RoundOutcome, RoundVerdict, Search, search
 
 TEXT = (
@@ -172,7 +172,7 @@ def within_reach(limit: float) -> Search:
     def make(value: float) -> Sizing:
         if value > 0.05:
             raise InputError("no damper reaches that")
-        return Sizing(value, *[np.ones(1)] * 2, 1.0, 1.0, np.ones(1), None, ())  # type: ignore[arg-type]
+        return Sizing(target=value, size=np.ones(1))
 
     def verify(sizing: Sizing, number: int, value: float) -> RoundOutcome:
         drift = 4e-4 / value

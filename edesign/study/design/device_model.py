@@ -1,0 +1,189 @@
+"""Dampers of one law in the frame of a design: what they store and dissipate, and the response with them."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+
+from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, RoofAmplitude, SizedDesign
+from edesign.study.design.building import Building
+from edesign.study.design.condensed import LinearModes
+from edesign.study.design.damping import strain_energy_damping
+from edesign.study.design.estimate import (
+    Action,
+    FrameEstimate,
+    SpectralPeaks,
+    frame_estimate,
+    spectral_peaks,
+    storey_drift,
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sizing:
+    """Dampers of a size, by any method.
+
+    Attributes:
+        target: what they were sized for: damping ratio, beta of the simplified method, or share of the storey shears;
+            nan: a drift.
+        size: of all dampers of each storey with dampers along its drift, (s,): horizontal storage stiffness k_D
+            without braces (N/m), damping coefficient c (N (s/m)^alpha), or yield force F_y (N).
+        iterations: how they were found.
+        reason: why they are not good; empty if they are.
+    """
+
+    target: float
+    size: np.ndarray
+    iterations: tuple[Any, ...] = ()
+    reason: str = ""
+
+
+D = TypeVar("D", bound=SizedDesign)
+V = TypeVar("V")
+
+
+class DeviceModel(ABC, Generic[D, V]):
+    """The dampers of a law with their braces in the frame of a design.
+
+    How dampers count at an amplitude, a frequency and a temperature is the method's, and so is the iteration that leads
+    to these: on strain and frequency (elastomer), on the dashpots of an amplitude (viscous), on the secants of an
+    amplitude (hysteretic). It ends in a state V, from which all methods estimate the response alike.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        action: the spectrum; None: there is none.
+
+    Attributes:
+        power: of the cosine of a damper's slope, with which it adds to its storey.
+        bare: modes without dampers.
+        brace: horizontal stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
+    """
+
+    power: float = 2.0
+
+    def __init__(self, building: Building, spec: D, action: Action | None) -> None:
+        self.building, self.spec, self.action = building, spec, action
+        self.bare = building.frame.modes()
+        self.brace = None if self.brace_ratio is None else self.brace_ratio * building.designed_stiffness
+
+    @property
+    def brace_ratio(self) -> float | None:
+        """Stiffness of the braces of a storey over that of the storey; None: rigid."""
+        brace = getattr(self.spec, "brace", None)
+        return brace.ratio if isinstance(brace, BraceRatio) else None
+
+    @property
+    def braces(self) -> np.ndarray | None:
+        """Stiffness of the braces of each place along them, (d,) N/m; None: rigid."""
+        return None if self.brace is None else self.building.at_places(self.brace)
+
+    def at_places(self, size: np.ndarray) -> np.ndarray:
+        """Return the size of the dampers at each place, (d,).
+
+        Args:
+            size: of all dampers of each storey along its drift, (s,).
+        """
+        return self.building.at_places(size, self.power)
+
+    def of_device(self, size: np.ndarray) -> np.ndarray:
+        """Return the size of one damper in each storey with dampers, (s,).
+
+        Args:
+            size: of all dampers of each storey along its drift, (s,).
+        """
+        return size / (self.spec.number * self.building.attachment(self.power))
+
+    def roof_amplitude(
+        self, floors: np.ndarray, share: float, omega: float, damping: float, action: Action | None
+    ) -> float:
+        """Return the amplitude of the first mode at the roof, m; nan where a design with linear dampers needs none.
+
+        Args:
+            floors: displacements of the floors in the mode, (f,).
+            share: of the spectral displacement that the roof has, participation factor times its displacement.
+            omega: circular frequency of the mode, rad/s.
+            damping: damping ratio that the dampers add to it.
+            action: whose spectrum gives the amplitude; None: what the design says.
+        """
+        amplitude = getattr(self.spec, "amplitude", None)
+        if action is None and isinstance(amplitude, RoofAmplitude):
+            return amplitude.roof_displacement
+        if action is None and isinstance(amplitude, DriftAmplitude):
+            drifts = np.abs(np.diff(floors, prepend=0.0)) / self.building.heights
+            return amplitude.drift * float(abs(floors[-1])) / float(drifts.max())
+        action = action or self.action
+        if action is None:
+            return math.nan
+        return abs(share) * action.displacement(omega, min(action.inherent_damping + damping, 1.0))
+
+    def first_damping(self, stiffness: np.ndarray) -> float:
+        """Return the damping ratio that dampers with their braces add to the first mode, by modal strain energy.
+
+        Args:
+            stiffness: complex, of the dampers at each place with their braces, (d,) N/m.
+        """
+        return float(strain_energy_damping(self.building.frame.modes(stiffness.real), stiffness)[0])
+
+    @abstractmethod
+    def storage(self, state: V) -> np.ndarray:
+        """Return the stiffness of dampers and braces at each place with which the modes are found, (d,) N/m."""
+
+    @abstractmethod
+    def added_damping(self, state: V, modes: LinearModes) -> np.ndarray:
+        """Return the damping ratio that the dampers add to each of the modes with their storage, (n,)."""
+
+    @abstractmethod
+    def demands(
+        self, state: V, modes: LinearModes, peaks: SpectralPeaks
+    ) -> tuple[np.ndarray, Mapping[str, np.ndarray]]:
+        """Return the largest force of the dampers at each place, (d,) N, and what else they bear (`FrameEstimate`)."""
+
+    def peaks(self, state: V, action: Action) -> tuple[LinearModes, SpectralPeaks]:
+        """Return the modes with dampers, and their peaks.
+
+        Args:
+            state: of the dampers.
+            action: spectrum, and damping ratio of the frame without dampers.
+        """
+        modes = self.building.frame.modes(self.storage(state))
+        return modes, spectral_peaks(self.building.frame, action, modes, self.added_damping(state, modes))
+
+    def drift(self, state: V, action: Action) -> np.ndarray:
+        """Return the storey drifts over height by the response spectrum method, (f,).
+
+        Args:
+            state: of the dampers.
+            action: spectrum, and damping ratio of the frame without dampers.
+        """
+        modes, peaks = self.peaks(state, action)
+        return storey_drift(self.building, modes, peaks)
+
+    def estimate(self, state: V, action: Action) -> FrameEstimate:
+        """Estimate the response with dampers by the response spectrum method.
+
+        Args:
+            state: of the dampers.
+            action: spectrum, and damping ratio of the frame without dampers.
+
+        Source: EN 1998-1:2004, 3.2.2.2(3) (eta) and 4.3.3.3; CQC: Der Kiureghian (1981), Earthquake Engineering and
+            Structural Dynamics 9(5), with unequal damping.
+        """
+        modes, peaks = self.peaks(state, action)
+        force, further = self.demands(state, modes, peaks)
+        return frame_estimate(self.building, modes, self.storage(state), peaks, force, further)
+
+    def bare_estimate(self, action: Action) -> FrameEstimate:
+        """Estimate the response of the frame without dampers by the response spectrum method.
+
+        Args:
+            action: spectrum, and damping ratio of the frame without dampers.
+        """
+        peaks = spectral_peaks(self.building.frame, action, self.bare, np.zeros(self.bare.omega.size))
+        nothing = np.zeros(self.building.frame.n_devices)
+        return frame_estimate(self.building, self.bare, nothing, peaks, nothing, {})
