@@ -10,15 +10,15 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.archived import archived_project
+from edesign.report.design.heights import heights_caption, heights_figure, size_of
 from edesign.report.design.hysteretic_figures import hysteretic_figures
 from edesign.report.design.placement_figures import placement_figures
 from edesign.report.design.tables import ROUND_SIZES, round_areas, round_damping
-from edesign.report.design.viscous_figures import viscous_figures
-from edesign.report.drawing.captions import file_name, plain
+from edesign.report.design.viscous_tables import kilonewtons
+from edesign.report.drawing.captions import file_name
 from edesign.report.drawing.style import (
     AFTER,
     BEFORE,
-    MEAN,
     TARGET,
     VARIANTS,
     grid_figure,
@@ -47,73 +47,46 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """
     for name in archive.names(DESIGNS):
         group = archive.group(f"{DESIGNS}/{name}")
-        if group.attributes.get("method") == "placement":
+        method = group.attributes.get("method")
+        if method == "placement":
             project = archived_project(archive)
             yield from placement_figures(name, group, None if project is None else project.frame)
             continue
-        if group.attributes.get("method") == "viscous":
-            yield from viscous_figures(name, group)
-        if group.attributes.get("method") == "hysteretic":
+        if size_of(group) is not None:
+            yield (
+                file_name("design", name, "heights"),
+                f"Design {name}: {heights_caption(group)}",
+                heights_figure(group),
+            )
+        if method == "hysteretic":
             yield from hysteretic_figures(name, group)
-        about = f"Design {name}"
-        if "layer_area" in group.variables and "damper_stiffness" in group.variables:
-            total = float(np.sum(_along(group, "damper_stiffness")) / np.sum(_along(group, "storey_stiffness")))
-            caption = (
-                f"{about}: stiffness of dampers and storeys, and area of a layer of elastomer. "
-                f"The dampers have {plain(100.0 * total)} % of the stiffness of their storeys."
-            )
-            yield file_name("design", name, "heights"), caption, heights_figure(group)
-        if "round" in group.coords and group.coords["round"].values.size > 1:
-            reason = str(group.attributes.get("reason") or "")
-            count = group.coords["round"].values.size
-            chosen = group.attributes.get("chosen_round")
-            shaded = f" Round {chosen} is the one that was chosen." if chosen is not None else ""
-            caption = f"{about}: {count} rounds of sizing and verification by histories.{shaded} {reason}".strip()
-            yield file_name("design", name, "rounds"), caption, rounds_figure(group)
-        if "iteration_next_frequency" in group.variables and group.coords["iteration"].values.size > 1:
-            count = group.coords["iteration"].values.size
-            followed = " and the strain that is reached" if "strain_step" in group.coords else ""
-            caption = (
-                f"{about}: {count} iterations of the properties of the elastomer at the first frequency{followed}."
-            )
-            yield file_name("design", name, "iterations"), caption, iterations_figure(group)
+        rounds, iterations = _rounds(name, group), _iterations(name, group)
+        parts = [iterations, rounds] if method == "viscous" else [rounds, iterations]
+        yield from (part for part in parts if part is not None)
 
 
-@styled
-def heights_figure(group: Group) -> Figure:
-    """Draw the stiffness of storeys and dampers, and the area of their layers, storey by storey.
+def _rounds(name: str, group: Group) -> tuple[str, str, Figure] | None:
+    """Return name, caption and figure of the rounds of a design; None if there are not several."""
+    if "round" not in group.coords or group.coords["round"].values.size < 2:
+        return None
+    reason = str(group.attributes.get("reason") or "")
+    count = group.coords["round"].values.size
+    chosen = group.attributes.get("chosen_round")
+    shaded = f" Round {chosen} is the one that was chosen." if chosen is not None else ""
+    caption = f"Design {name}: {count} rounds of sizing and verification by histories.{shaded} {reason}".strip()
+    return file_name("design", name, "rounds"), caption, rounds_figure(group)
 
-    Args:
-        group: of a design: damper_stiffness, storey_stiffness N/m and layer_area m2 over (storey,), and where there
-            are rounds of a verification round_layer_area over (round, storey).
-    """
-    figure, ((left, right),) = new_figure(1, 2, 6.3, 3.4)
-    storeys = np.asarray(group.coords["storey"].values)
-    parts = [
-        ("frame", _along(group, "storey_stiffness"), BEFORE),
-        ("dampers", _along(group, "damper_stiffness"), AFTER),
-    ]
-    if "brace_stiffness" in group.variables:
-        parts.append(("braces", _along(group, "brace_stiffness"), VARIANTS[2]))
-    thick = 0.8 / len(parts)
-    for i, (label, values, color) in enumerate(parts):
-        places = storeys + 0.4 - (i + 0.5) * thick
-        left.barh(places, 1e-6 * values, 0.9 * thick, color=color, label=label)
-    left.set_xlabel("stiffness (MN/m)")
-    right.barh(storeys, _along(group, "layer_area"), 0.6, color=AFTER, label="chosen")
-    if "round_layer_area" in group.variables:
-        for k, areas in enumerate(group.variables["round_layer_area"].values):
-            right.plot(areas, storeys, color=MEAN, lw=0.6, marker=".", ms=3.0, label=None if k else "each round")
-    right.set_xlabel("area of a layer (m²)")
-    right.set_xlim(left=0.0)
-    right.tick_params(labelleft=False)
-    left.set_ylabel("storey")
-    for axis in (left, right):
-        axis.set_ylim(storeys[0] - 0.6, storeys[-1] + 0.6)
-        axis.set_yticks(some_of(storeys))
-        axis.grid(axis="y", visible=False)
-        legend_above(axis)
-    return figure
+
+def _iterations(name: str, group: Group) -> tuple[str, str, Figure] | None:
+    """Return name, caption and figure of the iterations of a design; None if there are not several."""
+    if "iteration" not in group.coords or group.coords["iteration"].values.size < 2 or not _panels(group):
+        return None
+    followed = " and the strain that is reached" if "strain_step" in group.coords else ""
+    what = f"properties of the elastomer at the first frequency{followed}"
+    if "iteration_coefficient" in group.variables:
+        what = "amplitude at which the dampers count"
+    caption = f"Design {name}: {group.coords['iteration'].values.size} iterations of the {what}."
+    return file_name("design", name, "iterations"), caption, iterations_figure(group)
 
 
 @styled
@@ -141,37 +114,45 @@ def rounds_figure(group: Group) -> Figure:
     return figure
 
 
+def _panels(group: Group) -> list[tuple[str, float, tuple[str, ...]]]:
+    """Return label, scale and variables of what a design iterates on, what was taken before what was found."""
+    panels = [
+        ("first frequency (Hz)", 1.0, ("iteration_frequency", "iteration_next_frequency")),
+        ("added damping (%)", 100.0, ("iteration_damping",)),
+        ("strain of the layers (%)", 100.0, ("strain_step_taken", "strain_step_reached")),
+    ]
+    coefficient = group.variables.get("iteration_coefficient")
+    if coefficient is not None:
+        panels = [
+            ("roof amplitude (mm)", 1e3, ("iteration_roof_displacement",)),
+            (f"c of all storeys ({kilonewtons(coefficient.unit)})", 1e-3, ("iteration_coefficient",)),
+        ]
+    return [panel for panel in panels if all(name in group.variables for name in panel[2])]
+
+
 @styled
 def iterations_figure(group: Group) -> Figure:
-    """Draw the frequency before and after each iteration, and the damping that the dampers add.
+    """Draw what a design took and found in each iteration; of values over the storeys the sum.
 
     Args:
-        group: of a design, with iteration_frequency, iteration_next_frequency (Hz) and iteration_damping; where the
-            strain was followed, with strain_step_taken and strain_step_reached too.
+        group: of a design, with variables over (iteration,), and over (strain_step,) where the strain was followed.
     """
-    followed = "strain_step" in group.coords
-    figure, (axes,) = new_figure(1, 3 if followed else 2, 6.3, 2.4)
-    left, right = axes[:2]
-    steps = np.asarray(group.coords["iteration"].values)
-    left.plot(steps, _along(group, "iteration_frequency"), color=BEFORE, ls="--", marker="s", ms=3.5, label="taken")
-    left.plot(steps, _along(group, "iteration_next_frequency"), **_LINE, label="found")
-    left.set_ylabel("first frequency (Hz)")
-    legend_above(left)
-    right.plot(steps, 100.0 * _along(group, "iteration_damping"), **_LINE)
-    right.set_ylabel("added damping (%)")
-    _from_zero(right)
-    for axis in (left, right):
-        axis.set_xlabel("iteration")
-        axis.set_xticks(some_of(steps))
-    if followed:
-        last = axes[2]
-        steps = np.asarray(group.coords["strain_step"].values)
-        last.plot(steps, 100.0 * _along(group, "strain_step_taken"), color=BEFORE, ls="--", marker="s", ms=3.5)
-        last.plot(steps, 100.0 * _along(group, "strain_step_reached"), **_LINE)
-        last.set_ylabel("strain of the layers (%)")
-        last.set_xlabel("step of the strain")
-        last.set_xticks(steps[:: 1 + len(steps) // 8])
-        _from_zero(last)
+    panels = _panels(group)
+    figure, (axes,) = new_figure(1, len(panels), 6.3, 2.4)
+    for axis, (label, scale, names) in zip(axes, panels, strict=True):
+        of_strain = names[0].startswith("strain_step")
+        steps = np.asarray(group.coords["strain_step" if of_strain else "iteration"].values)
+        for name in names:
+            values = scale * _along(group, name).reshape(steps.size, -1).sum(axis=1)
+            style = _LINE if name == names[-1] else {"color": BEFORE, "ls": "--", "marker": "s", "ms": 3.5}
+            axis.plot(steps, values, **style, label="found" if name == names[-1] else "taken")
+        if names[0] == "iteration_frequency":
+            legend_above(axis)
+        else:
+            _from_zero(axis)
+        axis.set_ylabel(label)
+        axis.set_xlabel("step of the strain" if of_strain else "iteration")
+        axis.set_xticks(steps[:: 1 + len(steps) // 8] if of_strain else some_of(steps))
     return figure
 
 

@@ -1,4 +1,4 @@
-"""How a design of hysteretic dampers came about: forces over the height, damping over their share, the optimum."""
+"""A design of hysteretic dampers with other yield forces: damping over their share, the optimum."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.report.design.storeys import heights_axes
-from edesign.report.drawing.captions import file_name, plain
-from edesign.report.drawing.style import AFTER, BEFORE, MEAN, TARGET, VARIANTS, legend_above, new_figure, styled
+from edesign.report.drawing.captions import file_name
+from edesign.report.drawing.style import AFTER, MEAN, TARGET, VARIANTS, legend_above, new_figure, styled
 from edesign.report.response.histories import names_of
 
 if TYPE_CHECKING:
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figure]]:
-    """Yield the dampers of a design over the height, and the effect of other yield forces.
+    """Yield the effect of other yield forces in a design of hysteretic dampers.
 
     Args:
         name: name of the design.
@@ -27,16 +26,6 @@ def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figu
     Yields:
         Name of the file, caption and figure.
     """
-    if "device_yield_force" not in group.variables:
-        return
-    share, damping = (100.0 * float(str(group.attributes[key])) for key in ("share", "damping"))
-    given = group.attributes["shear_of"] == "given"
-    shear = "given shear of each storey" if given else "shear of each storey without dampers"
-    caption = (
-        f"Design {name}: {shear}, yield force of its dampers, and its drift. The dampers "
-        f"have {plain(share)} % of the shears; the first mode has {plain(damping)} % of added damping."
-    )
-    yield file_name("design", name, "heights"), caption, hysteretic_heights_figure(group)
     if "curve_share" in group.coords:
         caption = (
             f"Design {name}: added damping of the first mode, and largest drift by the response spectrum, with other "
@@ -47,28 +36,6 @@ def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figu
         count = group.coords["round"].values.size
         caption = f"Design {name}: {count} rounds of histories; the least value is the design."
         yield file_name("design", name, "optimum"), caption, optimum_figure(group)
-
-
-@styled
-def hysteretic_heights_figure(group: Group) -> Figure:
-    """Draw shear and yield force of each storey, and the estimated drifts where there are any.
-
-    Args:
-        group: of a design: storey_shear, yield_force N over (storey,), and estimated_storey_drift,
-            estimated_bare_storey_drift over (frame_storey,) where a level is given.
-    """
-    figure, left, right = heights_axes(group)
-    storeys = np.asarray(group.coords["storey"].values)
-    shear, force = (1e-3 * group.variables[key].values for key in ("storey_shear", "yield_force"))
-    left.barh(storeys + 0.2, shear, 0.36, color=BEFORE, label="shear")
-    left.barh(storeys - 0.2, force, 0.36, color=AFTER, label="yield force")
-    left.set_xlabel("of the storey (kN)")
-    legend_above(left)
-    if right is not None:
-        right.plot(100.0 * group.variables["yield_drift"].values, storeys, color=TARGET, ls="--", label="at yield")
-        right.set_xlim(left=0.0)
-        legend_above(right, 3)
-    return figure
 
 
 @styled
