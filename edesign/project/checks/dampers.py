@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.checks.selections import Selections
@@ -15,7 +15,7 @@ from edesign.project.dampers.dampers import (
     DamperRun,
     Device,
 )
-from edesign.project.dampers.designs import HystereticDesign, SizedDesign, ViscousDesign
+from edesign.project.dampers.designs import SizedDesign
 from edesign.project.dampers.placement import CatalogueItem
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -151,24 +151,6 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
         storeys = device.storeys.numbers(1, project.frame.n_storeys)
         _lists(problems, keys, device, len(storeys))
         check_beams_met((*keys, "kind"), device, project, problems)
-
-
-def check_sized_law(
-    keys: Keys, spec: ViscousDesign | HystereticDesign, law: DamperLaw, types: Iterable[str], problems: Problems
-) -> None:
-    """Check the law of a design that sizes dampers without layers.
-
-    Args:
-        keys: of the `law` of the design.
-        types: that the method can size; those of law files are known later.
-        problems: collects what is wrong.
-    """
-    if law.prototype is not None:
-        message = f"the law `{spec.law}` of the project has a `prototype`; {spec.method} dampers have no layers"
-        problems.at_value(keys, message)
-    if law.file is None and law.type is not None and law.type not in types:
-        message = f"the law `{spec.law}` is of type `{law.type}`; {spec.method} dampers are of type {listed(types)}"
-        problems.at_value(keys, message)
 
 
 def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, problems: Problems) -> None:

@@ -10,8 +10,9 @@ from edesign.project.checks.placement import (
     check_design_hazard,
     check_placement_design,
 )
-from edesign.project.checks.viscous_designs import check_viscous_design
 from edesign.project.dampers.designs import (
+    HYSTERETIC_LAWS,
+    VISCOUS_LAWS,
     Bounds,
     Design,
     DriftAmplitude,
@@ -25,9 +26,19 @@ from edesign.project.dampers.designs import (
 )
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
-from edesign.project.reading.problems import Keys, Problems, unknown_name
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 _RECOMMENDED_ALPHA = (10.0, 30.0)
+_TYPES = {"viscous": VISCOUS_LAWS, "hysteretic": HYSTERETIC_LAWS}
+"""Types of laws that a method can size; the other methods size layers."""
+_LEAST = {"least_area": ("area", "`area` or `thickness`"), "least_coefficient": ("coefficients", "`coefficient`")}
+"""What distributions that meet a drift sum up, and what rounds of histories may change in them."""
+_FIXED = "fixed properties do not change with temperature; give a table or `law`"
+_UNCHANGED = {
+    "viscous": "a viscous law changes with its coefficient alone; give factors that hold for the temperatures",
+    "hysteretic": "a hysteretic law changes with its force alone; give factors that hold for the temperatures",
+}
+"""Why a method has no bounds by temperature."""
 
 
 def check_design(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
@@ -58,11 +69,11 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
     if spec.bounds is not None:
         _bounds((*keys, "bounds"), spec, spec.bounds, problems)
     if isinstance(spec, ViscousDesign):
-        check_viscous_design(keys, spec, project, problems)
+        _viscous(keys, spec, problems)
     elif isinstance(spec, HystereticDesign):
         check_hysteretic_design(keys, spec, project, problems)
     else:
-        _elastomer(keys, spec, project, problems)
+        _elastomer(keys, spec, problems)
 
 
 def design_warnings(spec: Design) -> list[str]:
@@ -75,15 +86,60 @@ def design_warnings(spec: Design) -> list[str]:
 
 def _law(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
     laws = project.dampers.laws if project.dampers is not None else {}
-    if spec.law not in laws:
-        problems.at_value((*keys, "law"), unknown_name("damper law", spec.law, laws))
+    law, keys = laws.get(spec.law), (*keys, "law")
+    if law is None:
+        problems.at_value(keys, unknown_name("damper law", spec.law, laws))
+        return
+    types = _TYPES.get(spec.method)
+    if types is None:
+        if law.prototype is None and law.file is None:
+            message = f"the law `{spec.law}` of the project has no `prototype`: it has no layers that could be sized"
+            problems.at_value(keys, message)
+        return
+    if law.prototype is not None:
+        message = f"the law `{spec.law}` of the project has a `prototype`; {spec.method} dampers have no layers"
+        problems.at_value(keys, message)
+    if law.file is None and law.type is not None and law.type not in types:  # those of law files are known later
+        message = f"the law `{spec.law}` is of type `{law.type}`; {spec.method} dampers are of type {listed(types)}"
+        problems.at_value(keys, message)
 
 
-def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Problems) -> None:
-    laws = project.dampers.laws if project.dampers is not None else {}
-    if spec.law in laws and laws[spec.law].prototype is None and laws[spec.law].file is None:
-        message = f"the law `{spec.law}` of the project has no `prototype`: it has no layers that could be sized"
-        problems.at_value((*keys, "law"), message)
+def _least(keys: Keys, spec: StrainEnergyDesign | ViscousDesign, problems: Problems) -> bool:
+    """Check a design that meets a drift with the least sum of the dampers; return whether it is one."""
+    if spec.distribution not in _LEAST:
+        return False
+    summed, changes = _LEAST[spec.distribution]
+    _needed(keys, spec, f"`distribution: {spec.distribution}` needs it", problems)
+    for key in ("target_in", "damping"):
+        if getattr(spec, key, None) is not None:
+            message = f"`distribution: {spec.distribution}` meets a drift with the least {summed}, whatever the damping"
+            problems.at_key((*keys, key), message)
+    if spec.verify is not None and spec.verify.change == "target":
+        message = f"this distribution has no target damping to change; choose {changes}"
+        problems.at_value((*keys, "verify", "change"), message)
+    return True
+
+
+def _needed(keys: Keys, spec: SizedDesign, why: str, problems: Problems) -> None:
+    """Check that a design that meets a drift in the estimate has it, and the level of the estimate."""
+    for key in ("level", "drift"):
+        if getattr(spec, key) is None and not (key == "level" and _has_level(spec)):
+            problems.under(keys, key, f"this key is missing; {why}")
+
+
+def _viscous(keys: Keys, spec: ViscousDesign, problems: Problems) -> None:
+    if spec.amplitude == "spectrum" and spec.level is None:
+        problems.under(keys, "level", "this key is missing; `amplitude: spectrum` needs the spectrum of a hazard level")
+    if _least(keys, spec, problems):
+        return
+    if spec.damping is None:
+        problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `15 %`")
+    if spec.drift is not None:
+        message = "a drift has no part in the sizing for a damping; meet one by `verify`, or by `least_coefficient`"
+        problems.at_key((*keys, "drift"), message)
+
+
+def _elastomer(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
     _thickness(keys, spec, problems)
     if isinstance(spec, StrainEnergyDesign):
         _strain_energy(keys, spec, problems)
@@ -93,10 +149,6 @@ def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Pr
         _followed_strain(keys, spec, problems)
     if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
         problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first")
-    temperatures = spec.bounds is not None and spec.bounds.temperatures is not None
-    if temperatures and isinstance(spec.properties, FixedProperties):
-        message = "fixed properties do not change with temperature; give a table or `law`"
-        problems.at_key((*keys, "bounds", "temperatures"), message)
 
 
 def _has_level(spec: SizedDesign) -> bool:
@@ -133,16 +185,7 @@ def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
 
 
 def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> None:
-    if spec.distribution == "least_area":
-        for key in ("level", "drift"):
-            if getattr(spec, key) is None and not (key == "level" and _has_level(spec)):
-                problems.under(keys, key, "this key is missing; `distribution: least_area` needs it")
-        for key in ("target_in", "damping"):
-            if getattr(spec, key) is not None:
-                message = "`distribution: least_area` meets a drift with the least area, whatever the damping"
-                problems.at_key((*keys, key), message)
-        if spec.verify is not None and spec.verify.change == "target":
-            _unchangeable(keys, problems)
+    if _least(keys, spec, problems):
         return
     if spec.damping is None:
         problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `10 %`")
@@ -153,21 +196,13 @@ def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> 
         problems.at_value((*keys, "braces_in_target"), "the braces are rigid; give `brace: {ratio: ...}`")
 
 
-def _unchangeable(keys: Keys, problems: Problems) -> None:
-    message = "this distribution has no target damping to change; choose `area` or `thickness`"
-    problems.at_value((*keys, "verify", "change"), message)
-
-
 def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
-    for key in ("level", "drift"):
-        if getattr(spec, key) is None and not (key == "level" and _has_level(spec)):
-            problems.under(keys, key, "this key is missing; the simplified method needs it")
+    _needed(keys, spec, "the simplified method needs it", problems)
     if spec.beta[0] > spec.beta[1]:
         problems.at_value((*keys, "beta"), "the range runs backwards; write the lower value first")
     if spec.low_temperature is not None:
         if isinstance(spec.properties, FixedProperties):
-            message = "fixed properties do not change with temperature; give a table or `law`"
-            problems.at_key((*keys, "low_temperature"), message)
+            problems.at_key((*keys, "low_temperature"), _FIXED)
         if spec.temperature is None:
             problems.under(keys, "temperature", "this key is missing; a low end needs a design temperature")
         elif spec.low_temperature > spec.temperature:
@@ -177,6 +212,10 @@ def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
 def _bounds(keys: Keys, spec: SizedDesign, bounds: Bounds, problems: Problems) -> None:
     if not _has_level(spec):
         problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level")
+    fixed = _FIXED if isinstance(getattr(spec, "properties", None), FixedProperties) else None
+    message = _UNCHANGED.get(spec.method, fixed)
+    if bounds.temperatures is not None and message is not None:
+        problems.at_key((*keys, "temperatures"), message)
     check_factors(keys, bounds, problems)
 
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.project.checks.dampers import check_sized_law
 from edesign.project.dampers.dampers import restrained_misfits
 from edesign.project.dampers.designs import (
     DESIGNED_BRACES,
-    HYSTERETIC_LAWS,
     HYSTERETIC_TARGETS,
     HystereticDesign,
     Optimum,
@@ -25,11 +23,9 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
         problems: of the study file; collects what is wrong.
     """
     laws = project.dampers.laws if project.dampers is not None else {}
-    if spec.law in laws:
-        check_sized_law((*keys, "law"), spec, laws[spec.law], HYSTERETIC_LAWS, problems)
-        if laws[spec.law].type == "buckling_restrained":
-            for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
-                problems.at_value((*keys, key), message)
+    if spec.law in laws and laws[spec.law].type == "buckling_restrained":
+        for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
+            problems.at_value((*keys, key), message)
     targets = listed(HYSTERETIC_TARGETS)
     given = [key for key in HYSTERETIC_TARGETS if getattr(spec, key) is not None]
     if not given:
@@ -41,9 +37,6 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
         problems.at_key((*keys, "drift"), message)
     if spec.level is None:
         _level(keys, spec, problems)
-    if spec.bounds is not None and spec.bounds.temperatures is not None:
-        message = "a hysteretic law changes with its force alone; give factors that hold for the temperatures"
-        problems.at_key((*keys, "bounds", "temperatures"), message)
     if spec.optimum is not None:
         _optimum(keys, spec, spec.optimum, problems)
 
