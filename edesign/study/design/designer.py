@@ -150,8 +150,8 @@ class Designer(ABC, Generic[S]):
         brace = None if self.model.brace is None else self.model.brace / self.building.attachment()
         return sized_dampers(self.building, self._spec, brace, self.device(sizing))
 
-    def identity(self, sizing: S) -> Mapping[str, float | np.ndarray]:
-        """Return what identifies the dampers of a sizing, by the name of the archived variable `round_NAME`."""
+    def _identity(self, sizing: S) -> Mapping[str, float | np.ndarray]:
+        """What identifies the dampers of a sizing, by the name of the archived variable `round_NAME`."""
         columns = {name: of for name, _, of, _, _ in self.results.rounds}
         return {name: columns[name](self.model, sizing) for name in self.results.identity}
 
@@ -245,7 +245,7 @@ class Designer(ABC, Generic[S]):
             return Search((only,), only, sizing.reason)
 
         least = self.least()
-        tried, kept = self.outcomes(respond, judge, resume, drifts=least is not None), self.kept(keep)
+        tried, kept = self._outcomes(respond, judge, resume, least is not None), self._kept(keep)
         optimum: Optimum | None = getattr(self._spec, "optimum", None)
         if optimum is not None:
             return search_optimum(self.make, tried, optimum.range, optimum.least, verify.rounds, verify.precision, kept)
@@ -255,23 +255,13 @@ class Designer(ABC, Generic[S]):
         limits = (start, largest, verify.rounds, verify.precision)
         return search(self.make, tried, *limits, kept, self._value, self.settled)
 
-    def outcomes(
-        self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool = False
+    def _outcomes(
+        self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool
     ) -> Callable[[S, int, float], RoundOutcome]:
-        """Return the function that verifies a sizing by its histories, or takes the outcome of an earlier run.
-
-        Args:
-            respond: runs the histories of a round.
-            judge: judges the histories of a round.
-            resume: the group that an earlier run kept; None: none.
-            drifts: whether the outcomes tell the storey drifts.
-
-        Returns:
-            The function of sizing, number of the round and value of the changed quantity.
-        """
+        """The function that verifies a sizing by its histories, or takes the outcome of an earlier run."""
 
         def outcome(sizing: S, number: int, value: float) -> RoundOutcome:
-            found = kept_outcome(resume, number, value, self.identity(sizing))
+            found = kept_outcome(resume, number, value, self._identity(sizing))
             if found is not None:
                 self.progress(f"round {number} is already there")
                 return found
@@ -283,8 +273,8 @@ class Designer(ABC, Generic[S]):
 
         return outcome
 
-    def kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
-        """Return the function that keeps all rounds after each of them; it does nothing where `keep` is None."""
+    def _kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
+        """The function that keeps all rounds after each of them; it does nothing where `keep` is None."""
 
         def kept(rounds: Sequence[Round[S]]) -> None:
             if keep is not None:
