@@ -100,10 +100,6 @@ class Designer(ABC, Generic[S]):
         """Return the keys of a device of the project file that say how large the dampers of a sizing are."""
 
     @abstractmethod
-    def facts(self, sizing: S) -> dict[str, Any]:
-        """Return the attributes of the archive that describe the dampers of a sizing."""
-
-    @abstractmethod
     def modes(self, sizing: S) -> Any:
         """Return the modes with the dampers of a sizing, of which the columns `modes` of the results are."""
 
@@ -124,13 +120,12 @@ class Designer(ABC, Generic[S]):
         """
 
     @abstractmethod
-    def further(self, group: Group, done: Search[S], status: str, found: FrameEstimate | None) -> list[str]:
-        """Add to the group of a design what its method alone has; return what is implausible, a sentence each.
+    def further(self, group: Group, done: Search[S], found: FrameEstimate | None) -> list[str]:
+        """Add what the law itself says to the group of a design; return what is implausible, a sentence each.
 
         Args:
             group: of the design.
             done: all rounds and the chosen one.
-            status: completed, failed, interrupted or checked.
             found: the estimated response; None: the design has no level.
         """
 
@@ -152,8 +147,8 @@ class Designer(ABC, Generic[S]):
 
     def _identity(self, sizing: S) -> Mapping[str, float | np.ndarray]:
         """What identifies the dampers of a sizing, by the name of the archived variable `round_NAME`."""
-        columns = {name: of for name, _, of, _, _ in self.results.rounds}
-        return {name: columns[name](self.model, sizing) for name in self.results.identity}
+        columns, only = {name: of for name, _, of, _, _ in self.results.rounds}, Round(1, math.nan, sizing)
+        return {name: columns[name](self.model, only) for name in self.results.identity}
 
     def group(self, done: Search[S], status: str) -> Group:
         """Return the archived group of a design.
@@ -165,8 +160,8 @@ class Designer(ABC, Generic[S]):
         spec, model, results, sizing = self._spec, self.model, self.results, done.chosen.sizing
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
         store_sizing(group, model, results, sizing, self.modes(sizing))
-        group.attributes |= self.facts(sizing)
         store_iterations(group, model, results, done.rounds)
+        self.store_steps(group, done, status)
         store_rounds(group, model, results, done.rounds, self.words[self.changed])
         group.attributes["chosen_round"] = done.chosen.number
         found, action = None, self.action
@@ -176,21 +171,23 @@ class Designer(ABC, Generic[S]):
             if spec.bounds is not None:
                 bounds = analyse_bounds(spec.bounds, partial(self.bound, sizing, action))
                 store_bounds(group, model, results, bounds)
-        group.attributes["warnings"] = list(dict.fromkeys(self.further(group, done, status, found)))
+        group.attributes["warnings"] = list(dict.fromkeys(self.further(group, done, found)))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
+
+    def store_steps(self, group: Group, done: Search[S], status: str) -> None:
+        """Add to the group of a design what its method alone has on the way to a sizing, or beside it."""
 
     def strain(self, sizing: S, histories: Sequence[Group]) -> float:
         """Return the effective shear strain of the layers in histories of a sizing; nan for dampers without layers."""
         return math.nan
 
-    def least(self) -> tuple[S, StoreySizes] | None:
-        """Return the first dampers of a search for the least sum, and their sizes; None: one number changes them."""
-        return None
+    def least(self) -> tuple[S, StoreySizes, Callable[[np.ndarray], S]] | None:
+        """Return the first dampers of a search for the least sum, their sizes, and how others of sizes (s,) are made.
 
-    def made(self, sizes: np.ndarray) -> S:
-        """Return the dampers of sizes (s,) of that search."""
-        raise NotImplementedError
+        None: one number changes all dampers.
+        """
+        return None
 
     def settled(self, last: Round[S]) -> bool:
         """Return whether the properties that a round was sized with agree with its histories."""
@@ -250,8 +247,9 @@ class Designer(ABC, Generic[S]):
         if optimum is not None:
             return search_optimum(self.make, tried, optimum.range, optimum.least, verify.rounds, verify.precision, kept)
         if least is not None:
+            first, sizes, made = least
             ends = (verify.rounds, verify.precision, kept, self.settled)
-            return search_fully_stressed(least[0], self.made, tried, least[1], *ends)
+            return search_fully_stressed(first, made, tried, sizes, *ends)
         limits = (start, largest, verify.rounds, verify.precision)
         return search(self.make, tried, *limits, kept, self._value, self.settled)
 

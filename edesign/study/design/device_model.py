@@ -11,20 +11,13 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, RoofAmplitude, SizedDesign
-from edesign.study.design.building import Building
+from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.estimate import (
-    Action,
-    FrameEstimate,
-    SpectralPeaks,
-    frame_estimate,
-    spectral_peaks,
-    storey_drift,
-)
+from edesign.study.design.estimate import Action, FrameEstimate, SpectralPeaks, spectral_peaks
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Sizing:
     """Dampers of a size, by any method.
 
@@ -162,7 +155,7 @@ class DeviceModel(ABC, Generic[D, V]):
             action: spectrum, and damping ratio of the frame without dampers.
         """
         modes, peaks = self.peaks(state, action)
-        return storey_drift(self.building, modes, peaks)
+        return self._drift(modes, peaks)
 
     def estimate(self, state: V, action: Action) -> FrameEstimate:
         """Estimate the response with dampers by the response spectrum method.
@@ -176,7 +169,7 @@ class DeviceModel(ABC, Generic[D, V]):
         """
         modes, peaks = self.peaks(state, action)
         force, further = self.demands(state, modes, peaks)
-        return frame_estimate(self.building, modes, self.storage(state), peaks, force, further)
+        return self._estimate(modes, self.storage(state), peaks, force, further)
 
     def bare_estimate(self, action: Action) -> FrameEstimate:
         """Estimate the response of the frame without dampers by the response spectrum method.
@@ -186,4 +179,30 @@ class DeviceModel(ABC, Generic[D, V]):
         """
         peaks = spectral_peaks(self.building.frame, action, self.bare, np.zeros(self.bare.omega.size))
         nothing = np.zeros(self.building.frame.n_devices)
-        return frame_estimate(self.building, self.bare, nothing, peaks, nothing, {})
+        return self._estimate(self.bare, nothing, peaks, nothing, {})
+
+    def _drift(self, modes: LinearModes, peaks: SpectralPeaks) -> np.ndarray:
+        return peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / self.building.heights
+
+    def _estimate(
+        self,
+        modes: LinearModes,
+        storage: np.ndarray,
+        peaks: SpectralPeaks,
+        damper_force: np.ndarray,
+        dampers: Mapping[str, np.ndarray],
+    ) -> FrameEstimate:
+        """The response from the peaks of modes in which the dampers have a stiffness, (d,) N/m."""
+        building = self.building
+        shears = mode_shears(building.frame, modes)
+        columns = shears.copy()
+        horizontal = modes.dampers * storage * building.cosine
+        np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
+        return FrameEstimate(
+            self._drift(modes, peaks),
+            float(peaks.combined(modes.floors[:, -1:])[0]),
+            peaks.combined(columns),
+            float(peaks.combined(shears[:, :1])[0]),
+            damper_force,
+            dampers,
+        )

@@ -14,7 +14,6 @@ from edesign.project.actions.hazard import UserHazard
 from edesign.project.analysis.damping import first_ratio
 from edesign.project.dampers.designs import SimplifiedDesign, SizedDesign
 from edesign.project.project import Project
-from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import CondensedFrame, LinearModes
 
 _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left out
@@ -141,49 +140,6 @@ def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, ad
     omega = modes.omega[kept]
     spectral = [action.displacement(float(w), float(zeta)) for zeta, w in zip(damping, omega, strict=True)]
     return SpectralPeaks(kept, modes.participation[kept] * np.array(spectral), cqc(omega, damping))
-
-
-def storey_drift(building: Building, modes: LinearModes, peaks: SpectralPeaks) -> np.ndarray:
-    """Return the storey drifts over height from the peaks of the modes, (f,).
-
-    Args:
-        building: the frame with its places.
-        modes: with the dampers.
-        peaks: of the modes.
-    """
-    return peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / building.heights
-
-
-def frame_estimate(
-    building: Building,
-    modes: LinearModes,
-    storage: np.ndarray,
-    peaks: SpectralPeaks,
-    damper_force: np.ndarray,
-    dampers: Mapping[str, np.ndarray],
-) -> FrameEstimate:
-    """Return the response of the frame from the peaks of its modes.
-
-    Args:
-        building: the frame with its places.
-        modes: with the dampers.
-        storage: stiffness of the dampers that is in them, (d,) N/m.
-        peaks: of the modes.
-        damper_force: of the dampers at each place, (d,) N.
-        dampers: what else they bear (see `FrameEstimate`).
-    """
-    shears = mode_shears(building.frame, modes)
-    columns = shears.copy()
-    horizontal = modes.dampers * storage * building.cosine
-    np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
-    return FrameEstimate(
-        storey_drift(building, modes, peaks),
-        float(peaks.combined(modes.floors[:, -1:])[0]),
-        peaks.combined(columns),
-        float(peaks.combined(shears[:, :1])[0]),
-        damper_force,
-        dampers,
-    )
 
 
 def cqc(omega: np.ndarray, damping: np.ndarray) -> np.ndarray:

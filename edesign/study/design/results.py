@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -36,23 +36,27 @@ class Results:
 
     Attributes:
         storeys: of the dampers of a sizing.
+        facts: attributes that describe a sizing, and their values.
         modes: of the modes with dampers, as the designer of the method has them.
         steps: of an iteration, each a variable `iteration_NAME`.
-        rounds: of the sizing of a round, each a variable `round_NAME`.
+        rounds: of a round, each a variable `round_NAME`.
         identity: names of those of a round that identify its dampers.
         estimate: of the estimated response, each a variable `estimated_NAME`.
         demand: what dampers bear in the estimate of a bound, a variable `bound_NAME`.
-        bounds: meaning of the ratio and of the damping of a bound.
+        bounds: meaning of the stiffness ratio and of the damping of a bound, by name.
+        assemblies: what modes are found for, beside dampers with their braces, and what the names mean.
     """
 
     storeys: tuple[Column, ...]
+    facts: Mapping[str, Callable[[Any, Any], Any]]
     modes: tuple[Column, ...]
     steps: tuple[Column, ...]
     rounds: tuple[Column, ...]
     identity: tuple[str, ...]
     estimate: tuple[Column, ...]
     demand: Column
-    bounds: tuple[str, str]
+    bounds: Mapping[str, str]
+    assemblies: tuple[tuple[str, ...], str] = ((), "")
 
 
 _STIFFNESS = "stiffness of the storey: shear over drift under the loads of the first mode, without dampers"
@@ -72,15 +76,17 @@ _ROUNDS: tuple[Column, ...] = (
 )
 _DRIFT = "storey drift over height estimated by the response spectrum"
 _ESTIMATE: tuple[Column, ...] = (
-    ("storey_drift", FRAME, lambda m, r: r.drift, "1", f"{_DRIFT}, with dampers"),
-    ("column_shear", FRAME, lambda m, r: r.storey_shear, "N", _COLUMN_SHEAR),
-    ("damper_force", PLACE, lambda m, r: r.damper_force, "N", "estimated force of the dampers of a place"),
+    ("storey_drift", FRAME, lambda m, r: r[0].drift, "1", f"{_DRIFT}, with dampers"),
+    ("bare_storey_drift", FRAME, lambda m, r: r[1].drift, "1", f"{_DRIFT}, without dampers"),
+    ("column_shear", FRAME, lambda m, r: r[0].storey_shear, "N", _COLUMN_SHEAR),
+    ("damper_force", PLACE, lambda m, r: r[0].damper_force, "N", "estimated force of the dampers of a place"),
 )
-_BARE: tuple[Column, ...] = (("bare_storey_drift", FRAME, lambda m, r: r.drift, "1", f"{_DRIFT}, without dampers"),)
 _BOUNDS: tuple[Column, ...] = (
     ("factor", ONE, lambda m, b: b.factor, "1", "property modification factor"),
     ("temperature", ONE, lambda m, b: math.nan if b.temperature_C is None else b.temperature_C, "degC", _TEMPERATURE),
+    ("stiffness_ratio", ONE, lambda m, b: b.stiffness_ratio, "1", ""),
     ("period", ONE, lambda m, b: b.period, "s", "first period with dampers and braces"),
+    ("damping", ONE, lambda m, b: b.damping, "1", ""),
     ("storey_drift", FRAME, lambda m, b: b.response.drift, "1", "estimated storey drift over height"),
     ("column_shear", FRAME, lambda m, b: b.response.storey_shear, "N", "estimated shear of columns"),
     ("roof_displacement", ONE, lambda m, b: b.response.roof_displacement, "m", "estimated displacement of the roof"),
@@ -119,7 +125,7 @@ def store(group: Group, model: Model, columns: Iterable[Column], item: Any, pref
 
 
 def store_rows(group: Group, model: Model, axis: str, columns: Iterable[Column], items: Sequence[Any]) -> None:
-    """Add variables AXIS_NAME of a row of items along an axis that the group has.
+    """Add variables AXIS_NAME of a row of items along an axis that the group has; without any value they are left out.
 
     Args:
         group: of the design.
@@ -129,9 +135,11 @@ def store_rows(group: Group, model: Model, axis: str, columns: Iterable[Column],
         items: in the order of the axis.
     """
     for name, dims, of, unit, label in columns:
-        found = [_archived(model.building, dims, of(model, item)) for item in items]
-        at = (axis, *found[0][0])
-        group.add(f"{axis}_{name}", at, [row for _, row in found], _text(unit, model), _text(label, model))
+        values = [of(model, item) for item in items]
+        if any(value is not None for value in values):
+            found = [_archived(model.building, dims, math.nan if value is None else value) for value in values]
+            at = (axis, *found[0][0])
+            group.add(f"{axis}_{name}", at, [row for _, row in found], _text(unit, model), _text(label, model))
 
 
 def store_sizing(group: Group, model: Model, results: Results, sizing: Any, modes: Any) -> None:
@@ -149,10 +157,14 @@ def store_sizing(group: Group, model: Model, results: Results, sizing: Any, mode
     coordinate(group, "storey", building.storeys, "1", "storey with dampers")
     coordinate(group, "frame_storey", np.arange(1, building.heights.size + 1), "1", "storey of the frame")
     store(group, model, (*_STOREYS, *results.storeys), sizing)
+    facts = {name: of(model, sizing) for name, of in results.facts.items()}
+    group.attributes |= {name: value for name, value in facts.items() if value is not None}
     found = [np.asarray(of(model, modes)) for _, _, of, _, _ in results.modes]
     count = min(MODES, bare.omega.size, *(values.shape[-1] for values in found))
     coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
     group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
+    if results.assemblies[0]:
+        coordinate(group, "assembly", list(results.assemblies[0]), "", results.assemblies[1])
     for (name, dims, _, unit, label), values in zip(results.modes, found, strict=True):
         group.add(name, dims, values[..., :count], _text(unit, model), _text(label, model))
 
@@ -195,7 +207,7 @@ def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[
         rows = [drift or (math.nan,) * storeys for drift in drifts]
         label = "storey drift over height, mean of the histories of the round; nan: none was completed"
         group.add("round_history_drift", ("round", "frame_storey"), rows, "1", label)
-    store_rows(group, model, "round", results.rounds, [r.sizing for r in rounds])
+    store_rows(group, model, "round", results.rounds, rounds)
 
 
 def store_estimate(group: Group, model: Model, results: Results, found: FrameEstimate, bare: FrameEstimate) -> None:
@@ -208,8 +220,8 @@ def store_estimate(group: Group, model: Model, results: Results, found: FrameEst
         found: the response with dampers.
         bare: the response without dampers.
     """
-    store(group, model, (*_ESTIMATE, *results.estimate), found, "estimated_")
-    store(group, model, _BARE, bare, "estimated_")
+    store(group, model, _ESTIMATE, (found, bare), "estimated_")
+    store(group, model, results.estimate, found, "estimated_")
 
 
 def store_bounds(group: Group, model: Model, results: Results, found: Sequence[Bound]) -> None:
@@ -222,15 +234,10 @@ def store_bounds(group: Group, model: Model, results: Results, found: Sequence[B
         found: the bounds.
     """
     name, dims, of, unit, label = results.demand
-    ratio, damping = results.bounds
     coordinate(group, "bound", [b.name for b in found], "", "bound of the properties of the dampers")
-    columns: tuple[Column, ...] = (
-        *_BOUNDS,
-        ("stiffness_ratio", ONE, lambda m, b: b.stiffness_ratio, "1", ratio),
-        ("damping", ONE, lambda m, b: b.damping, "1", damping),
-        (name, dims, lambda m, b: of(m, b.response), unit, label),
-    )
+    columns = ((*column[:4], results.bounds.get(column[0], column[4])) for column in _BOUNDS)
     store_rows(group, model, "bound", columns, found)
+    store_rows(group, model, "bound", ((name, dims, lambda m, b: of(m, b.response), unit, label),), found)
     group.attributes["governing"] = governing(found, {name: lambda r: float(of(model, r).max())})
 
 

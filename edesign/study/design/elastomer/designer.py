@@ -25,7 +25,7 @@ from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing
 from edesign.study.design.elastomer.own_frequency import AtFrequency, agreed, at_own_frequency
 from edesign.study.design.elastomer.own_strain import at_own_strain, history_strain
 from edesign.study.design.elastomer.plausibility import elastomer_warnings
-from edesign.study.design.elastomer.results import ELASTOMER, store_elastomer
+from edesign.study.design.elastomer.results import ELASTOMER, store_steps
 from edesign.study.design.elastomer.simplified import simplified_warnings, size_simplified, static_drift
 from edesign.study.design.elastomer.strain_energy import size_by_strain_energy
 from edesign.study.design.estimate import Action, FrameEstimate
@@ -87,22 +87,18 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
             return size_simplified(self.model, self.spec, target, *factors)
         return size_by_strain_energy(self.model, self.spec, target, *factors)
 
-    def least(self) -> tuple[ElastomerSizing, StoreySizes] | None:
-        """Return the dampers of the least estimated area, and their sizes; None: one number changes the dampers."""
+    def least(
+        self,
+    ) -> tuple[ElastomerSizing, StoreySizes, Callable[[np.ndarray], ElastomerSizing]] | None:
+        """Return what a search for the least area starts from; None: one number changes the dampers."""
         spec, building = self.spec, self.building
         if not (isinstance(spec, StrainEnergyDesign) and spec.distribution == "least_area" and self.changed == "area"):
             return None
         assert self.action is not None, "check_design wants a level"
-        first = self.make(1.0)
+        first, unit = self.make(1.0), building.designed_stiffness
         inherent = 2.0 * self.action.inherent_damping / first.moduli.loss_factor
-        unit, weight = building.designed_stiffness, area_weight(building)
-        return first, storey_sizes(building, first.size, unit, weight, inherent, MOST)
-
-    def made(self, sizes: np.ndarray) -> ElastomerSizing:
-        """Return dampers of the stiffness sizes (s,) times that of their storey."""
-        assert isinstance(self.spec, StrainEnergyDesign)
-        given = sizes * self.building.designed_stiffness
-        return size_by_strain_energy(self.model, self.spec, math.nan, given=given)
+        sizes = storey_sizes(building, first.size, unit, area_weight(building), inherent, MOST)
+        return first, sizes, lambda x: size_by_strain_energy(self.model, spec, math.nan, given=x * unit)
 
     def device(self, sizing: ElastomerSizing) -> dict[str, Any]:
         """Return the keys of a device of the project file that say how large the dampers of a sizing are."""
@@ -118,21 +114,6 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
             behind = sizing.strain * sizing.thickness * np.abs(alone / braced)
             size["design_deformation"] = per_storey(of_storeys(self.building, behind))
         return size
-
-    def facts(self, sizing: ElastomerSizing) -> dict[str, Any]:
-        """Return the attributes of the archive that describe the dampers of a sizing."""
-        law, total = self.building.law, self.model.total_area(sizing.area)
-        assert law.layer_area is not None and law.layers is not None, "the elastomer wants a prototype"
-        return {
-            "layers": self.model.layers,
-            "layer_thickness_m": sizing.thickness,
-            "total_layer_area_m2": total,
-            "prototypes": total / (law.layers * law.layer_area),
-            "G_storage_Pa": sizing.moduli.G_storage,
-            "loss_factor": sizing.moduli.loss_factor,
-            "strain": sizing.strain,
-            "frequency_Hz": sizing.frequency,
-        }
 
     def modes(self, sizing: ElastomerSizing) -> list[ModalDamping]:
         """Return the modes with dampers alone, and with dampers and braces."""
@@ -182,12 +163,13 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         self.model.share *= float(np.exp(following[0])) / taken
         return False
 
-    def further(
-        self, group: Group, done: Search[ElastomerSizing], status: str, found: FrameEstimate | None
-    ) -> list[str]:
-        """Add assemblies, strains, damping in several ways, and the law's own moduli; return what is implausible."""
+    def store_steps(self, group: Group, done: Search[ElastomerSizing], status: str) -> None:
+        """Add lateral forces, and the steps of the strain."""
+        store_steps(group, self.model, done.rounds)
+
+    def further(self, group: Group, done: Search[ElastomerSizing], found: FrameEstimate | None) -> list[str]:
+        """Add the law's own moduli, and the estimated strain; return what is implausible, a sentence each."""
         spec, sizing = self.spec, done.chosen.sizing
-        store_elastomer(group, self.model, done.rounds)
         warnings = [*sizing.moduli.warnings, *self._law_moduli(group, sizing)]
         if self.action is not None and found is not None:
             if isinstance(spec, SimplifiedDesign):

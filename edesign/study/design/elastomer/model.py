@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -53,7 +54,7 @@ class StrainStep:
     reached: float
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class ElastomerSizing(Sizing):
     """Dampers with layers of elastomer of a size.
 
@@ -101,6 +102,7 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
     Attributes:
         material: the elastomer at the temperature of the design.
         share: what the strain of histories is of the estimated one, where they are followed.
+        modal_damping: the damping that the dampers of a sizing add to each mode, with braces or (False) alone.
     """
 
     def __init__(
@@ -114,6 +116,7 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
         self.material_at = material_at
         self.material = material_at(spec.temperature)
         self.share = 1.0
+        self.modal_damping = cache(self._modal_damping)
 
     @property
     def brace_ratio(self) -> float | None:
@@ -183,13 +186,7 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
         moduli = moduli or found.moduli
         return self.stiffness(found.size * (moduli.G_storage / found.moduli.G_storage), moduli.loss_factor, braces)
 
-    def modal_damping(self, found: ElastomerSizing, braces: bool = True) -> ModalDamping:
-        """Return the damping that the dampers of a sizing add to each mode.
-
-        Args:
-            found: the dampers.
-            braces: whether their braces are in series.
-        """
+    def _modal_damping(self, found: ElastomerSizing, braces: bool = True) -> ModalDamping:
         return modal_damping(self.building.frame, self.bare, self.of(found, braces))
 
     def storage(self, state: Layers) -> np.ndarray:

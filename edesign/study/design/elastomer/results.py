@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -21,6 +22,8 @@ _WAYS = (
     ("damping_complex", "complex", "of free vibration with complex stiffness"),
 )
 _DAMPER_STIFFNESS = "horizontal storage stiffness of the dampers of the storey, without braces"
+_HISTORY_STRAIN = "effective strain of the layers, mean of the histories"
+_PERIOD = "first period with dampers and braces"
 _AREA_RATIO = "area of a layer over that of the prototype, A_D/A_P"
 
 _STRAIN_STEPS: tuple[Column, ...] = (
@@ -29,19 +32,6 @@ _STRAIN_STEPS: tuple[Column, ...] = (
     ("reached", ONE, lambda m, row: row[1].reached, "1", "effective strain of these dampers"),
     ("G_storage", ONE, lambda m, row: row[1].moduli.G_storage, "Pa", "storage modulus"),
     ("loss_factor", ONE, lambda m, row: row[1].moduli.loss_factor, "1", "loss factor"),
-)
-_OF_ROUND: tuple[Column, ...] = (
-    ("period", ONE, lambda m, d: 2.0 * np.pi / float(d.omega[0]), "s", "first period with dampers and braces"),
-    *(
-        (
-            name,
-            ONE,
-            lambda m, d, way=way: float(getattr(d, way)[0]),
-            "1",
-            f"added damping ratio of the first mode, with braces, {label}",
-        )
-        for name, way, label in _WAYS
-    ),
 )
 _STRAIN: Column = (
     "damper_strain",
@@ -57,6 +47,17 @@ ELASTOMER = Results(
         ("layer_area", STOREY, lambda m, s: s.area, "m^2", "area of one layer of elastomer"),
         ("area_ratio", STOREY, lambda m, s: s.area / m.building.law.layer_area, "1", _AREA_RATIO),
     ),
+    facts={
+        "layers": lambda m, s: m.layers,
+        "layer_thickness_m": lambda m, s: s.thickness,
+        "total_layer_area_m2": lambda m, s: m.total_area(s.area),
+        "prototypes": lambda m, s: m.total_area(s.area) / (m.building.law.layers * m.building.law.layer_area),
+        "G_storage_Pa": lambda m, s: s.moduli.G_storage,
+        "loss_factor": lambda m, s: s.moduli.loss_factor,
+        "strain": lambda m, s: s.strain,
+        "frequency_Hz": lambda m, s: s.frequency,
+    },
+    assemblies=(ASSEMBLIES, _ASSEMBLIES),
     modes=(
         ("period", _BOTH, lambda m, found: [2.0 * np.pi / d.omega for d in found], "s", "natural period with dampers"),
         *(
@@ -79,29 +80,40 @@ ELASTOMER = Results(
         ("damper_stiffness", STOREY, lambda m, i: i.stiffness, "N/m", "stiffness of the dampers"),
     ),
     rounds=(
-        ("layer_thickness", ONE, lambda m, s: s.thickness, "m", "thickness of a layer"),
-        ("strain", ONE, lambda m, s: s.strain, "1", "strain at which properties were taken"),
-        ("layer_area", STOREY, lambda m, s: s.area, "m^2", "area of one layer"),
+        ("layer_thickness", ONE, lambda m, r: r.sizing.thickness, "m", "thickness of a layer"),
+        ("strain", ONE, lambda m, r: r.sizing.strain, "1", "strain at which properties were taken"),
+        ("history_strain", ONE, lambda m, r: None if r.outcome is None else r.outcome.strain, "1", _HISTORY_STRAIN),
+        ("layer_area", STOREY, lambda m, r: r.sizing.area, "m^2", "area of one layer"),
+        ("period", ONE, lambda m, r: 2.0 * math.pi / float(m.modal_damping(r.sizing).omega[0]), "s", _PERIOD),
+        *(
+            (
+                name,
+                ONE,
+                lambda m, r, way=way: float(getattr(m.modal_damping(r.sizing), way)[0]),
+                "1",
+                f"added damping ratio of the first mode, with braces, {label}",
+            )
+            for name, way, label in _WAYS
+        ),
     ),
     identity=("strain", "layer_thickness", "layer_area"),
     estimate=(_STRAIN,),
     demand=_STRAIN,
-    bounds=(
-        "storage stiffness of the dampers over that of the design",
-        "added damping ratio of the first mode, Eq. 5.6",
-    ),
+    bounds={
+        "stiffness_ratio": "storage stiffness of the dampers over that of the design",
+        "damping": "added damping ratio of the first mode, Eq. 5.6",
+    },
 )
 
 
-def store_elastomer(group: Group, model: ElastomerModel, rounds: Sequence[Round[ElastomerSizing]]) -> None:
-    """Add what no other method has: assemblies of modes, lateral forces, strains, and damping in several ways.
+def store_steps(group: Group, model: ElastomerModel, rounds: Sequence[Round[ElastomerSizing]]) -> None:
+    """Add what no other method has of its iterations: lateral forces, and steps of the strain.
 
     Args:
-        group: of the design, with its iterations and rounds.
+        group: of the design, with its iterations.
         model: of its dampers.
         rounds: all rounds in their order.
     """
-    coordinate(group, "assembly", list(ASSEMBLIES), "", _ASSEMBLIES)
     steps = [step for r in rounds for step in r.sizing.iterations]
     for name in steps[0].values:
         unit = "N" if name.endswith("base_shear") else "1"
@@ -111,8 +123,3 @@ def store_elastomer(group: Group, model: ElastomerModel, rounds: Sequence[Round[
     if rows:
         coordinate(group, "strain_step", np.arange(1, len(rows) + 1), "1", "number of the step, of all rounds")
         store_rows(group, model, "strain_step", _STRAIN_STEPS, rows)
-    if any(r.outcome is not None for r in rounds):
-        strains = [np.nan if r.outcome is None else r.outcome.strain for r in rounds]
-        label = "effective strain of the layers, mean of the histories"
-        group.add("round_history_strain", ("round",), strains, "1", label)
-    store_rows(group, model, "round", _OF_ROUND, [model.modal_damping(r.sizing) for r in rounds])

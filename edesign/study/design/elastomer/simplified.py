@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -14,7 +14,7 @@ from edesign.project.checks.designs import design_warnings
 from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
-from edesign.study.design.elastomer.material import Elastomer, Material, Moduli
+from edesign.study.design.elastomer.material import Elastomer, Material
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, Iteration
 from edesign.study.design.elastomer.own_frequency import agreed, at_own_frequency
 from edesign.study.design.elastomer.own_strain import AtStrain, at_own_strain, start_strain
@@ -28,18 +28,12 @@ class StaticResponse:
     """Response of the frame under the equivalent lateral forces.
 
     Attributes:
-        k_D: storage stiffness of the dampers of each storey, (s,) N/m.
-        frequency: of the first mode, Hz.
-        moduli: of the elastomer there.
-        damping: added to the first mode.
+        at: k_D of the dampers of each storey, with the elastomer's properties at the first frequency.
         drift: of all storeys over height, (f,).
         base_shear: N.
     """
 
-    k_D: np.ndarray
-    frequency: float
-    moduli: Moduli
-    damping: float
+    at: Iteration
     drift: np.ndarray
     base_shear: float
 
@@ -75,9 +69,9 @@ def size_simplified(
             return static_response(model, spec, elastomer(strain), k_D(strain))
 
         def reached(found: StaticResponse) -> float:
-            return model.share * model.estimated_strain(found.k_D, found.moduli.loss_factor, thickness)
+            return model.share * model.estimated_strain(found.at.stiffness, found.at.moduli.loss_factor, thickness)
 
-        return at_own_strain(model, solve, lambda found: found.moduli, reached, start)
+        return at_own_strain(model, solve, lambda found: found.at.moduli, reached, start)
 
     iterations: list[Iteration] = []
     betas = [least, *(beta for beta in _betas(spec) if beta > least)]
@@ -85,13 +79,13 @@ def size_simplified(
     for beta in betas:
         wanted = beta * k_S
         at = respond(model.material, partial(_same, wanted))
-        found = at.found
-        values = _values(beta, found, "")
+        step = at.found.at
+        values = _values(beta, at.found, "")
         if cold is not None:
-            of_modulus = wanted / found.moduli.G_storage
-            at_low = respond(cold, partial(_stiffness, cold, found.frequency, of_modulus)).found
+            of_modulus = wanted / step.moduli.G_storage
+            at_low = respond(cold, partial(_stiffness, cold, step.next_frequency, of_modulus)).found
             values |= _values(beta, at_low, "low_temperature_")
-        iterations.append(Iteration(found.frequency, found.moduli, beta * k_S, found.frequency, found.damping, values))
+        iterations.append(replace(step, frequency=step.next_frequency, values=values))
         if static_drift(iterations[-1]) <= spec.drift:
             break
     else:
@@ -102,20 +96,19 @@ def size_simplified(
             beta = betas[int(np.argmin(drifts))]
             wanted = beta * k_S
             at = respond(model.material, partial(_same, wanted))
-            found = at.found
     stiffness = area_factor * wanted
     if area_factor != 1.0:
         at = respond(model.material, partial(_same, stiffness))
-        found = at.found
+    step = at.found.at
     return ElastomerSizing(
         target=beta,
         size=stiffness,
         iterations=tuple(iterations),
         reason=reason or at.reason,
-        moduli=found.moduli,
-        frequency=found.frequency,
+        moduli=step.moduli,
+        frequency=step.next_frequency,
         thickness=thickness,
-        area=model.areas(stiffness, thickness, found.moduli.G_storage),
+        area=model.areas(stiffness, thickness, step.moduli.G_storage),
         strain=at.strain,
         strain_steps=at.steps,
     )
@@ -176,7 +169,7 @@ def static_response(
     loads = lateral_forces(F_b, mass, _shape(building, spec, at.modes))
     floors, _ = frame.static(loads, at.stiffness.real)
     drift = np.abs(np.diff(floors, prepend=0.0)) / building.heights
-    return StaticResponse(k_D, frequency, at.last.moduli, added, drift, F_b)
+    return StaticResponse(at.last, drift, F_b)
 
 
 def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: ElastomerSizing) -> list[str]:
@@ -216,5 +209,5 @@ def _values(beta: float, found: StaticResponse, prefix: str) -> dict[str, float]
         "beta": beta,
         f"{prefix}drift": float(found.drift.max()),
         f"{prefix}base_shear": found.base_shear,
-        f"{prefix}damping": found.damping,
+        f"{prefix}damping": found.at.damping,
     }

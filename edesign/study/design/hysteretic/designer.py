@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any
 
@@ -12,7 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.damper.hysteresis import hysteresis
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import restrained_misfits
-from edesign.project.dampers.designs import DESIGNED_BRACES, HYSTERETIC_TARGETS, HystereticDesign
+from edesign.project.dampers.designs import DESIGNED_BRACES, HystereticDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, per_storey
@@ -28,7 +27,7 @@ from edesign.study.design.hysteretic.sizing import (
     size_hysteretic,
 )
 from edesign.study.design.loop import Search
-from edesign.study.design.optimum import objective, optimum_warnings
+from edesign.study.design.optimum import optimum_warnings
 from edesign.study.design.results import of_storeys
 
 
@@ -81,21 +80,6 @@ class HystereticDesigner(Designer[HystereticSizing]):
             size["design_deformation"] = per_storey(of_storeys(self.building, sizing.vibration.deformation))
         return size
 
-    def facts(self, sizing: HystereticSizing) -> dict[str, Any]:
-        """Return the attributes of the archive that describe the dampers of a sizing."""
-        vibration = sizing.vibration
-        return {
-            "hardening": self.model.loop.hardening,
-            "target": next(key for key in HYSTERETIC_TARGETS if getattr(self.spec, key) is not None),
-            "share": sizing.share,
-            "shear_of": self.model.shear_of,
-            "equivalent_damping": self.spec.equivalent_damping,
-            "roof_displacement_m": vibration.roof,
-            "damping": vibration.damping,
-            "damping_at_amplitude": vibration.damping_at_amplitude,
-            "damping_average": vibration.damping_average,
-        }
-
     def modes(self, sizing: HystereticSizing) -> tuple[LinearModes, LinearModes]:
         """Return the modes with dampers that do not yield, and with their secants."""
         return self.model.elastic_modes(sizing.size), sizing.vibration.modes
@@ -112,20 +96,16 @@ class HystereticDesigner(Designer[HystereticSizing]):
         response = self.model.estimate(vibration, action)
         return Bound(name, factor, None, factor, vibration.period, vibration.damping, response)
 
-    def further(
-        self, group: Group, done: Search[HystereticSizing], status: str, found: FrameEstimate | None
-    ) -> list[str]:
-        """Add the curve over the share of the shears, and the objective of an optimum; return what is implausible."""
-        spec, sizing, warnings = self.spec, done.chosen.sizing, []
+    def store_steps(self, group: Group, done: Search[HystereticSizing], status: str) -> None:
+        """Add the curve over the share of the storey shears."""
         if status != "interrupted":
-            store_curve(group, self.model, sizing)
+            store_curve(group, self.model, done.chosen.sizing)
+
+    def further(self, group: Group, done: Search[HystereticSizing], found: FrameEstimate | None) -> list[str]:
+        """Return what is implausible, a sentence each."""
+        spec, sizing, warnings = self.spec, done.chosen.sizing, []
         if spec.optimum is not None and spec.verify is not None and done.chosen.outcome is not None:
-            least = spec.optimum.least
-            values = [math.nan if r.outcome is None else objective(r.outcome, least) for r in done.rounds]
-            which = "largest" if least == "worst" else "mean"
-            label = f"{which} demand over limit of the criteria: made least"
-            group.add("round_objective", ("round",), values, "1", label)
-            warnings += optimum_warnings(done.rounds, spec.optimum.range, least, spec.verify.precision)
+            warnings += optimum_warnings(done.rounds, spec.optimum.range, spec.optimum.least, spec.verify.precision)
         strain = self.model.core_strain(sizing.vibration.secants.stroke)
         warnings += self._strained(strain, "at the amplitude of the design")
         if found is not None:

@@ -7,8 +7,11 @@ import math
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.project.dampers.designs import HYSTERETIC_TARGETS
 from edesign.study.design.hysteretic.model import HystereticModel
 from edesign.study.design.hysteretic.sizing import LARGEST_SHARE, HystereticSizing, vibration_of
+from edesign.study.design.loop import Round
+from edesign.study.design.optimum import objective
 from edesign.study.design.results import (
     DEVICE_COUNT,
     DEVICE_DEMANDS,
@@ -37,6 +40,19 @@ _COMPRESSION = "adjusted strength in compression, beta omega R_y F_ysc A_sc"
 def _scale(model: HystereticModel, sizing: HystereticSizing) -> np.ndarray:
     """Yield force of one damper of each storey over that of its law, (s,)."""
     return model.of_device(sizing.size) / model.loop.yield_force
+
+
+def _objective(model: HystereticModel, one: Round[HystereticSizing]) -> float | None:
+    """What an optimum makes least; None: there is no optimum, or no history."""
+    optimum = model.spec.optimum
+    return None if optimum is None or one.outcome is None else objective(one.outcome, optimum.least)
+
+
+def _least(model: HystereticModel) -> str:
+    """What that is."""
+    assert model.spec.optimum is not None
+    which = "largest" if model.spec.optimum.least == "worst" else "mean"
+    return f"{which} demand over limit of the criteria: made least"
 
 
 def _of_core(model: HystereticModel, sizing: HystereticSizing, name: str) -> np.ndarray | None:
@@ -92,16 +108,28 @@ HYSTERETIC = Results(
             "secant stiffness of one damper with its brace",
         ),
     ),
+    facts={
+        "hardening": lambda m, s: m.loop.hardening,
+        "target": lambda m, s: next(key for key in HYSTERETIC_TARGETS if getattr(m.spec, key) is not None),
+        "share": lambda m, s: s.share,
+        "shear_of": lambda m, s: m.shear_of,
+        "equivalent_damping": lambda m, s: m.spec.equivalent_damping,
+        "roof_displacement_m": lambda m, s: s.vibration.roof,
+        "damping": lambda m, s: s.vibration.damping,
+        "damping_at_amplitude": lambda m, s: s.vibration.damping_at_amplitude,
+        "damping_average": lambda m, s: s.vibration.damping_average,
+    },
     modes=(
         ("elastic_period", MODE, lambda m, modes: 2.0 * np.pi / modes[0].omega, "s", _ELASTIC_PERIOD),
         ("period", MODE, lambda m, modes: 2.0 * np.pi / modes[1].omega, "s", _PERIOD_LABEL),
     ),
     steps=(),
     rounds=(
-        ("device_yield_force", STOREY, lambda m, s: m.of_device(s.size), "N", _DEVICE),
-        ("share", ONE, lambda m, s: s.share, "1", "yield forces over storey shears, sums over the storeys"),
-        ("period", ONE, lambda m, s: s.vibration.period, "s", _PERIOD),
-        ("damping_equivalent", ONE, lambda m, s: s.vibration.damping, "1", _DAMPING),
+        ("device_yield_force", STOREY, lambda m, r: m.of_device(r.sizing.size), "N", _DEVICE),
+        ("share", ONE, lambda m, r: r.sizing.share, "1", "yield forces over storey shears, sums over the storeys"),
+        ("period", ONE, lambda m, r: r.sizing.vibration.period, "s", _PERIOD),
+        ("damping_equivalent", ONE, lambda m, r: r.sizing.vibration.damping, "1", _DAMPING),
+        ("objective", ONE, _objective, "1", _least),
     ),
     identity=("device_yield_force",),
     estimate=(
@@ -110,7 +138,7 @@ HYSTERETIC = Results(
         ("device_core_strain", PLACE, lambda m, r: r.dampers.get("core_strain"), "1", _DEVICE_CORE_STRAIN),
     ),
     demand=STROKE,
-    bounds=("forces of the dampers over those of the design", _DAMPING),
+    bounds={"stiffness_ratio": "forces of the dampers over those of the design", "damping": _DAMPING},
 )
 
 

@@ -21,7 +21,7 @@ _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
 LARGEST_SHARE = 1.0  # of the storey shears: what takes more is no damper but a brace
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class HystereticSizing(Sizing):
     """Hysteretic dampers of a size; what does not agree is an error, so that there is never a `reason`.
 

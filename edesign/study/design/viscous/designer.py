@@ -62,20 +62,18 @@ class ViscousDesigner(Designer[ViscousSizing]):
         """Size the dampers for a target, with a factor on their coefficients."""
         return size_viscous(self.model, target, factor)
 
-    def least(self) -> tuple[ViscousSizing, StoreySizes] | None:
-        """Return the dampers of the least estimated sum, and their sizes; None: the design has another distribution."""
+    def least(self) -> tuple[ViscousSizing, StoreySizes, Callable[[np.ndarray], ViscousSizing]] | None:
+        """Return what a search for the least sum of coefficients starts from; None: the distribution is another."""
         model = self.model
         if self.spec.distribution != "least_coefficient":
             return None
         assert self.action is not None, "check_design wants a level"
-        self._first = first = self.make(1.0)
-        self._unit, weight = coefficient_unit(model, model.weight(first.vibration), first.vibration.omega)
+        first = self.make(1.0)
+        start = first.vibration
+        unit, weight = coefficient_unit(model, model.weight(start), start.omega)
         inherent = 2.0 * self.action.inherent_damping  # omega c / k_S of the damping ratio of a storey by itself
-        return first, storey_sizes(self.building, first.size, self._unit, weight, inherent, MOST)
-
-    def made(self, sizes: np.ndarray) -> ViscousSizing:
-        """Return dampers whose coefficients are sizes (s,) times those with omega c = k_S in the first round."""
-        return sized_viscous(self.model, sizes * self._unit, self._first.vibration)
+        sizes = storey_sizes(self.building, first.size, unit, weight, inherent, MOST)
+        return first, sizes, lambda x: sized_viscous(model, x * unit, start)
 
     def device(self, sizing: ViscousSizing) -> dict[str, Any]:
         """Return the keys of a device of the project file that say how large the dampers of a sizing are."""
@@ -83,17 +81,6 @@ class ViscousDesigner(Designer[ViscousSizing]):
         if math.isfinite(sizing.vibration.roof):
             size["design_deformation"] = per_storey(of_storeys(self.building, sizing.vibration.deformation))
         return size
-
-    def facts(self, sizing: ViscousSizing) -> dict[str, Any]:
-        """Return the attributes of the archive that describe the dampers of a sizing."""
-        vibration = sizing.vibration
-        amplitude = {"roof_displacement_m": vibration.roof} if math.isfinite(vibration.roof) else {}
-        return amplitude | {
-            "alpha": self.model.dashpot.alpha,
-            "frequency_Hz": vibration.omega / (2.0 * math.pi),
-            "damping": vibration.modes.first_damping,
-            "damping_fema356": sizing.formula,
-        }
 
     def modes(self, sizing: ViscousSizing) -> DashpotModes:
         """Return the complex modes with linear dashpots."""
@@ -112,7 +99,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         period, damping = 2.0 * math.pi / vibration.omega, vibration.modes.first_damping
         return Bound(name, factor, None, factor, period, damping, model.estimate(vibration, action))
 
-    def further(self, group: Group, done: Search[ViscousSizing], status: str, found: FrameEstimate | None) -> list[str]:
+    def further(self, group: Group, done: Search[ViscousSizing], found: FrameEstimate | None) -> list[str]:
         """Add the damping by the law itself; return what is implausible, a sentence each."""
         sizing = done.chosen.sizing
         group.attributes["law_damping_strain_energy"] = self._law_damping(sizing)

@@ -58,6 +58,13 @@ VISCOUS = Results(
             "amplitude of the dampers at which they count, first mode",
         ),
     ),
+    facts={
+        "roof_displacement_m": lambda m, s: s.vibration.roof if math.isfinite(s.vibration.roof) else None,
+        "alpha": lambda m, s: m.dashpot.alpha,
+        "frequency_Hz": lambda m, s: s.vibration.omega / (2.0 * math.pi),
+        "damping": lambda m, s: s.vibration.modes.first_damping,
+        "damping_fema356": lambda m, s: s.formula,
+    },
     modes=(
         ("period", MODE, lambda m, modes: 2.0 * np.pi / modes.omega, "s", _PERIOD),
         ("damping_complex", MODE, lambda m, modes: modes.damping, "1", _DAMPING_COMPLEX),
@@ -70,9 +77,15 @@ VISCOUS = Results(
         ("coefficient", STOREY, lambda m, i: i.vibration.coefficient, _unit, _COEFFICIENT),
     ),
     rounds=(
-        ("period", ONE, lambda m, s: 2.0 * math.pi / s.vibration.omega, "s", "first period with dampers and braces"),
-        ("damping_complex", ONE, lambda m, s: s.vibration.modes.first_damping, "1", _DAMPING),
-        ("device_coefficient", STOREY, lambda m, s: m.of_device(s.size), _unit, _DEVICE),
+        (
+            "period",
+            ONE,
+            lambda m, r: 2.0 * math.pi / r.sizing.vibration.omega,
+            "s",
+            "first period with dampers and braces",
+        ),
+        ("damping_complex", ONE, lambda m, r: r.sizing.vibration.modes.first_damping, "1", _DAMPING),
+        ("device_coefficient", STOREY, lambda m, r: m.of_device(r.sizing.size), _unit, _DEVICE),
     ),
     identity=("device_coefficient",),
     estimate=(
@@ -80,5 +93,5 @@ VISCOUS = Results(
         ("device_velocity", PLACE, lambda m, r: r.dampers["velocity"], "m/s", "estimated pseudo velocity of a damper"),
     ),
     demand=STROKE,
-    bounds=("coefficients of the dampers over those of the design", _DAMPING),
+    bounds={"stiffness_ratio": "coefficients of the dampers over those of the design", "damping": _DAMPING},
 )

@@ -25,7 +25,7 @@ _FIRST = 0.25
 most twice as much as there is (behind a brace, towards the brace's limit), so a quarter is below every optimum."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class ViscousSizing(Sizing):
     """Viscous dampers of a size.
 
