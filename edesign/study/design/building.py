@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from edesign.building.devices import DeviceLaw
+from edesign.core import LawValues
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
@@ -16,6 +17,8 @@ from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import make_structure
 from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
+
+L = TypeVar("L")
 
 
 @dataclass(frozen=True)
@@ -170,6 +173,30 @@ def law_at(project: Project, name: str, temperature_C: float | None) -> DeviceLa
         temperature_C: degC; None: the temperature that the project gives.
     """
     return device_laws(with_temperature(project, name, temperature_C))[name]
+
+
+def read_law(building: Building, name: str, spec: SizedDesign, read: Callable[[LawValues], L]) -> L:
+    """Return what the sizing of dampers without layers needs of their law.
+
+    Args:
+        building: the frame with its places and the law.
+        name: of the design.
+        spec: of the design.
+        read: reads it from the values of the law, or raises an InputError.
+
+    Returns:
+        What `read` returns.
+
+    Raises:
+        InputError: the law has layers, or is refused.
+    """
+    if building.law.layers is not None:
+        message = f"the law `{spec.law}` has a `prototype`: {spec.method} dampers have no layers"
+        raise InputError(f"designs.{name}.law: {message}")
+    try:
+        return read(building.law.law)
+    except InputError as error:
+        raise InputError(f"designs.{name}.law: `{spec.law}`: {error}") from error
 
 
 def with_temperature(project: Project, name: str, temperature_C: float | None) -> Project:

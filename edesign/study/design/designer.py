@@ -7,13 +7,11 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, Generic
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.core import LawValues
-from edesign.errors import InputError
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import Optimum, SizedDesign
 from edesign.project.project import Project
@@ -36,9 +34,6 @@ from edesign.study.design.results import (
 from edesign.study.design.verification import Judge, Respond, histories_at, judged, kept_outcome, mean_drift
 
 REACHABLE = 0.95  # of the largest damping: towards it the dampers grow without limit
-_ROUNDING = 1e-5  # relative, of a drift that a search has led to its limit
-
-L = TypeVar("L")
 
 
 class Designer(ABC, Generic[S]):
@@ -59,28 +54,6 @@ class Designer(ABC, Generic[S]):
         self._spec = spec
         self.building: Building = make_building(project, name, spec)
         self.action: Action | None = make_action(project, spec)
-
-    def read_law(self, read: Callable[[LawValues], L]) -> L:
-        """Return what the sizing of dampers without layers needs of their law.
-
-        Args:
-            read: reads it from the values of the law, or raises an InputError.
-
-        Returns:
-            What `read` returns.
-
-        Raises:
-            InputError: the law has layers, or is refused.
-        """
-        spec, law = self._spec, self.building.law
-        where = f"designs.{self.name}.law"
-        if law.layers is not None:
-            message = f"the law `{spec.law}` has a `prototype`: {spec.method} dampers have no layers"
-            raise InputError(f"{where}: {message}")
-        try:
-            return read(law.law)
-        except InputError as error:
-            raise InputError(f"{where}: `{spec.law}`: {error}") from error
 
     @property
     @abstractmethod
@@ -192,28 +165,6 @@ class Designer(ABC, Generic[S]):
     def settled(self, last: Round[S]) -> bool:
         """Return whether the properties that a round was sized with agree with its histories."""
         return True
-
-    def doubts(self, done: Search[S], drift: float) -> list[str]:
-        """Return warnings: an estimate asks for more dampers than histories judged, or rounds were too few.
-
-        Args:
-            done: all rounds and the chosen one.
-            drift: the largest storey drift over height that is estimated.
-        """
-        outcome, limit, verify = done.chosen.outcome, self._spec.drift, self._spec.verify
-        if verify is not None and outcome is not None and outcome.met and outcome.drift:  # searched storey by storey
-            last = len(done.rounds)
-            few = f"all {last} `rounds` were used: more may find a smaller sum of the dampers"
-            return [few] if last >= verify.rounds else []
-        if (
-            limit is None
-            or verify is None
-            or drift <= (1.0 + _ROUNDING) * limit
-            or (outcome is not None and outcome.met)
-        ):
-            return []
-        found = f"the estimated drift is {100.0 * drift:.4g} %, more than {100.0 * limit:.4g} %"
-        return [f"{found}; that is an estimate, and histories decide"]
 
     @property
     def changed(self) -> str:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 import scipy
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
-from edesign.project.dampers.designs import Bounds
+from edesign.project.dampers.designs import Bounds, SizedDesign
 from edesign.project.reading.words import percent
 from edesign.study.design.bounds import property_factors
+from edesign.study.design.loop import Search
 
 ROUNDING = 1e-6  # of shares and ratios
+_AT_LIMIT = 1e-5  # relative, of a drift that a search has led to its limit
 _LEAST_SHARE = 1e-3  # of the dampers, from which a share with the same damping is looked for
 _SHARES = np.geomspace(_LEAST_SHARE, 1.0, 61)
 
@@ -35,6 +38,26 @@ def beyond_the_optimum(damping: Callable[[float], float], what: str) -> Iterator
         f"the dampers are beyond the size that adds most damping to the first mode ({percent(max(known))} with "
         f"braces): they add {percent(present)}, and {100.0 * share:.3g} % of the {what} would add as much"
     )
+
+
+def estimate_doubts(spec: SizedDesign, done: Search[Any], drift: float) -> list[str]:
+    """Return warnings: an estimate asks for more dampers than histories judged, or rounds were too few.
+
+    Args:
+        spec: the design.
+        done: all rounds and the chosen one.
+        drift: the largest storey drift over height that is estimated.
+    """
+    outcome, limit, verify = done.chosen.outcome, spec.drift, spec.verify
+    if verify is not None and outcome is not None and outcome.met and outcome.drift:  # searched storey by storey
+        last = len(done.rounds)
+        few = f"all {last} `rounds` were used: more may find a smaller sum of the dampers"
+        return [few] if last >= verify.rounds else []
+    judged = outcome is not None and outcome.met
+    if limit is None or verify is None or judged or drift <= (1.0 + _AT_LIMIT) * limit:
+        return []
+    found = f"the estimated drift is {100.0 * drift:.4g} %, more than {100.0 * limit:.4g} %"
+    return [f"{found}; that is an estimate, and histories decide"]
 
 
 def spread(bounds: Bounds | None) -> tuple[float, float, str]:

@@ -14,7 +14,7 @@ from edesign.project.dampers.dampers import restrained_misfits
 from edesign.project.dampers.designs import DESIGNED_BRACES, HystereticDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import Bound
-from edesign.study.design.building import law_at, per_storey
+from edesign.study.design.building import law_at, per_storey, read_law
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.designer import REACHABLE, Designer
 from edesign.study.design.estimate import Action, FrameEstimate
@@ -26,6 +26,7 @@ from edesign.study.design.hysteretic.sizing import (
     largest_hysteretic_damping,
     size_hysteretic,
 )
+from edesign.study.design.hysteretic.vibration import secant_vibration
 from edesign.study.design.loop import Search
 from edesign.study.design.optimum import optimum_warnings
 from edesign.study.design.results import of_storeys
@@ -51,7 +52,7 @@ class HystereticDesigner(Designer[HystereticSizing]):
                 raise InputError(f"designs.{name}.{key}: {message}")
         super().__init__(project, name, spec, progress)
         self.spec = spec
-        self.model = HystereticModel(self.building, spec, self.read_law(hysteresis), self.action)
+        self.model = HystereticModel(self.building, spec, read_law(self.building, name, spec, hysteresis), self.action)
 
     @property
     def target(self) -> float:
@@ -92,7 +93,7 @@ class HystereticDesigner(Designer[HystereticSizing]):
         self, sizing: HystereticSizing, action: Action, name: str, factor: float, temperature_C: float | None
     ) -> Bound:
         """Estimate the response with a bound of the forces, at the amplitude of its own spectrum."""
-        vibration = self.model.vibration(factor * sizing.size, action)
+        vibration = secant_vibration(self.model, factor * sizing.size, action)
         response = self.model.estimate(vibration, action)
         return Bound(name, factor, None, factor, vibration.period, vibration.damping, response)
 

@@ -11,6 +11,7 @@ from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.device_model import Sizing
 from edesign.study.design.hysteretic.model import HystereticModel, SecantVibration
+from edesign.study.design.hysteretic.vibration import bare_damping, secant_vibration
 from edesign.study.design.pattern import pattern_of
 from edesign.study.design.reach import reach
 
@@ -54,7 +55,7 @@ def size_hysteretic(model: HystereticModel, target: float, factor: float = 1.0) 
     """
     share = target if model.spec.damping is None else _share_of_damping(model, target)
     found = factor * share * unit_forces(model)
-    return HystereticSizing(target=target, size=found, share=factor * share, vibration=model.vibration(found))
+    return HystereticSizing(target=target, size=found, share=factor * share, vibration=secant_vibration(model, found))
 
 
 def unit_forces(model: HystereticModel) -> np.ndarray:
@@ -90,7 +91,7 @@ def _share_of_damping(model: HystereticModel, target: float) -> float:
 def _reach(model: HystereticModel, target: float, least: float) -> tuple[float, float]:
     """Share and damping of `reach`, from below what a damping ratio `least` needs."""
     unit = unit_forces(model)
-    first = min(_FIRST * least / model.bare_damping(unit), LARGEST_SHARE)
+    first = min(_FIRST * least / bare_damping(model, unit), LARGEST_SHARE)
 
     def damping_of(share: float) -> float:
         found = vibration_of(model, share * unit)
@@ -125,6 +126,6 @@ def vibration_of(model: HystereticModel, yield_force: np.ndarray) -> SecantVibra
         yield_force: of all dampers of each storey along its drift, (s,) N.
     """
     try:
-        return model.vibration(yield_force)
+        return secant_vibration(model, yield_force)
     except AnalysisError:
         return None

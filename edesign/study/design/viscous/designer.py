@@ -15,11 +15,12 @@ from edesign.errors import InputError
 from edesign.project.dampers.designs import ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import Bound
-from edesign.study.design.building import per_storey
+from edesign.study.design.building import per_storey, read_law
 from edesign.study.design.designer import REACHABLE, Designer
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
 from edesign.study.design.loop import Search
+from edesign.study.design.plausibility import estimate_doubts
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.dashpot_modes import DashpotModes
 from edesign.study.design.viscous.least_coefficient import MOST, coefficient_unit
@@ -43,7 +44,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
     def __init__(self, project: Project, name: str, spec: ViscousDesign, progress: Callable[[str], None]) -> None:
         super().__init__(project, name, spec, progress)
         self.spec = spec
-        found = self.read_law(dashpot)
+        found = read_law(self.building, name, spec, dashpot)
         if found.alpha < 1.0 and spec.amplitude is None and self.action is None:
             message = f"this key is missing (or `level`): with alpha = {found.alpha:g} damping follows the amplitude"
             raise InputError(f"designs.{name}.amplitude: {message}")
@@ -105,7 +106,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         group.attributes["law_damping_strain_energy"] = self._law_damping(sizing)
         warnings = list(viscous_warnings(self.model, sizing, found))
         if found is not None and self.spec.distribution == "least_coefficient":
-            warnings += self.doubts(done, float(found.drift.max()))
+            warnings += estimate_doubts(self.spec, done, float(found.drift.max()))
         return warnings
 
     def _law_damping(self, sizing: ViscousSizing) -> float:
