@@ -19,10 +19,6 @@ if TYPE_CHECKING:
 def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figure]]:
     """Yield the effect of other yield forces in a design of hysteretic dampers.
 
-    Args:
-        name: name of the design.
-        group: of the design.
-
     Yields:
         Name of the file, caption and figure.
     """

@@ -1,1 +1,1 @@
-"""Design of dampers: methods, distributions over the height, bounds, and the loop with time histories."""
+"""Design of dampers: device model, methods, distributions over the height, bounds, loop with time histories."""

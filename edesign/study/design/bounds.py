@@ -38,9 +38,6 @@ def property_factors(bounds: Bounds) -> tuple[float, float]:
 
     With neither, only the temperatures change the properties.
 
-    Args:
-        bounds: the bounds of the design.
-
     Returns:
         Lower and upper factor; 1 where the design gives none.
     """

@@ -128,9 +128,6 @@ def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
 
     It is storey shear over storey drift. Under these loads the displacements are the mode itself.
 
-    Args:
-        frame: the condensed frame.
-
     Raises:
         AnalysisError: a storey does not shear in the first mode.
     """

@@ -138,31 +138,17 @@ class DeviceModel(ABC, Generic[D, V]):
         """Return the largest force of the dampers at each place, (d,) N, and what else they bear (`FrameEstimate`)."""
 
     def peaks(self, state: V, action: Action) -> tuple[LinearModes, SpectralPeaks]:
-        """Return the modes with dampers, and their peaks.
-
-        Args:
-            state: of the dampers.
-            action: spectrum, and damping ratio of the frame without dampers.
-        """
+        """Return the modes with dampers, and their peaks."""
         modes = self.building.frame.modes(self.storage(state))
         return modes, spectral_peaks(self.building.frame, action, modes, self.added_damping(state, modes))
 
     def drift(self, state: V, action: Action) -> np.ndarray:
-        """Return the storey drifts over height by the response spectrum method, (f,).
-
-        Args:
-            state: of the dampers.
-            action: spectrum, and damping ratio of the frame without dampers.
-        """
+        """Return the storey drifts over height by the response spectrum method, (f,)."""
         modes, peaks = self.peaks(state, action)
         return self._drift(modes, peaks)
 
     def estimate(self, state: V, action: Action) -> FrameEstimate:
         """Estimate the response with dampers by the response spectrum method.
-
-        Args:
-            state: of the dampers.
-            action: spectrum, and damping ratio of the frame without dampers.
 
         Source: EN 1998-1:2004, 3.2.2.2(3) (eta) and 4.3.3.3; CQC: Der Kiureghian (1981), Earthquake Engineering and
             Structural Dynamics 9(5), with unequal damping.
@@ -172,11 +158,7 @@ class DeviceModel(ABC, Generic[D, V]):
         return self._estimate(modes, self.storage(state), peaks, force, further)
 
     def bare_estimate(self, action: Action) -> FrameEstimate:
-        """Estimate the response of the frame without dampers by the response spectrum method.
-
-        Args:
-            action: spectrum, and damping ratio of the frame without dampers.
-        """
+        """Estimate the response of the frame without dampers by the response spectrum method."""
         peaks = spectral_peaks(self.building.frame, action, self.bare, np.zeros(self.bare.omega.size))
         nothing = np.zeros(self.building.frame.n_devices)
         return self._estimate(self.bare, nothing, peaks, nothing, {})

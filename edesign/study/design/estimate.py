@@ -61,10 +61,6 @@ class FrameEstimate:
 def make_action(project: Project, spec: SizedDesign) -> Action | None:
     """Return the action of a design's hazard level; None if the design names none.
 
-    Args:
-        project: the project with the hazard.
-        spec: the design.
-
     Raises:
         InputError: the hazard of the project is wrong, or its spectrum has no T_C for the lateral force method.
     """

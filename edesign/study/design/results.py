@@ -108,15 +108,7 @@ STROKE: Column = ("damper_stroke", PLACE, lambda m, r: r.dampers["stroke"], "m",
 
 
 def store(group: Group, model: Model, columns: Iterable[Column], item: Any, prefix: str = "") -> None:
-    """Add the variables of one item to the group of a design; those without a value are left out.
-
-    Args:
-        group: of the design.
-        model: of its dampers.
-        columns: the variables.
-        item: that they are of.
-        prefix: of their names.
-    """
+    """Add the variables of one item to the group of a design; those without a value are left out."""
     for name, dims, of, unit, label in columns:
         value = of(model, item)
         if value is not None:
@@ -125,15 +117,7 @@ def store(group: Group, model: Model, columns: Iterable[Column], item: Any, pref
 
 
 def store_rows(group: Group, model: Model, axis: str, columns: Iterable[Column], items: Sequence[Any]) -> None:
-    """Add variables AXIS_NAME of a row of items along an axis that the group has; without any value they are left out.
-
-    Args:
-        group: of the design.
-        model: of its dampers.
-        axis: of the row.
-        columns: the variables.
-        items: in the order of the axis.
-    """
+    """Add variables AXIS_NAME of a row of items along an axis of the group; without any value they are left out."""
     for name, dims, of, unit, label in columns:
         values = [of(model, item) for item in items]
         if any(value is not None for value in values):
@@ -143,15 +127,7 @@ def store_rows(group: Group, model: Model, axis: str, columns: Iterable[Column],
 
 
 def store_sizing(group: Group, model: Model, results: Results, sizing: Any, modes: Any) -> None:
-    """Add the storeys of the frame, the dampers in them, and the modes without and with them.
-
-    Args:
-        group: of the design.
-        model: of its dampers.
-        results: of its method.
-        sizing: the dampers.
-        modes: with them, as the columns of the method take them.
-    """
+    """Add the storeys of the frame, the dampers in them, and the modes without and with them."""
     building, bare = model.building, model.bare
     group.attributes |= {"number": model.spec.number, "places": int(building.place_storey.size)}
     coordinate(group, "storey", building.storeys, "1", "storey with dampers")
@@ -170,14 +146,7 @@ def store_sizing(group: Group, model: Model, results: Results, sizing: Any, mode
 
 
 def store_iterations(group: Group, model: Model, results: Results, rounds: Sequence[Round[Any]]) -> None:
-    """Add the iterations of all rounds, one after the other; nothing for a method that has none.
-
-    Args:
-        group: of the design.
-        model: of its dampers.
-        results: of its method.
-        rounds: all.
-    """
+    """Add the iterations of all rounds, one after the other; nothing for a method that has none."""
     if not results.steps:
         return
     rows = [(r.number, step) for r in rounds for step in r.sizing.iterations]
@@ -190,12 +159,7 @@ def store_iterations(group: Group, model: Model, results: Results, rounds: Seque
 def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[Round[Any]], changed: str) -> None:
     """Add the rounds of sizing and verification: what each changed and aimed at, its dampers, and its verdicts.
 
-    Args:
-        group: of the design.
-        model: of its dampers.
-        results: of its method.
-        rounds: all.
-        changed: what they change, for people.
+    What is changed is said for people.
     """
     coordinate(group, "round", [r.number for r in rounds], "1", "round of sizing and verification")
     group.add("round_changed", ("round",), [r.changed for r in rounds], "1", f"what is changed: {changed}")
@@ -211,28 +175,16 @@ def store_rounds(group: Group, model: Model, results: Results, rounds: Sequence[
 
 
 def store_estimate(group: Group, model: Model, results: Results, found: FrameEstimate, bare: FrameEstimate) -> None:
-    """Add the response that the spectrum estimates. Forces of a place are of all its dampers, those of a device of one.
+    """Add the response that the spectrum estimates with dampers, and that of the bare frame.
 
-    Args:
-        group: of the design.
-        model: of its dampers.
-        results: of its method.
-        found: the response with dampers.
-        bare: the response without dampers.
+    Forces of a place are of all its dampers, those of a device of one.
     """
     store(group, model, _ESTIMATE, (found, bare), "estimated_")
     store(group, model, results.estimate, found, "estimated_")
 
 
 def store_bounds(group: Group, model: Model, results: Results, found: Sequence[Bound]) -> None:
-    """Add the estimated response with each bound of the properties, and the bound that governs each quantity.
-
-    Args:
-        group: of the design.
-        model: of its dampers.
-        results: of its method.
-        found: the bounds.
-    """
+    """Add the estimated response with each bound of the properties, and the bound that governs each quantity."""
     name, dims, of, unit, label = results.demand
     coordinate(group, "bound", [b.name for b in found], "", "bound of the properties of the dampers")
     columns = ((*column[:4], results.bounds.get(column[0], column[4])) for column in _BOUNDS)

@@ -90,11 +90,7 @@ def least_area(
 
 
 def area_weight(building: Building) -> np.ndarray:
-    """Return the stiffness of the dampers along their slope in sum for k_D = k_S, (s,) N/m, which goes with their area.
-
-    Args:
-        building: the frame with its places.
-    """
+    """Return the stiffness of all dampers along their slope for k_D = k_S, (s,) N/m, in proportion to their area."""
     # k_D of a place is shared by equal dampers, whose area grows with 1 / cos^2 of their slope
     return np.asarray(np.bincount(building.place_storey) / building.attachment() * building.designed_stiffness)
 

@@ -71,9 +71,6 @@ def at_own_frequency(
 def agreed(found: AtFrequency) -> AtFrequency:
     """Return dampers at their own frequency.
 
-    Args:
-        found: by `at_own_frequency`.
-
     Raises:
         AnalysisError: no frequency agrees with itself.
     """

@@ -107,13 +107,7 @@ ELASTOMER = Results(
 
 
 def store_steps(group: Group, model: ElastomerModel, rounds: Sequence[Round[ElastomerSizing]]) -> None:
-    """Add what no other method has of its iterations: lateral forces, and steps of the strain.
-
-    Args:
-        group: of the design, with its iterations.
-        model: of its dampers.
-        rounds: all rounds in their order.
-    """
+    """Add what no other method has of its iterations: lateral forces, and steps of the strain."""
     steps = [step for r in rounds for step in r.sizing.iterations]
     for name in steps[0].values:
         unit = "N" if name.endswith("base_shear") else "1"

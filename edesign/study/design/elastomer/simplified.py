@@ -133,11 +133,7 @@ def _stiffness(elastomer: Material, frequency: float, of_modulus: np.ndarray, st
 
 
 def static_drift(step: Iteration) -> float:
-    """Return the largest storey drift over height under the lateral forces, at whatever temperature.
-
-    Args:
-        step: of this method.
-    """
+    """Return the largest storey drift over height under the lateral forces, at whatever temperature."""
     return max(step.values["drift"], step.values.get("low_temperature_drift", 0.0))
 
 

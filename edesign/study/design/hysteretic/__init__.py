@@ -1,1 +1,1 @@
-"""Designs of hysteretic dampers: secants of their loops at the amplitude of the design, sizing, optimum."""
+"""Designs of hysteretic dampers: secants of their loops at the amplitude of the design, first mode, sizing."""

@@ -143,13 +143,7 @@ HYSTERETIC = Results(
 
 
 def store_curve(group: Group, model: HystereticModel, sizing: HystereticSizing) -> None:
-    """Add damping, period and largest drift of the first mode over the share of the storey shears.
-
-    Args:
-        group: of the design.
-        model: of its dampers.
-        sizing: the dampers of the design.
-    """
+    """Add damping, period and largest drift of the first mode over the share of the storey shears."""
     shares = np.geomspace(_CURVE_START, LARGEST_SHARE, _CURVE_POINTS)
     unit = sizing.size / sizing.share
     found = [vibration_of(model, share * unit) for share in shares.tolist()]

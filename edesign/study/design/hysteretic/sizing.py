@@ -59,11 +59,7 @@ def size_hysteretic(model: HystereticModel, target: float, factor: float = 1.0) 
 
 
 def unit_forces(model: HystereticModel) -> np.ndarray:
-    """Return yield forces in the distribution of the design whose sum is that of the storey shears, (s,) N.
-
-    Args:
-        model: of the dampers.
-    """
+    """Return yield forces in the distribution of the design whose sum is that of the storey shears, (s,) N."""
     distribution = model.spec.distribution
     if distribution == "storey_shear":
         return model.shears

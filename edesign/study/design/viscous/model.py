@@ -206,11 +206,7 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
         return steps[-1].vibration
 
     def undamped(self, damping: float) -> Vibration:
-        """Return the first mode without dampers at the amplitude that belongs to a damping ratio.
-
-        Args:
-            damping: damping ratio added to that of the frame.
-        """
+        """Return the first mode without dampers at the amplitude that belongs to a damping ratio."""
         nothing = np.zeros(self.building.frame.n_devices)
         modes = dashpot_modes(self.building.frame, self.bare, nothing, nothing)
         no_size = np.zeros(self.building.storeys.size)

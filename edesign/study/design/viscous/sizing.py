@@ -100,9 +100,6 @@ def largest_viscous_damping(model: ViscousModel) -> float:
     """Return the largest damping ratio of the first mode that any coefficients of the design's distribution reach.
 
     The amplitude is that of the mode without dampers.
-
-    Args:
-        model: of the dampers.
     """
     pattern, weight = pattern_of(model.building, model.spec.distribution), model.weight(model.undamped(0.0))
     damping_of = partial(_damping, model, pattern, weight)
