@@ -23,11 +23,17 @@ from edesign.study.design.loop import Search
 from edesign.study.design.plausibility import estimate_doubts
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.dashpot_modes import DashpotModes
-from edesign.study.design.viscous.least_coefficient import MOST, coefficient_unit
 from edesign.study.design.viscous.model import Vibration, ViscousModel
 from edesign.study.design.viscous.plausibility import viscous_warnings
 from edesign.study.design.viscous.results import VISCOUS
-from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping, size_viscous, sized_viscous
+from edesign.study.design.viscous.sizing import (
+    MOST,
+    ViscousSizing,
+    coefficient_unit,
+    largest_viscous_damping,
+    size_viscous,
+    sized_viscous,
+)
 
 
 class ViscousDesigner(Designer[ViscousSizing]):

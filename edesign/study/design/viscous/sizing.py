@@ -12,10 +12,10 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.device_model import Sizing
+from edesign.study.design.least_total import Problem, least_total
 from edesign.study.design.pattern import pattern_of
 from edesign.study.design.reach import reach
-from edesign.study.design.viscous.least_coefficient import least_coefficient
-from edesign.study.design.viscous.model import Vibration, ViscousModel
+from edesign.study.design.viscous.model import Dashpots, Vibration, ViscousModel
 
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
 _LOCKED = 100.0  # damping ratio by energy at which dampers with a hundredth of it all are locked too
@@ -23,6 +23,9 @@ _FREE = 0.25  # omega c f up to which a dashpot hardly feels the flexibility f i
 _FIRST = 0.25
 """First trial over what the energy of the mode without dampers asks for. Damping is largest where that formula says at
 most twice as much as there is (behind a brace, towards the brace's limit), so a quarter is below every optimum."""
+
+MOST = 2.0
+"""Of omega c / k_S, with which a storey by itself is critically damped: no spectrum tells what more would do."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -94,6 +97,51 @@ def sized_viscous(model: ViscousModel, coefficient: np.ndarray, start: Vibration
     vibration = model.in_agreement(coefficient, start)
     formula = model.formula(coefficient, vibration.roof)
     return ViscousSizing(target=math.nan, size=coefficient, vibration=vibration, formula=formula)
+
+
+def least_coefficient(
+    model: ViscousModel, weight: np.ndarray, omega: float, start: np.ndarray | None = None
+) -> np.ndarray:
+    """Return the coefficients of least sum over the dampers with which no storey drifts more than the target, (s,).
+
+    The drifts are estimated by the response spectrum, with linear dashpots of the same energy at a given amplitude.
+
+    Args:
+        model: of the dampers, with action and target drift.
+        weight: linear dashpot of the energy of a coefficient of 1 at each place, (d,).
+        omega: of the first mode, rad/s.
+        start: where the search begins; None: in proportion to the storeys.
+
+    Raises:
+        OutOfReach: the drift is met without dampers, or no dampers meet it, and no histories are to decide.
+    """
+    building, action, drift = model.building, model.action, model.spec.drift
+    assert action is not None and drift is not None, "check_design wants them"
+    one = weight * model.at_places(np.ones(building.storeys.size))
+
+    def used(c: np.ndarray) -> np.ndarray:
+        return model.drift(Dashpots(c, one * c[building.place_storey], model.flexibility(c), omega), action) / drift
+
+    unit, share = coefficient_unit(model, weight, omega)
+    nearest = model.spec.verify is not None
+    return least_total(Problem(used, unit, share, drift, MOST, "dashpots with omega c", "coefficients", nearest), start)
+
+
+def coefficient_unit(model: ViscousModel, weight: np.ndarray, omega: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the coefficients with omega c = k_S, (s,), and what the dampers of a storey are in sum with them, (s,).
+
+    Args:
+        model: of the dampers.
+        weight: linear dashpot of the energy of a coefficient of 1 at each place, (d,).
+        omega: of the first mode, rad/s.
+    """
+    building = model.building
+    of_storey = np.bincount(
+        building.place_storey, weight * model.at_places(np.ones(building.storeys.size)) * building.cosine**2
+    )
+    unit = building.designed_stiffness / (omega * of_storey)
+    # a storey with steep dampers needs more of them for the same effect
+    return unit, unit * np.bincount(building.place_storey) / building.attachment(model.power)
 
 
 def largest_viscous_damping(model: ViscousModel) -> float:
