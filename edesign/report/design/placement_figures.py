@@ -25,8 +25,6 @@ def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[
     """Yield the chosen layout, and the layouts analysed.
 
     Args:
-        name: of the design.
-        group: of the design.
         frame: of the project; None: it cannot be read, and there is no elevation.
 
     Yields:

@@ -79,8 +79,6 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
 
     Args:
         project: with the law; checked by `check_design`.
-        name: of the design.
-        spec: of the design.
 
     Returns:
         The frame with the places of its dampers and the stiffness of its storeys.
@@ -143,7 +141,6 @@ def mode_shears(frame: CondensedFrame, modes: LinearModes) -> np.ndarray:
     """Return the storey shears of modes at unit generalised displacement, (n, f) N/m.
 
     Args:
-        frame: the condensed frame.
         modes: its modes, with or without dampers.
     """
     return storey_shears(frame.at_floors(modes.omega[:, None] ** 2 * frame.mass * modes.masses))
@@ -165,8 +162,6 @@ def law_at(project: Project, name: str, temperature_C: float | None) -> DeviceLa
     """Return a damper law of the project at a temperature.
 
     Args:
-        project: the project with the law.
-        name: name of the law in the project.
         temperature_C: degC; None: the temperature that the project gives.
     """
     return device_laws(with_temperature(project, name, temperature_C))[name]
@@ -177,8 +172,6 @@ def read_law(building: Building, name: str, spec: SizedDesign, read: Callable[[L
 
     Args:
         building: the frame with its places and the law.
-        name: of the design.
-        spec: of the design.
         read: reads it from the values of the law, or raises an InputError.
 
     Returns:
@@ -200,8 +193,6 @@ def with_temperature(project: Project, name: str, temperature_C: float | None) -
     """Return the project with one of its damper laws at another temperature.
 
     Args:
-        project: the project with the law.
-        name: name of the law in the project.
         temperature_C: degC; None: the project is returned as it is.
     """
     dampers = project.dampers
@@ -215,7 +206,6 @@ def sized_dampers(building: Building, spec: SizedDesign, brace: np.ndarray | Non
     """Return the project's dampers with those of the design in place of its devices.
 
     Args:
-        building: with the places.
         spec: the design; its temperature, if it has one, becomes that of its law.
         brace: stiffness of the brace of each damper, along it, (s,) N/m; None: rigid.
         size: keys of a device that say how large it is, such as `layer_area` or `scale`.

@@ -32,7 +32,6 @@ def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarra
 
     Args:
         frame: without dampers.
-        bare: its modes.
         stiffness: complex stiffness of each damper with its brace, (d,) N/m; the same in all modes.
 
     Source: thesis Eqs. 5.6-5.8.

@@ -52,8 +52,6 @@ def run_design(
 
     Args:
         project: with the law; checked by `check_design`.
-        name: of the design.
-        spec: of the design.
         folder: that files named in it are relative to.
         respond: runs the histories of a round; None: the design is not verified.
         judge: judges the histories of a round; None: the design is not verified.
@@ -91,8 +89,6 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
 
     Args:
         project: the project with the law, as for `run_design`.
-        name: name of the design.
-        spec: the design.
         folder: the folder that files named in the design are relative to.
 
     Raises:
@@ -112,8 +108,6 @@ def first_warnings(project: Project, name: str, spec: SizedDesign, folder: Path)
 
     Args:
         project: the project with the law, which has passed `check_sizing`.
-        name: name of the design.
-        spec: the design.
         folder: the folder that files named in the design are relative to.
 
     Returns:

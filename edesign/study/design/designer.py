@@ -85,9 +85,7 @@ class Designer(ABC, Generic[S]):
         """Estimate the response with a bound of the dampers' properties.
 
         Args:
-            sizing: the dampers.
             action: spectrum, and damping ratio of the frame without dampers.
-            name: of the bound.
             factor: property modification factor.
             temperature_C: of the dampers, degC; None: that of the design.
         """
@@ -97,7 +95,6 @@ class Designer(ABC, Generic[S]):
         """Add what the law itself says to the group of a design; return what is implausible, a sentence each.
 
         Args:
-            group: of the design.
             done: all rounds and the chosen one.
             found: the estimated response; None: the design has no level.
         """

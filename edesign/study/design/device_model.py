@@ -49,7 +49,6 @@ class DeviceModel(ABC, Generic[D, V]):
 
     Args:
         building: the frame with its places.
-        spec: the design.
         action: the spectrum; None: there is none.
 
     Attributes:

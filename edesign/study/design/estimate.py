@@ -82,8 +82,6 @@ def action_of(project: Project, level: str, inherent_damping: float | None) -> A
     """Return the action of a hazard level on a frame.
 
     Args:
-        project: with the hazard.
-        level: of the hazard.
         inherent_damping: damping ratio of the frame without dampers; None: that of the project.
 
     Raises:
@@ -125,7 +123,6 @@ def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, ad
     """Return the peaks of the modes under an action; modes with a negligible effective mass are left out.
 
     Args:
-        frame: the condensed frame of the modes.
         action: spectrum, and damping ratio of the frame without dampers.
         modes: with the dampers' stiffness.
         added: damping ratio that the dampers add to each mode, (n,).

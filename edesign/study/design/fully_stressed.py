@@ -72,12 +72,10 @@ def search_fully_stressed(
     than the precision, all dampers grow by it until the criteria are met.
 
     Args:
-        first: dampers of the first round.
         make: makes the dampers of sizes (s,).
         verify: histories and verdicts of dampers, their round and their sum over that of the first round.
         sizes: of the first round, and their limits.
         most_rounds: how many may be tried.
-        precision: of the sum of the dampers.
         kept: called with all rounds after each.
         settled: whether what the dampers presume of their histories agrees with them; asked after each round.
 

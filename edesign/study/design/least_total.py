@@ -56,7 +56,6 @@ def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray
     """Return the dampers (s,) of least sum that meet the limit; sequential quadratic programming finds a local optimum.
 
     Args:
-        problem: what is to be found.
         start: sizes (s,) where the search begins; None: equal x that meet the limit.
 
     Raises:

@@ -44,7 +44,6 @@ def estimate_doubts(spec: SizedDesign, done: Search[Any], drift: float) -> list[
     """Return warnings: an estimate asks for more dampers than histories judged, or rounds were too few.
 
     Args:
-        spec: the design.
         done: all rounds and the chosen one.
         drift: the largest storey drift over height that is estimated.
     """

@@ -15,7 +15,6 @@ def reach(damping_of: Callable[[float], float], target: float, first: float, las
     Damping grows with the dampers until they lock, one after the other, so that it may fall and grow again.
 
     Args:
-        damping_of: the damping ratio of a scale.
         target: damping ratio; infinite: the largest is wanted.
         first: scale below all that may be needed.
         last: scale at which all dampers are locked.

@@ -49,7 +49,6 @@ def histories_at(level: str | None, verify: AnyVerify | None, histories: Mapping
 
     Args:
         level: of the design; None: it has none.
-        verify: its verification.
         histories: results of the histories of a round, by name.
     """
     levels = {str(group.attributes.get("level") or "") for group in histories.values()}
@@ -73,8 +72,6 @@ def kept_outcome(
     """Return the outcome of a round of an earlier run if it had the same dampers, else None.
 
     Args:
-        resume: what the earlier run kept.
-        number: of the round.
         value: what the round changed.
         size: of its dampers, by the name of the variable `round_NAME`.
     """
@@ -102,7 +99,6 @@ def store_outcomes(group: Group, dim: str, numbers: Sequence[int], outcomes: Seq
     """Add the verdicts of all rounds or layouts, and the histories that failed.
 
     Args:
-        group: of the design.
         dim: "round" or "layout".
         numbers: of the rounds or layouts, by which failed histories are named.
         outcomes: one for each; None: not verified.
@@ -134,7 +130,6 @@ def stored_outcomes(group: Group, numbers: Sequence[int]) -> list[RoundOutcome]:
     A round without verdicts was not verified.
 
     Args:
-        group: of the design.
         numbers: of the rounds or layouts, in their order.
     """
     names = [str(name) for name in group.coords["criterion"].values]

@@ -32,9 +32,6 @@ def distribute(
     """Return the storage stiffness k_D of each storey with dampers in the distribution of a design, (s,) N/m.
 
     Args:
-        model: of the dampers.
-        spec: the design.
-        moduli: of the elastomer.
         target: damping ratio to be added.
         thickness: thickness of a layer, m.
         before: k_D of the previous iteration, (s,) N/m, from which `least_area` starts; None: none.
@@ -68,8 +65,6 @@ def least_area(
     response spectrum of the frame with dampers and braces. Sequential quadratic programming finds a local optimum.
 
     Args:
-        model: of the dampers.
-        moduli: of the elastomer.
         drift: limit of storey drift over height.
         thickness: of a layer, m.
         start: where the search begins; None: in proportion to the storeys.

@@ -44,7 +44,6 @@ def material(project: Project, name: str, spec: ElastomerDesign, folder: Path, t
     Args:
         project: with the law.
         name: of the design, for messages.
-        spec: the design.
         folder: that property files are relative to.
         temperature_C: degC; None: that of the law or of the reference.
 

@@ -95,7 +95,6 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
 
     Args:
         building: the frame with its places.
-        spec: the design.
         action: the spectrum; None: there is none.
         material_at: the elastomer at a temperature (degC; None: that of the design).
 
@@ -168,7 +167,6 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
 
         Args:
             k_D: horizontal storage stiffness of the dampers of each storey, (s,) N/m.
-            loss_factor: of the elastomer.
             braces: whether their braces are in series.
         """
         dampers = self.at_places(k_D) * (1.0 + 1.0j * loss_factor)
@@ -179,7 +177,6 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
         """Return the complex stiffness K' + i K'' of the dampers of a sizing at each place, (d,) N/m.
 
         Args:
-            found: the dampers.
             braces: whether their braces are in series.
             moduli: of the elastomer; None: those of the design.
         """
@@ -210,7 +207,6 @@ class ElastomerModel(DeviceModel[ElastomerDesign, Layers]):
 
         Args:
             k_D: storage stiffness of the dampers of each storey, (s,) N/m.
-            loss_factor: of the elastomer.
             thickness: of a layer, m.
             braces: whether their braces are in series.
         """

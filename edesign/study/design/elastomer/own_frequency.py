@@ -47,8 +47,6 @@ def at_own_frequency(
     """Iterate until the elastomer's properties are those at the first frequency of the frame with its dampers.
 
     Args:
-        model: of the dampers.
-        elastomer: properties of the elastomer at a frequency.
         k_D: horizontal storage stiffness of the storeys (s,) N/m that dampers of some properties have.
         start: frequency of the first iteration, Hz.
         braces: whether the braces are in series.

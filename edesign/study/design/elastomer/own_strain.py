@@ -63,7 +63,6 @@ def start_strain(model: ElastomerModel, thickness: float) -> float:
     It is the strain of the design, or that of dampers without stiffness, at most `strain_limit`.
 
     Args:
-        model: of the dampers.
         thickness: of a layer, m.
     """
     spec = model.spec
@@ -85,7 +84,6 @@ def at_own_strain(
     A strain with which no dampers do what is wanted is drawn towards the last one with which they did.
 
     Args:
-        model: of the dampers.
         solve: solves with the properties at a strain.
         moduli: returns the elastomer's properties of a solution.
         reached: returns the effective strain of a solution.

@@ -24,8 +24,6 @@ def elastomer_warnings(
     """Yield one sentence for each implausible property of a design of dampers with layers of elastomer.
 
     Args:
-        model: of the dampers.
-        sizing: the dampers.
         found: response that the spectrum of the level estimates; None: there is no level.
         in_histories: effective strain of the dampers in the histories of a verification; nan: there are none.
     """
@@ -53,8 +51,6 @@ def _other_strain(model: ElastomerModel, sizing: ElastomerSizing, reached: float
     """What the properties at the strain of the design miss where the dampers reach another one.
 
     Args:
-        model: of the dampers.
-        sizing: the dampers.
         reached: effective strain of the dampers.
         where: that was found, for people.
 

@@ -49,7 +49,6 @@ def size_simplified(
 
     Args:
         model: of the dampers; at the low end of temperatures they are stiffer.
-        spec: the design.
         least: lowest beta to be tried.
         area_factor: on areas and with them on stiffnesses, after beta is chosen.
         thickness_factor: on thickness and area.
@@ -144,7 +143,6 @@ def static_response(
 
     Args:
         model: of the dampers.
-        spec: the design.
         elastomer: its properties; the loss factor follows the frequency, k_D is given.
         k_D: storage stiffness of the dampers of each storey, (s,) N/m.
 
@@ -172,7 +170,6 @@ def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Elastome
     """Return one sentence for each property outside the recommendations of the simplified procedure.
 
     Args:
-        spec: the design.
         action: spectrum, and damping ratio of the frame without dampers.
         sizing: the dampers.
     """

@@ -25,8 +25,6 @@ def size_by_strain_energy(
     """Find the dampers of a target damping, at the frequency and, if it is followed, the strain that they have.
 
     Args:
-        model: of the dampers.
-        spec: the design.
         target: damping ratio to be added (nan for the least area).
         area_factor: on areas and with them on stiffnesses.
         thickness_factor: on thickness and area, which leaves the stiffness as it is.

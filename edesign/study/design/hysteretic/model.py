@@ -74,7 +74,6 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
 
     Args:
         building: the frame with its places.
-        spec: the design.
         loop: of the law of the design.
         action: the spectrum; None: there is none.
     """

@@ -118,7 +118,6 @@ def vibration_of(model: HystereticModel, yield_force: np.ndarray) -> SecantVibra
     """Return the first mode with dampers of given yield forces; None where its iteration does not converge.
 
     Args:
-        model: of the dampers.
         yield_force: of all dampers of each storey along its drift, (s,) N.
     """
     try:

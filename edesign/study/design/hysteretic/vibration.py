@@ -48,7 +48,6 @@ def bare_damping(model: HystereticModel, yield_force: np.ndarray) -> float:
     """Return the damping ratio that rigid-plastic dampers add to the first mode without dampers.
 
     Args:
-        model: of the dampers.
         yield_force: of all dampers of each storey along its drift, (s,) N.
     """
     bare = model.bare

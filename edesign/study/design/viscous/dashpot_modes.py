@@ -53,8 +53,6 @@ def dashpot_modes(
     without dampers are there, so this is exact.
 
     Args:
-        frame: without dampers.
-        bare: its modes.
         dashpots: c, (d,) N s/m.
         flexibility: 1/k of the springs in series, (d,) m/N; 0: rigid.
 

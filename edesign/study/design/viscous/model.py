@@ -88,7 +88,6 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
 
     Args:
         building: the frame with its places.
-        spec: the design.
         dashpot: that the law of the design is.
         action: the spectrum; None: there is none.
     """
@@ -194,7 +193,6 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
 
         Args:
             coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
-            start: a vibration with other coefficients.
             action: whose spectrum gives the amplitude; None: what the design says.
 
         Raises:

@@ -23,8 +23,6 @@ def viscous_warnings(model: ViscousModel, sizing: ViscousSizing, found: FrameEst
     """Yield one sentence for each implausible property of a design of viscous dampers.
 
     Args:
-        model: of the dampers.
-        sizing: the dampers.
         found: response that the spectrum estimates; None: there is no level.
     """
     building, vibration, spec = model.building, sizing.vibration, model.spec

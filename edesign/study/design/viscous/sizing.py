@@ -87,9 +87,7 @@ def sized_viscous(model: ViscousModel, coefficient: np.ndarray, start: Vibration
     """Return dampers of given coefficients with the vibration of the frame.
 
     Args:
-        model: of the dampers.
         coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
-        start: a vibration with other coefficients.
 
     Raises:
         AnalysisError: amplitude and dashpots do not agree, or the first mode does not oscillate.
@@ -131,7 +129,6 @@ def coefficient_unit(model: ViscousModel, weight: np.ndarray, omega: float) -> t
     """Return the coefficients with omega c = k_S, (s,), and what the dampers of a storey are in sum with them, (s,).
 
     Args:
-        model: of the dampers.
         weight: linear dashpot of the energy of a coefficient of 1 at each place, (d,).
         omega: of the first mode, rad/s.
     """
