@@ -19,8 +19,8 @@ ROOT = Path(__file__).parents[1]
 SECTION = "Args:"
 ENTRY = re.compile(r"\s*(?P<name>[*`\w, ]+):\s+(?P<text>.*)", re.DOTALL)
 
-GRAMMAR = """a an the of its it is are was be in on at to for from by with and or that which who what where as this these
-those their they one ones all any each every other others whose has have into""".split()
+GRAMMAR = """a an the of its it is are was be in on at to for from by with and or that which who what where as this
+these those their they one ones all any each every other others whose has have into""".split()
 """Words that join others."""
 
 VAGUE = """block file given label list made name named number open own path read result row table thing validated value
