@@ -17,9 +17,13 @@ from edesign.report.building import (
 from edesign.report.building import tables as building_tables
 from edesign.report.export import catalogue
 from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
+from edesign.report.substructure import advice_tables, identified_rig_tables, judgement_tables, limits
+from edesign.report.substructure import building_tables as tested_building
+from edesign.report.substructure import tables as substructure_tables
 from edesign.report.tables.spec import TableSpec
 
 MODULES = (
+    advice_tables,
     basis_tables,
     brace_table,
     building_tables,
@@ -31,10 +35,15 @@ MODULES = (
     foundation_table,
     ground_tables,
     hinge_tables,
+    identified_rig_tables,
+    judgement_tables,
+    limits,
     other_tables,
     restrained_braces,
     section_table,
     selection_tables,
+    substructure_tables,
+    tested_building,
 )
 """Modules that declare tables; a test finds those that are missing."""
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,13 +19,33 @@ from edesign.assess.sets import HistorySet
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project
 from edesign.report.assessment.verdict_tables import performance_tables
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.cell import Listed, Marked, Quantity, Value
+from edesign.report.tables.column import col, text
+from edesign.report.tables.spec import Table, TableSpec
 from edesign.report.tables.text import wrapped
+from edesign.report.tables.unit import KN, M_S2, MM, MRAD, PERCENT, Unit
 from edesign.study.results.kinds import ANALYSES, DIRECT
 from edesign.study.results.warnings import warning_lines
 from edesign.substructure.archived import building_name
 
 Measure = Callable[[Group], float | None]
+KILO = Unit("", 1e3)
+"""Of energies in kJ, as the title says."""
+ROUNDING = 1e-9
+"""Of SI units; far below what any of them means."""
+
+
+class _Beside(NamedTuple):
+    """A building in a test, and in the direct analysis, which errors are over; None: there is none to compare."""
+
+    test: str
+    compensator: str
+    group: Group
+    direct: Group | None
+
+    @property
+    def completed(self) -> bool:
+        return self.group.attributes.get("status") == "completed"
 
 
 def _measure(*names: str) -> Measure:
@@ -56,27 +78,59 @@ def _energy(*terms: str) -> Measure:
     return of
 
 
-BALANCE, RESIDUAL = "balance", "residual [%]"
-LEFT = (BALANCE, RESIDUAL)
-"""What is left of the energies, and of the drift: mostly near zero, so that an error over it says nothing."""
-PEAKS: tuple[tuple[str, Measure, float], ...] = (
-    ("drift [%]", _measure("interstorey_drift"), 0.01),
-    ("drift [mm]", _storey_displacement, 1e-3),
-    (RESIDUAL, _measure("residual_interstorey_drift"), 0.01),
-    ("floor a [m/s2]", _floor_acceleration, 1.0),
-    ("base shear [kN]", _measure("base_shear_N"), 1e3),
-    ("plastic rot. [mrad]", _measure("beam_plastic_rotation_rad", "column_plastic_rotation_rad"), 1e-3),
+def _alone(measure: Measure) -> Callable[[_Beside], Value]:
+    """The value without an error: what is left of energies and drifts is mostly near zero."""
+    return lambda row: measure(row.group)
+
+
+def _off(measure: Measure) -> Callable[[_Beside], Value]:
+    """The value, and its error if it is known."""
+
+    def of(row: _Beside) -> Value:
+        value, direct = measure(row.group), measure(row.direct) if row.direct is not None else None
+        if value is None or direct is None or abs(direct) < ROUNDING:
+            return value
+        error = value / direct - 1.0
+        size = Quantity(abs(error), PERCENT, 2, negligible=ROUNDING)
+        return Listed((value, Marked(size, ")", "(-" if error < 0.0 else "(+")), " ")
+
+    return of
+
+
+_NAMES = (text("test"), text("compensator", mark=lambda row: "" if row.completed else " *"))
+_NOT_COMPLETED = "* not completed: as far as the test came, and not to be relied on"
+_ROTATIONS = ("beam_plastic_rotation_rad", "column_plastic_rotation_rad")
+PEAKS = TableSpec[_Beside](
+    "building_peaks",
+    "What the building did: largest values, and how far off the test is",
+    (
+        *_NAMES,
+        col("drift", PERCENT, _off(_measure("interstorey_drift")), negligible=ROUNDING, optional=True),
+        col("drift", MM, _off(_storey_displacement), negligible=ROUNDING, optional=True),
+        col("residual", PERCENT, _alone(_measure("residual_interstorey_drift")), negligible=ROUNDING, optional=True),
+        col("floor a", M_S2, _off(_floor_acceleration), negligible=ROUNDING, optional=True),
+        col("base shear", KN, _off(_measure("base_shear_N")), negligible=ROUNDING, optional=True),
+        col("plastic rot.", MRAD, _off(_measure(*_ROTATIONS)), negligible=ROUNDING, optional=True),
+    ),
+    signs=(_NOT_COMPLETED,),
+    keys=2,
+    named_by_title=True,
 )
-"""Header, largest value, and unit of the header in SI."""
-ENERGIES: tuple[tuple[str, Measure, float], ...] = (
-    ("input", _energy("input"), 1e3),
-    ("damping", _energy("damping"), 1e3),
-    ("hysteretic", _energy("hysteretic"), 1e3),
-    ("dampers", _energy("dampers"), 1e3),
-    (BALANCE, _energy("residual"), 1e3),
+ENERGIES = TableSpec[_Beside](
+    "building_energies",
+    "Energies of the building at the end [kJ], and how far off the test is",
+    (
+        *_NAMES,
+        col("input", KILO, _off(_energy("input")), negligible=ROUNDING, optional=True),
+        col("damping", KILO, _off(_energy("damping")), negligible=ROUNDING, optional=True),
+        col("hysteretic", KILO, _off(_energy("hysteretic")), negligible=ROUNDING, optional=True),
+        col("dampers", KILO, _off(_energy("dampers")), negligible=ROUNDING, optional=True),
+        col("balance", KILO, _alone(_energy("residual")), negligible=ROUNDING, optional=True),
+    ),
+    signs=(_NOT_COMPLETED,),
+    keys=2,
+    named_by_title=True,
 )
-ROUNDING = 1e-9
-"""Of SI units; far below what any of them means."""
 
 
 def building_tables(archive: Archive) -> list[Table]:
@@ -96,13 +150,11 @@ def building_tables(archive: Archive) -> list[Table]:
             direct = _building(archive, building_name(run.test))
             found[run.test] = [(DIRECT, direct)] if direct is not None else []
         found[run.test].append((run.compensator, group))
-    peaks = _beside("What the building did: largest values, and how far off the test is", found, PEAKS)
     warned = warning_lines({f"{test}, {name}": group for test, name, group in _each(found)})
-    peaks.notes += [line for warning in warned for line in wrapped(warning)]
-    energies = _beside("Energies of the building at the end [kJ], and how far off the test is", found, ENERGIES)
-    if energies.rows:
-        energies.notes.append("`dampers` has the work on the specimen, as the numerical part did it.")
-    return [peaks, energies, *_levels(archive, found)]
+    peaks = PEAKS.of(_beside(found), notes=[line for warning in warned for line in wrapped(warning)])
+    work = "`dampers` has the work on the specimen, as the numerical part did it."
+    energies = ENERGIES.of(_beside(found), notes=[work])
+    return [_told(peaks), _told(energies), *_levels(archive, found)]
 
 
 def _building(archive: Archive, name: str) -> Group | None:
@@ -116,36 +168,16 @@ def _each(found: dict[str, list[tuple[str, Group]]]) -> Iterator[tuple[str, str,
             yield test, name, group
 
 
-def _beside(
-    title: str, found: dict[str, list[tuple[str, Group]]], measures: tuple[tuple[str, Measure, float], ...]
-) -> Table:
-    """A row for each analysis; errors of tests over the value of the direct one stand behind their values."""
-    shown = [m for m in measures if any(m[1](group) is not None for _, _, group in _each(found))]
-    table = Table(title, ("test", "compensator", *(header for header, _, _ in shown)), left=2)
-    if not shown:
-        return table
-    for test, several in found.items():
-        known = dict(several)
-        for name, group in several:
-            whole = group.attributes.get("status") == "completed"
-            direct = known.get(DIRECT) if name != DIRECT and whole else None
-            cells = [
-                _cell(of(group), None if direct is None or header in LEFT else of(direct), unit)
-                for header, of, unit in shown
-            ]
-            table.rows.append([test, name if whole else f"{name} *", *cells])
-    if any(group.attributes.get("status") != "completed" for _, _, group in _each(found)):
-        table.notes.append("* not completed: as far as the test came, and not to be relied on")
-    return table
+def _beside(found: dict[str, list[tuple[str, Group]]]) -> Iterator[_Beside]:
+    """Each analysis, those of tests that were completed beside the direct one."""
+    for test, name, group in _each(found):
+        row = _Beside(test, name, group, None)
+        yield row._replace(direct=dict(found[test]).get(DIRECT)) if name != DIRECT and row.completed else row
 
 
-def _cell(value: float | None, direct: float | None, unit: float) -> str:
-    """A value, and its error if it is known."""
-    shown = number(value, scale=unit, negligible=ROUNDING)
-    if value is None or direct is None or abs(direct) < ROUNDING:
-        return shown
-    error = value / direct - 1.0
-    return f"{shown} ({'-' if error < 0.0 else '+'}{number(abs(error), 2, 0.01, ROUNDING)} %)"
+def _told(table: Table) -> Table:
+    """The table; without rows where no analysis has a value."""
+    return table if len(table.columns) > table.keys else replace(table, rows=[])
 
 
 def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> list[Table]:

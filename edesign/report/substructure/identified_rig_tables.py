@@ -2,69 +2,82 @@
 
 from __future__ import annotations
 
-from edesign.report.tables.table import Table, formatted, number, whole
+from typing import NamedTuple
+
+from edesign.report.substructure.tables import MICRO_S2
+from edesign.report.tables.cell import Quantity
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.spec import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
+from edesign.report.tables.unit import HZ, MS, ONE, PERCENT, Unit
 from edesign.substructure.compensation.alpha_fit import CUTOFF, filtered
 from edesign.substructure.rig.identify import IdentifiedRig
 from edesign.substructure.rig.rig_fit import RigFit, RigParameter
 
-_UNITS = {"s": ("ms", 1e-3), "Hz": ("Hz", 1.0), "": ("-", 1.0)}
+_UNITS = {"s": MS, "Hz": HZ, "": Unit("-")}
+MICROMETRE = Unit("um", 1e-6)
+
+
+class _Order(NamedTuple):
+    fit: RigFit
+    criterion: float
+
+
+PARAMETERS = TableSpec[Row](
+    "identified_rig",
+    "Rig of {source}",
+    (text("parameter"), col("value", ONE), col("std. error", ONE), text("unit")),
+    named_by_title=True,
+)
+ORDERS = TableSpec[_Order](
+    "orders_tried",
+    "Orders that were tried",
+    (
+        count("order", "fit.order"),
+        col("delay of slow motions", MS, "fit.low_frequency_delay.value"),
+        col("error", PERCENT, "fit.left", 3),
+        col("independent", PERCENT, "fit.independent", 3),
+        col("criterion", ONE, form=".0f"),
+    ),
+    notes=wrapped(
+        "error: root of squared error over squared displacement; independent: share of white noise in it; criterion: "
+        "Bayesian information criterion (BIC) less that of the best order"
+    ),
+)
+ALPHAS = TableSpec[Row](
+    "inverse_rig_coefficients",
+    "Coefficients of the inverse rig",
+    (text("from"), col("alpha_0", ONE, digits=5), col("alpha_1", MS), col("alpha_2", MICRO_S2, digits=3)),
+)
 
 
 def identified_rig_tables(found: IdentifiedRig) -> list[Table]:
     """Return the parameters of the rig, the orders that were tried, and its alphas."""
-    return [_parameters(found), _orders(found), _alphas(found)]
+    return [_parameters(found), ORDERS.of(map(_Order, found.tried, found.criteria)), _alphas(found)]
 
 
 def _parameters(found: IdentifiedRig) -> Table:
     fit = found.chosen
-    table = Table(f"Rig of {found.source.name}", ("parameter", "value", "std. error", "unit"))
-    for name, one in fit.parameters.items():
-        table.rows.append(_row(name.replace("_", " "), one))
-    table.rows.append(_row("delay of slow motions", fit.low_frequency_delay))
-    table.rows.append(["noise of the encoder", number(fit.noise, 3, 1e-6), "-", "um"])
-    table.notes += [line for text in (found.why, *found.notes) for line in wrapped(text)]
-    return table
+    rows = [_row(name.replace("_", " "), one) for name, one in fit.parameters.items()]
+    rows.append(_row("delay of slow motions", fit.low_frequency_delay))
+    rows.append(("noise of the encoder", Quantity(fit.noise, MICROMETRE, 3, beside=True), None, MICROMETRE.name))
+    notes = [line for text in (found.why, *found.notes) for line in wrapped(text)]
+    return PARAMETERS.of(rows, notes=notes, source=found.source.name)
 
 
-def _row(name: str, one: RigParameter) -> list[str]:
-    unit, scale = _UNITS[one.unit]
-    return [name, number(one.value, 5, scale), number(one.standard_error, 2, scale), unit]
-
-
-def _orders(found: IdentifiedRig) -> Table:
-    columns = ("order", "delay of slow motions [ms]", "error [%]", "independent [%]", "criterion")
-    table = Table("Orders that were tried", columns, name="orders_tried")
-    for fit, value in zip(found.tried, found.criteria, strict=True):
-        table.rows.append(_order_row(fit, value))
-    table.notes += wrapped(
-        "error: root of squared error over squared displacement; independent: share of white noise in it; criterion: "
-        "Bayesian information criterion (BIC) less that of the best order"
-    )
-    return table
-
-
-def _order_row(fit: RigFit, criterion: float) -> list[str]:
-    shares = [number(100.0 * fit.left, 3), number(100.0 * fit.independent, 3)]
-    return [whole(fit.order), number(fit.low_frequency_delay.value, 4, 1e-3), *shares, formatted(criterion, ".0f")]
+def _row(name: str, one: RigParameter) -> Row:
+    unit = _UNITS[one.unit]
+    value, error = Quantity(one.value, unit, 5, beside=True), Quantity(one.standard_error, unit, 2, beside=True)
+    return (name, value, error, unit.name)
 
 
 def _alphas(found: IdentifiedRig) -> Table:
-    table = Table(
-        "Coefficients of the inverse rig",
-        ("from", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]"),
-        name="inverse_rig_coefficients",
-    )
-    for name, (a0, a1, a2) in (
-        ("the record, by least squares", found.alpha),
-        ("the rig, by its series", found.alpha_of_rig),
-    ):
-        table.rows.append([name, number(a0, 5), number(a1, 4, 1e-3), number(a2, 3, 1e-6)])
+    rows = [("the record, by least squares", *found.alpha), ("the rig, by its series", *found.alpha_of_rig)]
     how = (
         f"filtered at {CUTOFF:g} Hz" if filtered(found.step) else f"not filtered, sampled at {1.0 / found.step:.3g} Hz"
     )
-    table.notes += wrapped(
+    notes = wrapped(
         f"least squares: {how}, backward differences, which make alpha_2 larger by half a sample "
         "times alpha_1; the terms that a series of three leaves out make alpha_1 smaller for fast motions"
     )
-    return table
+    return ALPHAS.of(rows, notes=notes)

@@ -8,21 +8,67 @@ from typing import Any
 
 import numpy as np
 
-from edesign.report.tables.table import Table, finite, number
+from edesign.report.tables.cell import Marked, Quantity, Value, yes_or_no
+from edesign.report.tables.column import col, text, verdict
+from edesign.report.tables.number import finite
+from edesign.report.tables.spec import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
+from edesign.report.tables.unit import HZ, MM, MM2, MS, ONE, PERCENT, J, Unit
 from edesign.substructure.indicators import Tracking, definitions
 from edesign.substructure.judgement.judge import Criterion, JudgedResponse, Judgement
 
-_SCALES = {"s": ("ms", 1e-3), "m": ("mm", 1e-3), "m2": ("mm2", 1e-6), "Hz": ("Hz", 1.0), "J": ("J", 1.0)}
+_UNITS = {"s": MS, "m": MM, "m2": MM2, "Hz": HZ, "J": J, "1": Unit("-")}
 _SHARES = ("nrms", "nrms_root", "maximum_error", "peak_error_mean", "peak_error_largest", "relative_energy_error")
 _UNTOLD = "not told"
+
+
+def _value(one: Criterion) -> Value:
+    if one.at_least:
+        return "no limit" if math.isinf(one.value) else Quantity(one.value, ONE, 3)
+    return Quantity(one.value, PERCENT, 3)
+
+
+def _limit(one: Criterion) -> Value:
+    if one.at_least:
+        return Marked(Quantity(one.limit, ONE, form="g"), before="at least ")
+    return Quantity(one.limit, PERCENT, form="g")
+
+
+TRACKING = TableSpec[Row](
+    "tracking_of_record",
+    "How the specimen followed in {source}",
+    (text("indicator"), col("value", ONE), text("unit")),
+    notes=wrapped(
+        "nrms: squared errors over squared targets, without a root, and with it; "
+        "frequency index: frequency evaluation index (Guo et al. 2014); tracking indicator: area enclosed in the "
+        "synchronisation plot, above zero if late (Mercan & Ricles 2007); energy error: work on the specimen less that "
+        "of the structure (Mosqueda et al. 2007), relative to the largest work on the specimen"
+    ),
+    named_by_title=True,
+)
+RESPONSE = TableSpec[Row](
+    "response_of_record",
+    "Response of the structure in {test}",
+    (text("quantity"), col("value", ONE), text("unit")),
+    named_by_title=True,
+)
+CRITERIA = TableSpec[Criterion](
+    "criteria",
+    "Criteria",
+    (
+        text("criterion", "name", broken=1),
+        col("value", ONE, _value),
+        col("limit", ONE, _limit),
+        verdict("met", lambda one: yes_or_no(one.met) if one.met or one.determined else "not determined"),
+    ),
+)
 
 
 def judgement_tables(found: Judgement) -> list[Table]:
     """Return tracking, errors of the response, and verdict of a judgement."""
     tables = [_tracking(found)]
     if found.response is not None:
-        tables += [_response(found.response), _criteria(found)]
+        tables += [_response(found.response), CRITERIA.of(found.criteria)]
     tables[-1].notes += [line for text in (found.verdict, *found.notes) for line in wrapped(text)]
     return tables
 
@@ -53,59 +99,36 @@ def judgement_data(found: Judgement) -> dict[str, Any]:
 
 
 def _tracking(found: Judgement) -> Table:
-    table = Table(f"How the specimen followed in {found.source.name}", ("indicator", "value", "unit"))
-    for name, (_, unit) in definitions().items():
-        table.rows.append([name.replace("_", " "), *_shown(found.tracking, name, unit)])
-    table.notes += wrapped(
-        "nrms: squared errors over squared targets, without a root, and with it; "
-        "frequency index: frequency evaluation index (Guo et al. 2014); tracking indicator: area enclosed in the "
-        "synchronisation plot, above zero if late (Mercan & Ricles 2007); energy error: work on the specimen less that "
-        "of the structure (Mosqueda et al. 2007), relative to the largest work on the specimen"
-    )
-    return table
+    rows = [_indicator(found.tracking, name, unit) for name, (_, unit) in definitions().items()]
+    return TRACKING.of(rows, source=found.source.name)
 
 
-def _shown(found: Tracking, name: str, unit: str) -> tuple[str, str]:
-    value = getattr(found, name)
+def _indicator(found: Tracking, name: str, unit: str) -> Row:
+    value, words = getattr(found, name), name.replace("_", " ")
     if isinstance(value, float) and math.isnan(value):
-        return _UNTOLD, ""
+        return (words, _UNTOLD, "")
     if name in _SHARES:
-        return number(100.0 * value, 3), "%"
-    shown, scale = _SCALES.get(unit, ("-" if unit == "1" else unit, 1.0))
-    return (str(value) if isinstance(value, int) else number(value, 4, scale)), shown
+        return _share(words, value)
+    shown = _UNITS.get(unit, Unit(unit))
+    form = "d" if isinstance(value, int) else ""
+    return (words, Quantity(value, shown, form=form, beside=True), shown.name)
+
+
+def _share(name: str, value: float) -> Row:
+    return (name, Quantity(value, PERCENT, 3, beside=True), PERCENT.name)
 
 
 def _response(found: JudgedResponse) -> Table:
-    table = Table(f"Response of the structure in {found.test}", ("quantity", "value", "unit"))
-    shares = (
-        (
-            f"{'target' if found.corrected else 'measured displacement'} against the direct analysis, rms",
-            found.response_error,
-        ),
-        ("its peak", found.peak_error),
-        ("recorded target against the direct analysis, rms", found.target_error),
-        ("target by the measured force against the recorded one, rms", found.reproduced),
-        ("force of the law against the measured one, NRMS", found.force_nrms),
-        ("its root", found.force_nrms_root),
-    )
-    table.rows += [[text, number(100.0 * value, 3), "%"] for text, value in shares]
-    critical = "none" if math.isinf(found.critical_delay) else number(found.critical_delay, 4, 1e-3)
-    table.rows.append(["critical delay of the loop", critical, "ms"])
-    table.notes += wrapped(
-        f"ground motion: {found.driven_by}; law and measured force: both under the measured displacement"
-    )
-    return table
-
-
-def _criteria(found: Judgement) -> Table:
-    table = Table("Criteria", ("criterion", "value", "limit", "met"), sentences=0, name="criteria")
-    table.rows += [_criterion(one) for one in found.criteria]
-    return table
-
-
-def _criterion(one: Criterion) -> list[str]:
-    met = "yes" if one.met else "no" if one.determined else "not determined"
-    if one.at_least:
-        value = "no limit" if math.isinf(one.value) else number(one.value, 3)
-        return [one.name, value, f"at least {one.limit:g}", met]
-    return [one.name, f"{number(100.0 * one.value, 3)} %", f"{100.0 * one.limit:g} %", met]
+    compared = "target" if found.corrected else "measured displacement"
+    critical = "none" if math.isinf(found.critical_delay) else Quantity(found.critical_delay, MS, beside=True)
+    rows = [
+        _share(f"{compared} against the direct analysis, rms", found.response_error),
+        _share("its peak", found.peak_error),
+        _share("recorded target against the direct analysis, rms", found.target_error),
+        _share("target by the measured force against the recorded one, rms", found.reproduced),
+        _share("force of the law against the measured one, NRMS", found.force_nrms),
+        _share("its root", found.force_nrms_root),
+        ("critical delay of the loop", critical, MS.name),
+    ]
+    notes = wrapped(f"ground motion: {found.driven_by}; law and measured force: both under the measured displacement")
+    return RESPONSE.of(rows, notes=notes, test=found.test)

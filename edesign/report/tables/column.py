@@ -34,7 +34,8 @@ class Column(Generic[Item]):
 
     Attributes:
         header: without the unit, which stands behind it in brackets, or in the place of `[]`.
-        value: of an item; "": its key or attribute that is named as the header.
+        value: of an item; "": its key or attribute that is named as the header; of a tuple, what stands at the place of
+            the column.
         kind: numbers stand right, texts left.
         unit: of its numbers; a str is the key of a unit that the table is made with.
         digits: significant ones.
@@ -130,9 +131,12 @@ class Column(Generic[Item]):
         shown = self._shown(value)
         return shown if self.form and isinstance(shown, int) else float(shown)
 
-    def of(self, item: Item) -> Value:
-        """Return the value of an item, in SI, with its mark."""
-        if isinstance(self.value, str):
+    def of(self, item: Item, number: int = 0) -> Value:
+        """Return the value of an item, in SI, with its mark; of a tuple that which stands at the column's number."""
+        found: Any
+        if type(item) is tuple and not self.value:
+            found = cast(tuple[Any, ...], item)[number]
+        elif isinstance(self.value, str):
             found = _named(item, self.value or self.header)
         else:
             found = self.value(item)

@@ -20,6 +20,8 @@ from edesign.report.tables.cell import Cell, Marked, State, Value
 from edesign.report.tables.column import Column, Item
 from edesign.report.tables.unit import Unit
 
+Row = tuple[Value, ...]
+"""An item that is the values of its row, where no object has them."""
 MORE: Column[Any] = Column("...")
 """Stands in a declaration where the columns are that only one table has; without it they are the last."""
 
@@ -146,7 +148,7 @@ class TableSpec(Generic[Item]):
         """Return the table of some items.
 
         Args:
-            items: a row each.
+            items: a row each; one may be a tuple of the values (`Row`), in the order of the columns.
             more: columns that only this table has, in the place of `MORE`.
             without: names of columns that it has not.
             notes: lines below those of the declaration.
@@ -161,12 +163,12 @@ class TableSpec(Generic[Item]):
         made = [*declared[:at], *more, *declared[at + 1 :]]
         chosen = list(items)
         shown = chosen[: self.most] if self.most else chosen
-        rows = [[column.of(item) for column in made] for item in shown]
+        rows = [[column.of(item, number) for number, column in enumerate(made)] for item in shown]
         kept = [i for i, c in enumerate(made) if not c.optional or any(row[i] is not None for row in rows)]
         lines = [note.format(**words) for note in self.notes] if rows else []
         if len(shown) < len(chosen):
             lines.append(self.cut.format(shown=len(shown), all=len(chosen), **words))
-        marks = {value.after[:1] for row in rows for value in row if isinstance(value, Marked)}
+        marks = {value.after.strip()[:1] for row in rows for value in row if isinstance(value, Marked)}
         lines += [note for note in self.signs if note[0] in marks]
         return Table(
             title=self.title.format(**words),

@@ -183,7 +183,7 @@ def test_the_law_under_the_target_is_that_of_the_specimen(archive: Archive) -> N
 
 def test_limits_and_what_cannot_be_told_are_tables(archive: Archive) -> None:
     results = SubstructureResults(archive)
-    rows = limits_table(results).rows
+    rows = limits_table(results).texts
     assert ["cycles", "modified", "alpha_1"] in [row[:3] for row in rows]  # a rate of 0.01 s/s is met
     limited = archive.group("tests/cycles/modified").variables["limited"].values
     first, last, span = next(map(float, row[3:]) for row in rows if row[:3] == ["cycles", "modified", "alpha_1"])
@@ -191,7 +191,7 @@ def test_limits_and_what_cannot_be_told_are_tables(archive: Archive) -> None:
     assert (first, last, span) == pytest.approx(
         (2e-3 * met[0], 2e-3 * met[-1], 2e-3 * met.size), rel=5e-3
     )  # main steps of 2 ms
-    said = undetermined_table(results).rows
+    said = undetermined_table(results).texts
     assert len(said) == len(results.runs[0].group.attributes["undetermined"])
     assert not runs_so_far_table(results).rows
 
@@ -213,8 +213,8 @@ def test_a_test_that_diverged_is_shown_as_far_as_it_went(tmp_path: Path) -> None
     assert "figure-tracking_shaken" in page and "figure-structure_shaken" in page
     with open_archive(archive) as opened:
         peaks = building_tables(opened)[0]
-    assert [row[1] for row in peaks.rows] == ["direct analysis", "none *", "modified *"]
-    assert peaks.notes[-1].startswith("* not completed") and not any("%" in cell for row in peaks.rows for cell in row)
+    assert [row[1] for row in peaks.texts] == ["direct analysis", "none *", "modified *"]
+    assert peaks.notes[-1].startswith("* not completed") and not any("%" in cell for row in peaks.texts for cell in row)
 
 
 def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:
@@ -242,7 +242,7 @@ def test_other_methods_have_a_section_and_a_rig_without_specimen_no_loops(tmp_pa
     assert f"natural frequency, arrive {plain(share)} %" in captions["force_pushed"]
     assert ", 100 % of the force" in captions["force_pushed"]
     error = 100.0 * float(slow.variables["response_error"].values)
-    (row,) = (row for row in methods.rows if row[0] == "slow")
+    (row,) = (row for row in methods.texts if row[0] == "slow")
     assert row[2:] == ["response error, rms [%]", number(error, 3), "good" if error <= 5.0 else "too wrong"]
     stream = io.StringIO()
     print_tables([methods], stream)
@@ -274,7 +274,7 @@ def test_an_interrupted_archive_shows_the_runs_so_far(one_test: Path, tmp_path: 
         shutil.copy(tmp_path / "part.h5.partial", tmp_path / "copy.h5.partial")
     with open_archive(tmp_path / "copy.h5.partial") as archive:
         page = page_text(archive)
-        rows = runs_so_far_table(SubstructureResults(archive)).rows
+        rows = runs_so_far_table(SubstructureResults(archive)).texts
     assert rows == [["shaken", "none", "done", "-"], ["shaken", "modified", "done", "-"]]
     assert "indicators and verdicts come at its end" in page and "Runs so far" in page
     assert all(f"figure-{name}" in page for name in ("tracking_shaken", "structure_shaken", "alpha_shaken"))

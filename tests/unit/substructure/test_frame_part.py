@@ -205,16 +205,16 @@ def test_buildings_are_archived_as_histories(tmp_path: Path) -> None:
         for name in ("interstorey_drift", "base_shear_N", "roof_acceleration_m_s2", "beam_plastic_rotation_rad"):
             assert told["measures"][name] == pytest.approx(measures[name], rel=0.01)  # of the step
     peaks, energies, *levels = tables
-    assert [row[:2] for row in peaks.rows] == [["quake", "direct analysis"], ["quake", "none"]]
-    assert peaks.columns[2:] == (
+    assert [row[:2] for row in peaks.texts] == [["quake", "direct analysis"], ["quake", "none"]]
+    assert peaks.headers[2:] == [
         "drift [%]",
         "residual [%]",
         "floor a [m/s2]",
         "base shear [kN]",
         "plastic rot. [mrad]",
-    )
-    assert peaks.rows[1][2].startswith("2.7") and peaks.rows[1][2].endswith(" %)")
-    assert abs(float(energies.rows[1][-1])) < 1e-3 * float(energies.rows[0][2])
+    ]
+    assert peaks.texts[1][2].startswith("2.7") and peaks.texts[1][2].endswith(" %)")
+    assert abs(float(energies.texts[1][-1])) < 1e-3 * float(energies.texts[0][2])
     for level in levels:  # by drift, by plastic rotation
         assert [row[:2] for row in level.rows] == [["direct analysis", "quake"], ["none", "quake"]]
     assert any("storey_drift" in name for name in figures)
