@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
 from edesign.calibration.residual.series import Series, Stage
 from edesign.calibration.results.result import Calibration, Subject
-from edesign.report.calibration.units import percent
-from edesign.report.tables.table import Table, formatted
+from edesign.report.tables.column import col, text
+from edesign.report.tables.number import finite
+from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.unit import MM, MM_S, PERCENT, S
 
 STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}
 """Of a law, in words."""
@@ -32,44 +35,83 @@ NRMS_NOTES: dict[Subject, str] = {
 }
 
 
+def _matters_longer(series: Series) -> str:
+    return "" if series.start is None or series.start.dies_away else " (matters longer)"
+
+
+def _softened(number: int) -> Callable[[Series], float | None]:
+    """What had softened the law before, displacement or velocity."""
+    return lambda series: (series.start.before[number] or None) if series.start is not None else None
+
+
+ERRORS = TableSpec[Row](
+    "errors",
+    "Errors",
+    (text("{model}"), col("fitted tests: NRMS", PERCENT, digits=3), col("validation tests: NRMS", PERCENT, digits=3)),
+)
+EACH_TEST = TableSpec[Row](
+    "errors_of_each_test",
+    "NRMS of each {what}",
+    (
+        text("test"),
+        text("use"),
+        *(col(label, PERCENT, digits=3) for label in STAGES.values()),
+        col("noise floor", PERCENT, digits=3),
+    ),
+    keys=2,
+    named_by_title=True,
+)
+STARTS = TableSpec[Series](
+    "displaced_starts",
+    "Tests that start away from rest",
+    (
+        text("test", "name"),
+        col("first sample", MM, "start.displacement", form=".3g"),
+        col("[]", MM_S, "start.velocity", form=".3g"),
+        col("judged from", S, "start.judged_from", form=".3g", mark=_matters_longer),
+        col("before: largest", MM, _softened(0), form=".3g"),
+        col("largest", MM_S, _softened(1), form=".3g"),
+    ),
+    notes=(
+        "judged from: samples before depend on how the specimen came to the first one (campaign key `start`)",
+        "before: what had softened the law by then: at least so much, found from the force of each test; or as "
+        "`start: at_rest` has it; -: no more than the test itself shows",
+    ),
+)
+
+
 def errors_table(calibration: Calibration) -> Table:
     """Errors of the law before and after, and the noise floor."""
-    table = Table(
-        "Errors", (MODELS[calibration.subject], "fitted tests: NRMS [%]", "validation tests: NRMS [%]"), name="errors"
-    )
-    for stage, label in STAGES.items():
-        errors = calibration.errors[stage]
-        table.rows.append([label, percent(errors.fit), percent(errors.validate)])
-    table.rows.append(["noise floor", percent(calibration.noise_floor_fit), percent(calibration.noise_floor)])
-    table.notes.append(NRMS_NOTES[calibration.subject])
+    errors = {label: calibration.errors[stage] for stage, label in STAGES.items()}
+    rows: list[Row] = [(label, finite(one.fit), finite(one.validate)) for label, one in errors.items()]
+    rows.append(("noise floor", finite(calibration.noise_floor_fit), finite(calibration.noise_floor)))
+    notes = [NRMS_NOTES[calibration.subject]]
     if calibration.law_held:
-        table.notes.append("refitted: as declared, as the campaign has the parameters held (`refit: false`)")
+        notes.append("refitted: as declared, as the campaign has the parameters held (`refit: false`)")
     if calibration.fitted_first:
-        table.notes.append("as declared: the campaign names no parameters, so the law was fitted to the tests first")
-    return table
+        notes.append("as declared: the campaign names no parameters, so the law was fitted to the tests first")
+    return ERRORS.of(rows, notes=notes, model=MODELS[calibration.subject])
 
 
 def each_test_table(calibration: Calibration) -> Table:
     """Errors of each test in the order in which they were made."""
-    columns = ("test", "use", *(f"{label} [%]" for label in STAGES.values()), "noise floor [%]")
-    table = Table(
-        "NRMS of each channel" if calibration.subject == "structure" else "NRMS of each test", columns, left=2
-    )
+    rows: list[Row] = []
     for series in calibration.series:
-        errors = [percent(calibration.errors[stage].of(series)) for stage in STAGES]
-        table.rows.append([label_of(series), series.use, *errors, percent(noise_of(series))])
-    clipped = [f"{one.name} {np.count_nonzero(one.clipped)}" for one in calibration.series if one.clipped is not None]
+        errors = (calibration.errors[stage].of(series) for stage in STAGES)
+        rows.append((label_of(series), series.use, *map(finite, errors), finite(noise_of(series))))
+    notes = []
     if assumed := [label_of(one) for one in calibration.series if one.assumed]:
         which = "all tests" if len(assumed) == len(calibration.series) else ", ".join(assumed)
-        table.notes.append(
+        notes.append(
             f"noise floor of {which}: not measured, but the reproducibility of a transducer of class 0.5 (0.1 % rms); "
             "the record shows less, as one that was averaged, smoothed or computed does, and errors of that stay unseen"
         )
+    clipped = [f"{one.name} {np.count_nonzero(one.clipped)}" for one in calibration.series if one.clipped is not None]
     if clipped:
-        table.notes.append(
+        notes.append(
             f"clipped samples of the force, at the end of the load cell's range, are not judged: {', '.join(clipped)}"
         )
-    return table
+    return EACH_TEST.of(rows, notes=notes, what="channel" if calibration.subject == "structure" else "test")
 
 
 def label_of(series: Series) -> str:
@@ -87,30 +129,4 @@ def noise_of(series: Series) -> float:
 
 def starts_table(calibration: Calibration) -> Table:
     """Tests that start away from rest; no rows if all start at rest."""
-    table = Table(
-        "Tests that start away from rest",
-        ("test", "first sample [mm]", "[mm/s]", "judged from [s]", "before: largest [mm]", "largest [mm/s]"),
-        name="displaced_starts",
-    )
-    started = [(series.name, series.start) for series in calibration.series if series.start is not None]
-    for name, start in started:
-        softened = [formatted(1e3 * value, ".3g") if value else "-" for value in start.before]
-        from_then = formatted(start.judged_from, ".3g") + ("" if start.dies_away else " (matters longer)")
-        table.rows.append(
-            [
-                name,
-                formatted(1e3 * start.displacement, ".3g"),
-                formatted(1e3 * start.velocity, ".3g"),
-                from_then,
-                *softened,
-            ]
-        )
-    if started:
-        table.notes.append(
-            "judged from: samples before depend on how the specimen came to the first one (campaign key `start`)"
-        )
-        table.notes.append(
-            "before: what had softened the law by then: at least so much, found from the force of each test; or as "
-            "`start: at_rest` has it; -: no more than the test itself shows"
-        )
-    return table
+    return STARTS.of(series for series in calibration.series if series.start is not None)

@@ -9,16 +9,58 @@ from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.calibration.effect_list import KnownEffect, KnownForm, KnownParameter
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
-from edesign.report.tables.table import Table
+from edesign.report.tables.cell import Verdict
+from edesign.report.tables.column import count, text, verdict
+from edesign.report.tables.spec import Row, Table, TableSpec
+
+
+def _placements(form: KnownForm) -> str | None:
+    return ", ".join(form.placements) or None
+
+
+def _parameters(form: KnownForm) -> str | None:
+    return ", ".join(f"{one.name} [{_unit(one)}]" for one in form.parameters) or None
+
+
+EFFECTS = TableSpec[KnownEffect](
+    "known_effects",
+    "Effects in {tests}",
+    (
+        text("effect", "name"),
+        text("of", "kind"),
+        text("what", lambda effect: effect.forms[0].title, broken=1),
+        count("forms", lambda effect: len(effect.forms)),
+    ),
+    keys=3,
+    named_by_title=True,
+)
+FORMS = TableSpec[KnownForm](
+    "forms_of_effect",
+    "{effect}: forms, in {tests}",
+    (
+        text("form"),
+        text("what", "title", broken=1),
+        text("acts on", _placements, broken=2),
+        text("parameters", _parameters, broken=3),
+        verdict("law file", lambda form: Verdict("yes", "good") if form.in_law_files else None),
+    ),
+    notes=("law file: whether law files and projects carry it (`effects`); all can be found",),
+    keys=5,
+    named_by_title=True,
+)
+PARAMETERS = TableSpec[Row](
+    "parameters_of_effect",
+    "{effect}: parameters",
+    (text("form"), text("parameter"), text("unit"), text("meaning", broken=1)),
+    keys=4,
+    named_by_title=True,
+)
 
 
 def effects_tables(effects: tuple[KnownEffect, ...]) -> list[Table]:
     """Return a table of effects for each kind of tests."""
-    tables: list[Table] = []
-    for tests in dict.fromkeys(effect.tests for effect in effects):
-        own = [effect for effect in effects if effect.tests == tests]
-        rows = [[one.name, one.kind, one.forms[0].title, str(len(one.forms))] for one in own]
-        tables.append(Table(f"Effects in {tests}", ("effect", "of", "what", "forms"), rows, left=3, sentences=2))
+    kinds = dict.fromkeys(effect.tests for effect in effects)
+    tables = [EFFECTS.of((effect for effect in effects if effect.tests == tests), tests=tests) for tests in kinds]
     tables[-1].notes.append("what: of the first form; forms: how many equations are tried for it")
     tables[-1].notes.append("`edesign effects NAME` tells its forms, their parameters, its signature and its sources.")
     return tables
@@ -26,31 +68,11 @@ def effects_tables(effects: tuple[KnownEffect, ...]) -> list[Table]:
 
 def effect_tables(effect: KnownEffect) -> list[Table]:
     """Return the forms of an effect with their parameters, and what those mean."""
-    columns = ("form", "what", "acts on", "parameters", "law file")
-    forms = Table(f"{effect.name}: forms, in {effect.tests}", columns, left=5, sentences=(1, 2, 3))
-    forms.rows = [
-        [
-            form.form,
-            form.title,
-            ", ".join(form.placements) or "-",
-            ", ".join(f"{one.name} [{_unit(one)}]" for one in form.parameters) or "-",
-            "yes" if form.in_law_files else "-",
-        ]
-        for form in effect.forms
-    ]
     sources = dict.fromkeys(source for form in effect.forms for source in form.source.split("; "))
-    forms.notes = [
-        "law file: whether law files and projects carry it (`effects`); all can be found",
-        f"signature: {effect.signature}",
-        f"source: {'; '.join(sources)}",
-        f"page: {effect.page}",
-    ]
-    parameters = Table(f"{effect.name}: parameters", ("form", "parameter", "unit", "meaning"), left=4)
-    parameters.sentences = 3
-    parameters.rows = [
-        [form.form, one.name, _unit(one), one.meaning] for form in effect.forms for one in form.parameters
-    ]
-    return [forms, parameters] if parameters.rows else [forms]
+    notes = (f"signature: {effect.signature}", f"source: {'; '.join(sources)}", f"page: {effect.page}")
+    rows = [(form.form, one.name, _unit(one), one.meaning) for form in effect.forms for one in form.parameters]
+    forms = FORMS.of(effect.forms, notes=notes, effect=effect.name, tests=effect.tests)
+    return [forms, PARAMETERS.of(rows, effect=effect.name)] if rows else [forms]
 
 
 def effects_data(effects: tuple[KnownEffect, ...]) -> list[dict[str, Any]]:

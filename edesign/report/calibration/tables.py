@@ -4,22 +4,106 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from edesign.calibration.dampers.effects import TABLES
 from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.law_file import parameters_in_law_files
 from edesign.calibration.results.practical_units import practical
-from edesign.calibration.results.result import Calibration, Effect, Estimate
+from edesign.calibration.results.result import Calibration, Effect, Estimate, Hypothesis
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.error_tables import MODELS, each_test_table, errors_table, starts_table
 from edesign.report.calibration.properties import each_group_table, property_errors_table
-from edesign.report.calibration.units import UNKNOWN, interval_text, percent, value_text
+from edesign.report.calibration.units import UNKNOWN, interval_text, percent, value_cell
 from edesign.report.calibration.words import name_of, numbers_text, probability_text, searched
-from edesign.report.tables.table import Table, formatted
+from edesign.report.tables.column import bounded, col, text
+from edesign.report.tables.number import finite
+from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.unit import ONE, PERCENT
 
 _NOTHING = "nothing known"
+
+
+class _Found(NamedTuple):
+    """An effect, and the NRMS of the validation tests without it."""
+
+    effect: Effect
+    without: float
+
+
+def _gain(one: _Found) -> str | None:
+    effect = one.effect
+    return f"{effect.gain:.1f} ± {effect.gain_error:.1f}" if math.isfinite(effect.gain) else None
+
+
+def _alike(one: _Found) -> str:
+    others = one.effect.indistinguishable_from.items()
+    return ", ".join(f"{name_of(name)} ({probability_text(p)})" for name, p in others) or _NOTHING
+
+
+EFFECTS = TableSpec[_Found](
+    "effects_found",
+    "Effects found",
+    (
+        text("effect", "effect.title", broken=1),
+        text("name", "effect.label"),
+        text("kind", "effect.kind"),
+        col("without it", PERCENT, bounded("without"), 3),
+        col("gain", ONE, _gain),
+        col("probability", ONE, lambda one: probability_text(one.effect.probability)),
+        text("cannot be told from", _alike, broken=2),
+    ),
+    keys=3,
+)
+EFFECT_PARAMETERS = TableSpec[Row](
+    "parameters_of_the_effects",
+    "Parameters of the effects",
+    (
+        text("effect"),
+        text("parameter"),
+        col("value", ONE),
+        text("95 % interval"),
+        text("unit"),
+        text("meaning", broken=1),
+    ),
+    keys=2,
+)
+HYPOTHESES = TableSpec[Hypothesis](
+    "hypotheses",
+    "Hypotheses: found, no part of the {model}",
+    (
+        text("effect", lambda one: f"{one.effect.title} ({one.effect.label})"),
+        text("parameters", lambda one: numbers_text(one.effect, 9) or None),
+        text("why"),
+    ),
+    keys=3,
+)
+COMPARED = TableSpec[Row](
+    "models",
+    "Models that were compared",
+    (
+        text("effects of the model"),
+        col("fitted tests: NRMS", PERCENT, digits=3),
+        col("behind", ONE),
+        col("probability", ONE),
+    ),
+)
+LAW = TableSpec[Row](
+    "calibrated_law",
+    "{title}",
+    (
+        text("parameter"),
+        text("unit"),
+        col("declared", ONE, form=".4g"),
+        col("refitted", ONE),
+        text("95 % interval"),
+        col("corrected", ONE),
+        text("95 % interval"),
+    ),
+    named_by_title=True,
+)
 
 
 def tables_of(calibration: Calibration) -> list[Table]:
@@ -52,26 +136,19 @@ def effects_table(calibration: Calibration) -> Table:
     Args:
         calibration: what was found.
     """
-    columns = ("effect", "name", "kind", "without it [%]", "gain", "probability", "cannot be told from")
-    table = Table("Effects found", columns, left=3, name="effects_found", sentences=(0, 6))
     with_it = calibration.errors["corrected"].validate
-    for one in calibration.effects:
-        alike = ", ".join(f"{name_of(name)} ({probability_text(p)})" for name, p in one.indistinguishable_from.items())
-        gain = f"{one.gain:.1f} ± {one.gain_error:.1f}" if math.isfinite(one.gain) else "-"
-        without = percent(with_it + one.delta_validate)
-        row = [one.title, one.label, one.kind, without, gain, probability_text(one.probability), alike or _NOTHING]
-        table.rows.append(row)
-        table.notes.append(f"{name_of(one.name)} shows as: {one.signature}")
-    if table.rows:
-        table.notes += [
+    found = [_Found(one, with_it + one.delta_validate) for one in calibration.effects]
+    notes = [f"{name_of(one.name)} shows as: {one.signature}" for one in calibration.effects]
+    if found:
+        notes += [
             f"without it: NRMS of the validation tests, the others fitted again; with it {percent(with_it)} %",
             "gain: log density of tests left out of the fit, with its standard error; an effect is adopted if it is "
             "more than 4 and than twice its error",
             "probability: of the effect among all models that the search compared, whatever stands beside it",
         ]
     if any(one.indistinguishable_from for one in calibration.effects):
-        table.notes.append("cannot be told from: with the probability of the other one, if it is one of the two")
-    return table
+        notes.append("cannot be told from: with the probability of the other one, if it is one of the two")
+    return EFFECTS.of(found, notes=notes)
 
 
 def effect_parameters_table(calibration: Calibration) -> Table:
@@ -80,18 +157,16 @@ def effect_parameters_table(calibration: Calibration) -> Table:
     Args:
         calibration: what was found.
     """
-    columns = ("effect", "parameter", "value", "95 % interval", "unit", "meaning")
-    table = Table(
-        "Parameters of the effects", columns, left=2, sentences=len(columns) - 1, name="parameters_of_the_effects"
-    )
+    rows: list[Row] = []
+    notes: list[str] = []
     for effect in calibration.effects:
         known, own = _known(effect), _parameters(effect)
         for name, estimate in own.items():
             shown = practical(estimate, own)
-            meaning = known[name].meaning if name in known else effect.meanings.get(name, "-")
-            table.rows.append([effect.label, name, value_text(shown), _interval(shown), shown.unit or "-", meaning])
-        table.notes += _untold(own, f"{effect.label}: ")
-    return table
+            meaning = known[name].meaning if name in known else effect.meanings.get(name)
+            rows.append((effect.label, name, value_cell(shown), _interval(shown), shown.unit or None, meaning))
+        notes += _untold(own, f"{effect.label}: ")
+    return EFFECT_PARAMETERS.of(rows, notes=notes)
 
 
 def hypotheses_table(calibration: Calibration) -> Table:
@@ -100,15 +175,7 @@ def hypotheses_table(calibration: Calibration) -> Table:
     Args:
         calibration: what was found.
     """
-    table = Table(
-        f"Hypotheses: found, no part of the {MODELS[calibration.subject]}",
-        ("effect", "parameters", "why"),
-        left=3,
-        name="hypotheses",
-    )
-    for one in calibration.hypotheses:
-        table.rows.append([f"{one.effect.title} ({one.effect.label})", numbers_text(one.effect, 9) or "-", one.why])
-    return table
+    return HYPOTHESES.of(calibration.hypotheses, model=MODELS[calibration.subject])
 
 
 def models_table(calibration: Calibration) -> Table:
@@ -117,30 +184,25 @@ def models_table(calibration: Calibration) -> Table:
     Args:
         calibration: what was found.
     """
-    columns = ("effects of the model", "fitted tests: NRMS [%]", "behind", "probability")
-    table, model = Table("Models that were compared", columns, left=1, name="models"), MODELS[calibration.subject]
+    model = MODELS[calibration.subject]
     alone = len(calibration.models) == 1 and not calibration.depths
+    rows: list[Row] = []
     for one in () if alone else calibration.models:
-        behind = "-" if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
-        table.rows.append(
-            [
-                " + ".join(one.effects) or f"the {model} alone",
-                percent(one.nrms),
-                behind,
-                probability_text(one.probability),
-            ]
-        )
-    if table.rows:
-        table.notes += [
+        behind = None if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
+        effects = " + ".join(one.effects) or f"the {model} alone"
+        rows.append((effects, finite(one.nrms), behind, probability_text(one.probability)))
+    notes = []
+    if rows:
+        notes += [
             "behind: log density of tests left out by which the corrected model is ahead, with its standard error",
             searched(calibration),
         ]
     if any(one.behind < 0.0 for one in calibration.models):
-        table.notes.append(
+        notes.append(
             "a model that is ahead was not adopted where its lead in the search was not sure: more than 4, and than "
             "twice its error"
         )
-    return table
+    return COMPARED.of(rows, notes=notes)
 
 
 def law_table(calibration: Calibration) -> Table:
@@ -152,24 +214,21 @@ def law_table(calibration: Calibration) -> Table:
     law, structure = LAWS.get(calibration.law), calibration.subject == "structure"
     titles = ["Building"] if structure else []
     titles += [f"Law {calibration.law}: {law.title}"] if law is not None else []
-    columns = ("parameter", "unit", "declared", "refitted", "95 % interval", "corrected", "95 % interval")
-    table = Table(", and ".join(titles), columns)
     stages = {stage: calibration.parameters[stage] for stage in STAGES}
-    for name in stages["declared"]:
-        size = stages["declared"][name].value
-        shown = {stage: practical(found[name], found, size) for stage, found in stages.items()}
-        row = [name, shown["declared"].unit or "-", formatted(shown["declared"].value, ".4g")]
-        for one in (shown["refit"], shown["corrected"]):
-            row += [value_text(one), _interval(one)]
-        table.rows.append(row)
+    rows: list[Row] = []
+    for name, declared in stages["declared"].items():
+        shown = {stage: practical(found[name], found, declared.value) for stage, found in stages.items()}
+        found = [cell for one in (shown["refit"], shown["corrected"]) for cell in (value_cell(one), _interval(one))]
+        rows.append((name, shown["declared"].unit or None, shown["declared"].value, *found))
+    notes = []
     if "storey_stiffness" in stages["declared"]:
-        table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
+        notes.append("storey_stiffness, storey_damping: factors of what is declared")
     for stage, label in (("refit", "refitted"), ("corrected", "corrected")):
-        table.notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
+        notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
     if calibration.law_held:
-        table.notes.append("the campaign has the declared parameters held (`refit: false`)")
-    table.notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
-    return table
+        notes.append("the campaign has the declared parameters held (`refit: false`)")
+    notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
+    return LAW.of(rows, notes=notes, title=", and ".join(titles))
 
 
 def _interval(estimate: Estimate) -> str:

@@ -6,7 +6,9 @@ import math
 
 from edesign.calibration.residual.series import Series
 from edesign.calibration.results.result import Estimate
-from edesign.report.tables.table import NumberText, formatted, number
+from edesign.report.tables.cell import Rounded, Value
+from edesign.report.tables.number import significant
+from edesign.report.tables.unit import PERCENT
 
 UNKNOWN = "not determined"
 _LARGEST = 1e7
@@ -23,12 +25,18 @@ def scale_of(series: Series) -> tuple[float, str]:
 
 def percent(ratio: float, digits: int = 3) -> str:
     """A ratio in per cent, "-" if there is none."""
-    return number(ratio, digits, 1e-2) if math.isfinite(ratio) else "-"
+    return significant(ratio / PERCENT.si, digits) if math.isfinite(ratio) else "-"
 
 
 def value_text(estimate: Estimate) -> str:
     """The value with the digits that its standard error leaves."""
     return _with_places(estimate.value, estimate.standard_error)
+
+
+def value_cell(estimate: Estimate) -> Value:
+    """The same for a table, which keeps all digits of the number."""
+    shown = value_text(estimate)
+    return Rounded(shown, estimate.value) if math.isfinite(estimate.value) else shown
 
 
 def error_text(estimate: Estimate) -> str:
@@ -68,10 +76,10 @@ def _with_places(value: float, error: float) -> str:
     if not math.isfinite(value):
         return UNKNOWN
     if not math.isfinite(error) or error <= 0.0 or abs(value) >= _LARGEST:
-        return formatted(value, ".4g")
+        return f"{value:.4g}"
     places = 1 - math.floor(math.log10(error))
     if places > _MOST_PLACES:
         size = math.floor(math.log10(abs(value))) if value else 0
-        return formatted(value, f".{max(size + places + 1, 1)}g")
+        return f"{value:.{max(size + places + 1, 1)}g}"
     found = f"{round(value, places):.{max(places, 0)}f}"
-    return NumberText(found.removeprefix("-") if float(found) == 0.0 else found, value)
+    return found.removeprefix("-") if float(found) == 0.0 else found

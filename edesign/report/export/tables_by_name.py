@@ -15,6 +15,8 @@ from edesign.report.building import (
     selection_tables,
 )
 from edesign.report.building import tables as building_tables
+from edesign.report.calibration import error_tables, known_effects, properties
+from edesign.report.calibration import tables as calibration_tables
 from edesign.report.export import catalogue
 from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
 from edesign.report.substructure import advice_tables, identified_rig_tables, judgement_tables, limits
@@ -27,18 +29,22 @@ MODULES = (
     basis_tables,
     brace_table,
     building_tables,
+    calibration_tables,
     catalogue,
     check_table,
     checks,
     damper_results,
     deflection_table,
+    error_tables,
     foundation_table,
     ground_tables,
     hinge_tables,
     identified_rig_tables,
     judgement_tables,
+    known_effects,
     limits,
     other_tables,
+    properties,
     restrained_braces,
     section_table,
     selection_tables,

@@ -37,7 +37,7 @@ from edesign.report.calibration.view import View, outline
 from edesign.report.calibration.words import searched
 from edesign.report.html.render import render
 from edesign.report.page.calibration import calibration_page
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table
 from edesign.report.tables.text import plain
 
 SHOWN = 5e-3  # relative: three digits are shown
@@ -57,7 +57,7 @@ def closed_form(frequency: float, amplitude: float, gain: float) -> float:
 
 
 def row(table: Table, first: str) -> list[str]:
-    return next(cells for cells in table.rows if cells[0] == first)
+    return next(cells for cells in table.texts if cells[0] == first)
 
 
 def text_of(page: str) -> str:
@@ -142,20 +142,20 @@ def test_an_effect_is_told_with_its_evidence_and_look_alikes() -> None:
     without = 100.0 * (closed_form(2.0, 0.002, 0.0) + 1.1e-4)
     assert float(cells[3]) == pytest.approx(without, rel=SHOWN)
     assert cells[4:] == ["120.0 ± 9.0", "97.0 %", "mullins (2.00 %), self heating (under 0.0100 %)"]
-    parameters = [row[1:5] for row in effect_parameters_table(found).rows]
+    parameters = [row[1:5] for row in effect_parameters_table(found).texts]
     assert parameters == [
         ["d", "0.200", "0.180 to 0.220", "-"],
         ["a0", "3.00", "2.60 to 3.40", "mm"],
         ["m", "1.00", "0.80 to 1.20", "-"],
         ["tau_a", "5.00", "4.00 to 6.00", "s"],
     ]
-    assert effect_parameters_table(found).rows[0][5] == "share of the force that goes"
+    assert effect_parameters_table(found).texts[0][5] == "share of the force that goes"
 
 
 def test_models_are_told_with_how_far_the_search_looked() -> None:
     table = models_table(example.calibration())
-    assert [cells[0] for cells in table.rows] == ["gain.force", "inertia.mass", "the law alone"]
-    assert table.rows[1][2:] == ["31.0 ± 4.0", "under 0.0100 %"]
+    assert [cells[0] for cells in table.texts] == ["gain.force", "inertia.mass", "the law alone"]
+    assert table.texts[1][2:] == ["31.0 ± 4.0", "under 0.0100 %"]
     assert "2 rounds over up to 90 of 93 forms of effects, 26 models fitted; effort 1462 of 20000" in table.notes
 
 
@@ -176,7 +176,7 @@ def test_a_search_that_did_not_come_to_its_end_says_so(ending: str) -> None:
 def test_a_hypothesis_stands_beside_the_effects_with_its_reason() -> None:
     one = Hypothesis(example.payne(), "its 95 % interval holds zero")
     found = replace(example.calibration(), hypotheses=(one,))
-    (cells,) = hypotheses_table(found).rows
+    (cells,) = hypotheses_table(found).texts
     assert cells[0] == "softening with amplitude of the whole force (payne.whole)"
     assert cells[1].startswith("d = 0.200 ± 0.010") and cells[2] == one.why
     assert "A hypothesis, no part of the law: softening with amplitude of the whole force" in verdict_text(found)
@@ -189,7 +189,7 @@ def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
     effect = replace(example.gain(), parameters={"g": bound})
     found = example.calibration((effect,))
     table = effect_parameters_table(found)
-    assert table.rows[0][2:4] == ["0.5", "not determined"]
+    assert table.texts[0][2:4] == ["0.5", "not determined"]
     assert table.notes == ["gain.force: g not determined, at its upper bound"]
     text = verdict_text(found)
     assert "(instrument, g = 0.5 (not determined))" in text
@@ -197,7 +197,7 @@ def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
     assert "at the end of what is likely" not in verdict_text(example.calibration())
     # an interval need not be symmetric
     time = replace(example.lag(), parameters={"lag": Estimate(0.004, 1e-4, "s", (0.0037, 0.0044))})
-    assert effect_parameters_table(example.calibration((time,))).rows[0][3] == "3.70 to 4.40"
+    assert effect_parameters_table(example.calibration((time,))).texts[0][3] == "3.70 to 4.40"
 
 
 def test_a_law_that_is_another_one_with_the_effects_is_doubted() -> None:
