@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -20,8 +20,9 @@ from edesign.errors import EdesignError
 from edesign.report.archived import archived_project
 from edesign.report.assessment.verdict_tables import performance_tables
 from edesign.report.tables.cell import Listed, Marked, Quantity, Value
-from edesign.report.tables.column import col, text
+from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import AnyTable
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KN, M_S2, MM, MRAD, PERCENT, Unit
 from edesign.study.results.kinds import ANALYSES, DIRECT
@@ -97,7 +98,10 @@ def _off(measure: Measure) -> Callable[[_Beside], Value]:
     return of
 
 
-_NAMES = (text("test"), text("compensator", mark=lambda row: "" if row.completed else " *"))
+_NAMES: tuple[Column[_Beside], ...] = (
+    text("test"),
+    text("compensator", mark=lambda row: "" if row.completed else " *"),
+)
 _NOT_COMPLETED = "* not completed: as far as the test came, and not to be relied on"
 _ROTATIONS = ("beam_plastic_rotation_rad", "column_plastic_rotation_rad")
 PEAKS = TableSpec[_Beside](
@@ -133,7 +137,7 @@ ENERGIES = TableSpec[_Beside](
 )
 
 
-def building_tables(archive: Archive) -> list[Table]:
+def building_tables(archive: Archive) -> list[AnyTable]:
     """Return peaks, energies, and performance levels of the building in each test and in the direct analysis.
 
     Raises:
@@ -180,7 +184,7 @@ def _told(table: Table) -> Table:
     return table if len(table.columns) > table.keys else replace(table, rows=[])
 
 
-def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> list[Table]:
+def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> Sequence[AnyTable]:
     """Performance levels, of frames that may yield."""
     yielding = [
         (test, name, group) for test, name, group in _each(found) if "column_plastic_rotation_max" in group.variables

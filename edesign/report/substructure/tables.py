@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.tables.cell import Quantity, Value, Verdict
-from edesign.report.tables.column import col, text
+from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.spec import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import MS, ONE, PERCENT, J, S, Unit
@@ -158,7 +158,7 @@ OTHER_METHODS = TableSpec[Row](
     (text("test"), text("method"), text("quantity"), col("value", ONE), text("verdict", broken=1)),
     keys=3,
 )
-LIMIT_COLUMNS = (
+LIMIT_COLUMNS: tuple[Column[Row], ...] = (
     text("test"),
     text("compensator"),
     text("limit"),

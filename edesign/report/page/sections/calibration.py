@@ -29,7 +29,7 @@ from edesign.report.calibration.view import View
 from edesign.report.calibration.words import name_of, searched
 from edesign.report.html.section import Facts, Headline, Headlines, Part, Section
 from edesign.report.page.source import drawn
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.tables.table import AnyTable, Table, formatted, number, whole
 
 _VERDICTS = {
     "none": ("None", "no effect is missing", "good"),
@@ -129,7 +129,7 @@ def residuals(view: View) -> Section:
 
 def campaign(view: View) -> Section:
     """Return what was measured, and the error of each test."""
-    tables: tuple[Table, ...] = (
+    tables: tuple[AnyTable, ...] = (
         (_channels_table if view.calibration.subject == "structure" else _tests_table)(view.calibration),
         each_test_table(view.calibration),
         starts_table(view.calibration),
