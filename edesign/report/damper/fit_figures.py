@@ -14,7 +14,8 @@ from edesign.errors import ArchiveError
 from edesign.optional_stages import optional
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.drawing.style import AFTER, BEFORE, new_figure, save, styled
-from edesign.report.tables.table import number
+from edesign.report.tables.number import significant
+from edesign.report.tables.unit import PERCENT
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -74,7 +75,7 @@ def draw_fits(fits: Sequence[Fit], tests: Sequence[DamperTest], folder: Path, su
             with optional(f"the figure {path.name}", passing=(ArchiveError,)):
                 predicted = fit.damper(test.temperature_C).force(test.time, test.displacement)
                 kind = "" if test.name in fit.nrms else "; not fitted"
-                error = number(nrms(predicted, test.measured_force()), 3, 1e-2)
+                error = significant(nrms(predicted, test.measured_force()) / PERCENT.si, 3)
                 title = f"{fit.law.name}: {test.label}, {test.temperature_C:g} °C, NRMS {error} %{kind}"
                 save(fit_figure(test, predicted, fit.law.name, title), path)
                 paths.append(path)

@@ -6,9 +6,14 @@ import math
 from collections.abc import Mapping, Sequence
 
 from edesign.damper.fitting import Comparison, CrossValidation, Fit
+from edesign.damper.fitting.compare import Compared
 from edesign.damper.fitting.fit import FOLLOWS, mean_nrms
 from edesign.damper.fitting.write import practical, practical_errors, tested
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.tables.cell import Quantity, Value
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.unit import ONE, PERCENT
 
 DIGITS = 4
 ERROR_KINDS = {
@@ -16,6 +21,46 @@ ERROR_KINDS = {
     "correlation time": "that of white noise with as many errors as are independent",
 }
 SHOWN = 0.9  # correlation from which on a pair is listed
+
+PARAMETERS = TableSpec[Row](
+    "fitted_parameters",
+    "{law}: {title}",
+    (
+        text("parameter"),
+        col("value", ONE, form=f".{DIGITS}g"),
+        text("unit"),
+        col("std. error", ONE, form=".3g"),
+        col("white noise", ONE, form=".3g", missing=""),
+        col("of value", ONE, missing=""),
+    ),
+    named_by_title=True,
+)
+ERRORS = TableSpec[Row](
+    "errors_of_fit",
+    "{law}: errors",
+    (
+        text("{what}"),
+        col("NRMS", PERCENT),
+        col("rms error / peak", PERCENT, missing=""),
+        col("R2", ONE, form=".4f", missing=""),
+        col("held out: NRMS", PERCENT, missing="", optional=True),
+    ),
+    named_by_title=True,
+)
+COMPARED = TableSpec[Compared](
+    "laws_compared",
+    "Laws compared",
+    (
+        text("law", "fit.law.name"),
+        count("fitted", "parameters"),
+        col("NRMS", PERCENT, lambda item: mean_nrms(item.fit.nrms)),
+        col("held out", PERCENT, lambda item: item.held_out.mean if item.held_out else None),
+        col("worst held out", PERCENT, lambda item: item.held_out.worst[1] if item.held_out else None),
+        col("AIC", ONE, "aic", form=".1f"),
+        col("BIC", ONE, "bic", form=".1f"),
+        col("starts at minimum", ONE, lambda item: f"{item.fit.same_minimum} of {len(item.fit.starts)}"),
+    ),
+)
 
 
 def fit_tables(
@@ -33,33 +78,31 @@ def fit_tables(
 
 def parameter_table(fit: Fit) -> Table:
     """Return value and standard error of every parameter, with remarks below."""
-    columns = ("parameter", "value", "unit", "std. error", "white noise", "of value")
-    table = Table(f"{fit.law.name}: {fit.law.title}", columns)
     white = practical_errors(fit, fit.standard_error_white)
     printed = practical_errors(fit, fit.standard_error)
+    rows: list[Row] = []
     for name, (value, unit) in practical(fit).items():
-        row = [name, f"{value:.{DIGITS}g}", unit]
         if name in fit.standard_error:
             share = fit.standard_error[name] / abs(fit.all_values[name]) if fit.all_values[name] else math.inf
-            row += [_bare(printed[name]), _bare(white[name]), f"{100.0 * share:.2g} %"]
+            errors: Row = (_bare(printed[name]), _bare(white[name]), Quantity(share, PERCENT, form=".2g"))
         else:
-            row += ["at bound" if name in fit.at_bound else "held", "", ""]
-        table.rows.append(row)
-    table.notes.append(f"std. error: {ERROR_KINDS[fit.error_kind]}; white noise: as if all errors were independent")
-    table.notes += [f"held: {name}: {why}" for name, why in fit.held.items() if why != "a choice"]
+            errors = ("at bound" if name in fit.at_bound else "held", None, None)
+        rows.append((name, value, unit, *errors))
+    notes = [f"std. error: {ERROR_KINDS[fit.error_kind]}; white noise: as if all errors were independent"]
+    notes += [f"held: {name}: {why}" for name, why in fit.held.items() if why != "a choice"]
     for i, first in enumerate(fit.free):
         for other in fit.free[:i]:
             rho = fit.correlation_of(other, first)
             if abs(rho) >= SHOWN:
-                table.notes.append(f"correlation of {other} and {first}: {rho:.3f}")
-    table.notes += [f"doubt: {doubt}" for doubt in fit.doubts]
-    table.notes.append("tested: " + ", ".join(f"{name.replace('_', ' ')} {text}" for name, text in tested(fit).items()))
-    table.notes.append(
+                notes.append(f"correlation of {other} and {first}: {rho:.3f}")
+    notes += [f"doubt: {doubt}" for doubt in fit.doubts]
+    notes.append("tested: " + ", ".join(f"{name.replace('_', ' ')} {text}" for name, text in tested(fit).items()))
+    notes.append(
         f"{fit.same_minimum} of {len(fit.starts)} starts ended at this minimum; {fit.iterations} iterations, "
         f"{fit.evaluations} evaluations, {fit.samples} residuals ({fit.independent:.0f} independent), "
         f"{fit.seconds:.1f} s"
     )
-    return table
+    return PARAMETERS.of(rows, notes=notes, law=fit.law.name, title=fit.law.title)
 
 
 def error_table(fit: Fit, held_out: CrossValidation | None, validated: Mapping[str, float]) -> Table:
@@ -70,50 +113,35 @@ def error_table(fit: Fit, held_out: CrossValidation | None, validated: Mapping[s
         held_out: errors of tests that a fit left out; None: none was made.
         validated: errors of tests for validation, by name.
     """
-    what = "test" if fit.against == "forces" else "property"
-    columns = [what, "NRMS [%]", "rms error / peak [%]", "R2", *(["held out: NRMS [%]"] if held_out else [])]
-    table = Table(f"{fit.law.name}: errors", columns)
-    for name, value in fit.nrms.items():
-        row = [name, _percent(value), _percent(fit.peak_error[name]), formatted(fit.determination[name], ".4f")]
-        table.rows.append([*row, *([_percent(held_out.nrms[name])] if held_out else [])])
-    mean = ["mean", _percent(mean_nrms(fit.nrms)), _percent(mean_nrms(fit.peak_error))]
-    mean.append(formatted(mean_nrms(fit.determination), ".4f"))
-    table.rows.append([*mean, *([_percent(held_out.mean)] if held_out else [])])
-    for name, value in validated.items():
-        table.rows.append([f"{name} (validate)", _percent(value), "", "", *([""] if held_out else [])])
-    table.notes.append(f"NRMS: sum of squared errors over that of squared measured {fit.against}, no root")
+    out: Mapping[str, float] = held_out.nrms if held_out else {}
+    errors, peaks, fits = fit.nrms, fit.peak_error, fit.determination
+    rows: list[Row] = [(name, errors[name], peaks[name], fits[name], out.get(name)) for name in errors]
+    mean = held_out.mean if held_out else None
+    rows.append(("mean", mean_nrms(errors), mean_nrms(peaks), mean_nrms(fits), mean))
+    rows += [(f"{name} (validate)", value, None, None, None) for name, value in validated.items()]
+    notes = [f"NRMS: sum of squared errors over that of squared measured {fit.against}, no root"]
     if held_out:
         name, value = held_out.worst
-        table.notes.append(f"held out ({held_out.folds} folds): worst is {name}, {_percent(value)} %")
-    return table
+        notes.append(f"held out ({held_out.folds} folds): worst is {name}, {_percent(value)} %")
+    what = "test" if fit.against == "forces" else "property"
+    return ERRORS.of(rows, notes=notes, law=fit.law.name, what=what)
 
 
 def comparison_table(comparison: Comparison) -> Table:
     """Return several laws side by side, and which one suffices."""
-    columns = ("law", "fitted", "NRMS [%]", "held out [%]", "worst held out [%]", "AIC", "BIC", "starts at minimum")
-    table = Table("Laws compared", columns, name="laws_compared")
-    for item in comparison.laws:
-        out = item.held_out
-        cells = [_percent(out.mean), f"{_percent(out.worst[1])}"] if out else ["-", "-"]
-        fit = item.fit
-        row = [fit.law.name, whole(item.parameters), _percent(mean_nrms(fit.nrms)), *cells]
-        table.rows.append(
-            [*row, formatted(item.aic, ".1f"), formatted(item.bic, ".1f"), f"{fit.same_minimum} of {len(fit.starts)}"]
-        )
     best = comparison.nearest
     how = "predicts held-out tests nearly as well as the best" if best.held_out else "has the least BIC"
+    notes = []
     if comparison.sufficient is None:
         error = best.fit.mean_rms_error if best.held_out is None else math.sqrt(best.held_out.mean)
-        table.notes.append(
+        notes.append(
             f"none of the laws compared follows the tests (rms error at most {100.0 * FOLLOWS:g} % of the rms "
             f"force): {best.fit.law.name}, the nearest, has {_percent(error)} %"
         )
     else:
-        table.notes.append(
-            f"{best.fit.law.name} suffices: of the laws compared it {how}, with {best.parameters} parameters"
-        )
-    table.notes.append(f"AIC and BIC above the least, counting {comparison.independent:.0f} independent errors")
-    return table
+        notes.append(f"{best.fit.law.name} suffices: of the laws compared it {how}, with {best.parameters} parameters")
+    notes.append(f"AIC and BIC above the least, counting {comparison.independent:.0f} independent errors")
+    return COMPARED.of(comparison.laws, notes=notes)
 
 
 def tables_of(
@@ -133,10 +161,10 @@ def tables_of(
     return [*tables, *([comparison_table(comparison)] if comparison and len(fits) > 1 else [])]
 
 
-def _bare(text: str | float) -> str:
+def _bare(text: str | float) -> Value:
     """Without its unit."""
-    return formatted(text, ".3g") if isinstance(text, float) else text.split(" ")[0]
+    return text if isinstance(text, float) else text.split(" ")[0]
 
 
 def _percent(value: float) -> str:
-    return number(value, DIGITS, 1e-2)
+    return significant(value / PERCENT.si, DIGITS)

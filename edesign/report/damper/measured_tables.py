@@ -3,13 +3,54 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict
-from typing import Any
+from dataclasses import asdict, replace
+from typing import Any, NamedTuple
 
 from edesign.damper.testing.properties import CycleProperties, Properties
-from edesign.report.tables.table import Table, finite, formatted, number, whole
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.number import finite
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import DEGC, HZ, MPA, ONE, PERCENT, S, Unit
 
-_COLUMNS = ("strain [%]", "f [Hz]", "G' [MPa]", "G_eq [MPa]", "G'' [MPa]", "n [-]")
+
+class _Test(NamedTuple):
+    name: str
+    mean: Properties
+
+
+class _Cycle(NamedTuple):
+    block: int
+    cycle: int
+    start: float
+    mean: Properties
+
+
+_COLUMNS: tuple[Column[Any], ...] = (
+    col("strain", PERCENT, "mean.strain"),
+    col("f", HZ, "mean.frequency"),
+    col("G'", MPA, "mean.G_storage"),
+    col("G_eq", MPA, "mean.G_eq"),
+    col("G''", MPA, "mean.G_loss"),
+    col("n", Unit("-"), "mean.loss_factor"),
+)
+PROPERTIES = TableSpec[_Test](
+    "properties_of_tests",
+    "{title}",
+    (
+        text("test", "name"),
+        col("T", DEGC, "mean.temperature_C", 3),
+        *_COLUMNS,
+        col("cycles", ONE, lambda test: f"{test.mean.cycles[0]}-{test.mean.cycles[1]}"),
+    ),
+    named_by_title=True,
+)
+EACH_CYCLE = TableSpec[_Cycle](
+    "properties_of_cycles",
+    "{title}",
+    (count("block"), count("cycle"), col("start", S, form=".3f"), *_COLUMNS),
+    keys=0,
+    named_by_title=True,
+)
 
 
 def properties_table(title: str, found: Mapping[str, Properties], notes: list[str] | None = None) -> Table:
@@ -20,22 +61,16 @@ def properties_table(title: str, found: Mapping[str, Properties], notes: list[st
         found: by name of the test.
         notes: lines below.
     """
-    columns = ("test", "T [degC]", *_COLUMNS, "cycles")
-    rows = [
-        [name, number(row.temperature_C, 3), *_cells(row), f"{row.cycles[0]}-{row.cycles[1]}"]
-        for name, row in found.items()
-    ]
-    return Table(title, columns if rows else (), rows, notes or [])
+    spec = PROPERTIES if found else replace(PROPERTIES, columns=())
+    return spec.of(map(_Test, found, found.values()), notes=notes or (), title=title)
 
 
 def cycle_properties_table(title: str, each: CycleProperties) -> Table:
     """Return the properties of each full cycle of a test."""
-    columns = ("block", "cycle", "start [s]", *_COLUMNS)
-    rows = [
-        [whole(each.block[i]), whole(each.cycle[i]), formatted(each.start[i], ".3f"), *_cells(_row(each, i))]
-        for i in range(each.block.size)
-    ]
-    return Table(title, columns, rows, left=0)
+    cycles = range(each.block.size)
+    return EACH_CYCLE.of(
+        (_Cycle(each.block[i], each.cycle[i], each.start[i], _row(each, i)) for i in cycles), title=title
+    )
 
 
 def properties_data(found: Mapping[str, Properties], cycles: Mapping[str, CycleProperties]) -> dict[str, Any]:
@@ -56,8 +91,3 @@ def _row(each: CycleProperties, i: int) -> Properties:
     moduli = {name: float(getattr(each, name)[i]) for name in names}
     cycle = int(each.cycle[i])
     return Properties(float(each.strain[i]), float(each.frequency[i]), 0.0, **moduli, cycles=(cycle, cycle))
-
-
-def _cells(row: Properties) -> list[str]:
-    moduli = (number(value, 4, 1e6) for value in (row.G_storage, row.G_eq, row.G_loss))
-    return [number(row.strain, 4, 1e-2), number(row.frequency, 4), *moduli, number(row.loss_factor, 4)]

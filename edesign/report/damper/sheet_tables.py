@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
-from typing import Any
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from edesign.damper.testing.acceptance import GIVES_ENERGY, STANDARDS, Judged
 from edesign.damper.testing.device_cycles import Run
-from edesign.report.tables.table import Table, finite, number
+from edesign.report.tables.cell import Quantity, Value, Verdict
+from edesign.report.tables.column import Column, col, count, formula, text, verdict
+from edesign.report.tables.number import finite
+from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.unit import DEGC, HZ, KJ, KN, KN_MM, MM, PERCENT, Unit
 
-VERDICTS = {True: "met", False: "not met", None: "not judged"}
+VERDICTS: dict[bool | None, Value] = {
+    True: Verdict("met", "good"),
+    False: Verdict("not met", "bad"),
+    None: "not judged",
+}
 _REFERENCES = {
     "mean": "from the mean",
     "third": "from cycle 3",
@@ -20,28 +28,93 @@ _REFERENCES = {
     "design": "from the law",
     "least": "least / largest",
 }
-COLUMNS: dict[str, tuple[str, float]] = {
-    "displacement_max_mm": ("x+ [mm]", 1e3),
-    "displacement_min_mm": ("x- [mm]", 1e3),
-    "force_max_kN": ("F+ [kN]", 1e-3),
-    "force_min_kN": ("F- [kN]", 1e-3),
-    "storage_stiffness_kN_per_mm": ("k' [kN/mm]", 1e-6),
-    "loss_stiffness_kN_per_mm": ("k'' [kN/mm]", 1e-6),
-    "equivalent_stiffness_kN_per_mm": ("k_eq [kN/mm]", 1e-6),
-    "damping_kN_s_per_mm": ("c [kN s/mm]", 1e-6),
-    "energy_kJ": ("W [kJ]", 1e-3),
-    "damping_ratio_percent": ("xi [%]", 1e2),
-    "storage_from_third_percent": ("dk' [%]", 1e2),
-    "energy_from_third_percent": ("dW [%]", 1e2),
+COLUMNS: dict[str, Column[Row]] = {
+    "displacement_max_mm": col("x+", MM),
+    "displacement_min_mm": col("x-", MM),
+    "force_max_kN": col("F+", KN),
+    "force_min_kN": col("F-", KN),
+    "storage_stiffness_kN_per_mm": col("k'", KN_MM),
+    "loss_stiffness_kN_per_mm": col("k''", KN_MM),
+    "equivalent_stiffness_kN_per_mm": col("k_eq", KN_MM),
+    "damping_kN_s_per_mm": col("c", Unit("kN s/mm", 1e6)),
+    "energy_kJ": col("W", KJ),
+    "damping_ratio_percent": col("xi", PERCENT),
+    "storage_from_third_percent": col("dk'", PERCENT, form=".2f"),
+    "energy_from_third_percent": col("dW", PERCENT, form=".2f"),
 }
-"""Of the sheet of cycles: header in CSV files, header of tables, and factor from SI."""
+"""Of the sheet of cycles, by the headers in CSV files."""
 
+_OF_TESTS = tuple(COLUMNS)[4:10]
+_OF_CYCLES = tuple(name for name in COLUMNS if name != "equivalent_stiffness_kN_per_mm")
 _DEVIATIONS = tuple(COLUMNS)[-2:]
 
 NOTES = [
     "k', k'': storage and loss stiffness; k' is the effective stiffness too, by the forces at the extremes of x",
     "k_eq: by the extremes of the force; c = k''/omega; W: energy; xi = W / (2 pi k' x0^2)",
 ]
+
+
+class _Worst(NamedTuple):
+    """The worst run by a criterion, with the number of the criterion and the name of the run."""
+
+    number: int
+    judged: Judged
+    run: str
+
+
+def _limit(worst: _Worst) -> str:
+    criterion = worst.judged.criterion
+    sign = ">= " if criterion.reference == "least" else ">= -" if criterion.fall_only else "+-"
+    return f"{sign}{criterion.limit / PERCENT.si:g}"
+
+
+def _deviation(worst: _Worst) -> Value:
+    """The deviation with its sign, or the share of the largest, which has none."""
+    if worst.judged.met is None:
+        return None
+    share = worst.judged.criterion.reference == "least"
+    return Quantity(worst.judged.value, PERCENT, form=".1f" if share else "+.1f", beside=True)
+
+
+TESTS = TableSpec[Row](
+    "tests",
+    "Tests: third cycle, and mean of all",
+    (
+        text("test"),
+        text("cycle"),
+        col("T", DEGC),
+        col("f", HZ),
+        col("x0", MM),
+        *(COLUMNS[name] for name in _OF_TESTS),
+    ),
+    notes=NOTES,
+    keys=2,
+)
+CYCLES = TableSpec[Row](
+    "cycles_of_run",
+    "{title}, {frequency:.3g} Hz",
+    (count("cycle"), col("T", DEGC), *(COLUMNS[name] for name in _OF_CYCLES)),
+    notes=("dk', dW: deviation from the third cycle",),
+    keys=0,
+    named_by_title=True,
+)
+ACCEPTANCE = TableSpec[_Worst](
+    "acceptance",
+    "Acceptance",
+    (
+        count("no.", "number"),
+        text("standard", lambda worst: STANDARDS[worst.judged.criterion.standard]),
+        text("clause", "judged.criterion.clause"),
+        text("quantity", "judged.criterion.quantity.name", broken=1),
+        text("compared", lambda worst: _REFERENCES[worst.judged.criterion.reference]),
+        replace(formula("limit", _limit), unit=PERCENT),
+        col("worst", PERCENT, _deviation),
+        text("test", lambda worst: None if worst.judged.met is None else worst.run, broken=2),
+        count("cycle", "judged.cycle"),
+        verdict("verdict", lambda worst: VERDICTS[worst.judged.met]),
+    ),
+    keys=5,
+)
 
 
 def name_of(run: Run, runs: Sequence[Run]) -> str:
@@ -69,20 +142,13 @@ def _values_of(run: Run) -> dict[str, np.ndarray]:
 
 def tests_table(runs: Sequence[Run]) -> Table:
     """Return the properties of each run in its third cycle, by which devices are accepted, and their mean."""
-    shown = list(COLUMNS)[4:10]
-    heads = [COLUMNS[name][0] for name in shown]
-    table = Table(
-        "Tests: third cycle, and mean of all", ("test", "cycle", "T [degC]", "f [Hz]", "x0 [mm]", *heads), name="tests"
-    )
+    rows: list[Row] = []
     for run in runs:
         values = _values_of(run)
-        for label, pick in (("3", lambda v: v[2]), (f"1-{run.cycles}", np.mean)):
-            row = [_number(float(pick(values[name])), COLUMNS[name][1]) for name in shown]
-            about = (run.temperature_C, run.frequency, 1e3 * run.loops.amplitude)
-            table.rows.append([name_of(run, runs), label, *(_number(float(pick(one))) for one in about), *row])
-    table.left = 2
-    table.notes += NOTES
-    return table
+        shown = (run.temperature_C, run.frequency, run.loops.amplitude, *(values[name] for name in _OF_TESTS))
+        rows.append((name_of(run, runs), "3", *(finite(float(one[2])) for one in shown)))
+        rows.append((name_of(run, runs), f"1-{run.cycles}", *(finite(float(np.mean(one))) for one in shown)))
+    return TESTS.of(rows)
 
 
 def cycles_table(run: Run, runs: Sequence[Run]) -> Table:
@@ -93,20 +159,13 @@ def cycles_table(run: Run, runs: Sequence[Run]) -> Table:
         runs: the runs of the tests.
     """
     values = _values_of(run)
-    shown = [name for name in COLUMNS if name != "equivalent_stiffness_kN_per_mm"]
-    heads = [COLUMNS[name][0] for name in shown]
     title = name_of(run, runs) + (f": {run.title}" if run.title and run.title != run.test else "")
-    table = Table(f"{title}, {np.mean(run.frequency):.3g} Hz", ("cycle", "T [degC]", *heads), left=0)
+    rows: list[Row] = []
     for i in range(run.cycles):
-        cells = [
-            f"{COLUMNS[name][1] * values[name][i]:.2f}"
-            if name in _DEVIATIONS
-            else _number(float(values[name][i]), COLUMNS[name][1])
-            for name in shown
-        ]
-        table.rows.append([str(i + 1), _number(float(run.temperature_C[i])), *cells])
-    table.notes.append("dk', dW: deviation from the third cycle")
-    return table
+        cells = (float(values[name][i]) for name in _OF_CYCLES[:-2])
+        deviations = (float(values[name][i]) for name in _DEVIATIONS)
+        rows.append((i + 1, finite(float(run.temperature_C[i])), *map(finite, cells), *deviations))
+    return CYCLES.of(rows, title=title, frequency=np.mean(run.frequency))
 
 
 def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
@@ -116,42 +175,14 @@ def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
         judged: the judged runs.
         runs: the runs of the tests.
     """
-    table = Table(
-        "Acceptance",
-        ("no.", "standard", "clause", "quantity", "compared", "limit [%]", "worst [%]", "test", "cycle", "verdict"),
-        left=5,
-        sentences=(3, 7),
-        formulas=(5,),
-        name="acceptance",
-    )
-    for i, group in enumerate(_by_criterion(judged)):
-        worst, criterion = worst_of(group), group[0].criterion
-        limit = 100.0 * criterion.limit
-        sign = ">= " if criterion.reference == "least" else ">= -" if criterion.fall_only else "+-"
-        table.rows.append(
-            [
-                str(i + 1),
-                STANDARDS[criterion.standard],
-                criterion.clause,
-                criterion.quantity.name,
-                _REFERENCES[criterion.reference],
-                f"{sign}{limit:g}",
-                "-" if worst.met is None else f"{100.0 * worst.value:+.1f}".lstrip("+" if not _signed(worst) else ""),
-                "-" if worst.met is None else name_of(worst.run, runs),
-                "-" if worst.cycle is None else str(worst.cycle),
-                VERDICTS[worst.met],
-            ]
-        )
+    worst = [worst_of(group) for group in _by_criterion(judged)]
+    notes = []
     for why in dict.fromkeys(one.why for one in judged if one.why):
         alike = [one for one in judged if one.why == why]
         by_run = why == GIVES_ENERGY  # no criterion judges such a run
         named = dict.fromkeys(name_of(one.run, runs) if by_run else one.criterion.quantity.name for one in alike)
-        table.notes.append(f"not judged: {', '.join(named)}: {why}")
-    return table
-
-
-def _signed(judged: Judged) -> bool:
-    return judged.criterion.reference != "least"
+        notes.append(f"not judged: {', '.join(named)}: {why}")
+    return ACCEPTANCE.of((_Worst(i + 1, one, name_of(one.run, runs)) for i, one in enumerate(worst)), notes=notes)
 
 
 def _by_criterion(judged: Sequence[Judged]) -> list[list[Judged]]:
@@ -213,7 +244,7 @@ def csv_rows(runs: Sequence[Run]) -> tuple[list[str], Iterator[list[Any]]]:
         for run in runs:
             values = _values_of(run)
             for i in range(run.cycles):
-                cells = [finite(factor * float(values[name][i])) for name, (_, factor) in COLUMNS.items()]
+                cells = [finite(column.data(float(values[name][i]))) for name, column in COLUMNS.items()]
                 about = [run.test, run.block, i + 1, float(run.loops.start[i]), float(run.frequency[i])]
                 yield [*about, float(run.temperature_C[i]), *cells]
 
@@ -276,7 +307,3 @@ def _plain(run: Run) -> dict[str, np.ndarray]:
         "energy": loops.work,
         "damping_ratio": run.damping_ratio,
     }
-
-
-def _number(value: float, scale: float = 1.0) -> str:
-    return number(scale * value, 4) if math.isfinite(value) else "-"

@@ -17,6 +17,7 @@ from edesign.report.building import (
 from edesign.report.building import tables as building_tables
 from edesign.report.calibration import error_tables, known_effects, properties
 from edesign.report.calibration import tables as calibration_tables
+from edesign.report.damper import fit_tables, law_table, measured_tables, sheet_tables
 from edesign.report.export import catalogue
 from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
 from edesign.report.substructure import advice_tables, identified_rig_tables, judgement_tables, limits
@@ -36,18 +37,22 @@ MODULES = (
     damper_results,
     deflection_table,
     error_tables,
+    fit_tables,
     foundation_table,
     ground_tables,
     hinge_tables,
     identified_rig_tables,
     judgement_tables,
     known_effects,
+    law_table,
     limits,
+    measured_tables,
     other_tables,
     properties,
     restrained_braces,
     section_table,
     selection_tables,
+    sheet_tables,
     substructure_tables,
     tested_building,
 )
