@@ -21,7 +21,7 @@ from edesign.report.inputs.law_parameters import law_tables
 from edesign.report.inputs.mass_table import mass_tables
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table
 from edesign.study.run.run import run_study
 
 DOCUMENT = """\
@@ -75,7 +75,7 @@ def tables_of(path: Path) -> dict[str, Table]:
 
 
 def rows_of(table: Table) -> list[dict[str, str]]:
-    return [dict(zip(table.columns, row, strict=True)) for row in table.rows]
+    return [dict(zip(table.headers, row, strict=True)) for row in table.texts]
 
 
 def test_the_cover_says_whose_the_report_is(viscous: Made) -> None:
@@ -166,7 +166,7 @@ def test_bounds_ask_of_the_same_dampers_and_one_governs(isolated: Made) -> None:
 def test_laws_have_all_their_parameters(isolated: Made) -> None:
     tables = tables_of(isolated.archive)
     oil = next(table for name, table in tables.items() if name.startswith("Law oil"))
-    assert [row[0] for row in oil.rows] == ["c", "alpha"]
+    assert [row[0] for row in oil.texts] == ["c", "alpha"]
     assert any("property factor 0.8 in isolated_lower" in note for note in oil.notes)
 
 

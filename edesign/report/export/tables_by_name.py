@@ -19,6 +19,7 @@ from edesign.report.calibration import error_tables, known_effects, properties
 from edesign.report.calibration import tables as calibration_tables
 from edesign.report.damper import fit_tables, law_table, measured_tables, sheet_tables
 from edesign.report.export import catalogue
+from edesign.report.inputs import damper_schedule, law_parameters, mass_table, variants_table
 from edesign.report.response import brace_table, damper_results, ground_tables, hinge_tables, restrained_braces
 from edesign.report.substructure import advice_tables, identified_rig_tables, judgement_tables, limits
 from edesign.report.substructure import building_tables as tested_building
@@ -35,6 +36,7 @@ MODULES = (
     check_table,
     checks,
     damper_results,
+    damper_schedule,
     deflection_table,
     error_tables,
     fit_tables,
@@ -44,8 +46,10 @@ MODULES = (
     identified_rig_tables,
     judgement_tables,
     known_effects,
+    law_parameters,
     law_table,
     limits,
+    mass_table,
     measured_tables,
     other_tables,
     properties,
@@ -55,6 +59,7 @@ MODULES = (
     sheet_tables,
     substructure_tables,
     tested_building,
+    variants_table,
 )
 """Modules that declare tables; a test finds those that are missing."""
 

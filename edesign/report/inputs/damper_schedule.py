@@ -8,7 +8,7 @@ from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
-from edesign.building.devices import Device
+from edesign.building.devices import Device, DeviceSize
 from edesign.codes.criterion import with_standard
 from edesign.codes.motion_sets import SetRules
 from edesign.damper.laws import LAWS
@@ -20,15 +20,40 @@ from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.inputs.damper_demand import Demand, demand, velocity
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.spec import MORE, Row, Table, TableSpec
+from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT
 
-QUANTITIES = (  # header, how it is called below, name, unit shown in SI
-    ("F", "[kN]", "force", "damper_force", 1e3),
-    ("stroke", "[mm]", "stroke", "damper_deformation", 1e-3),
-    ("strain", "[%]", "strain", "damper_strain", 0.01),
-    ("v", "[m/s]", "velocity", "velocity", 1.0),
+QUANTITIES = (  # header, how it is called below, name, unit
+    ("F", "force", "damper_force", KN),
+    ("stroke", "stroke", "damper_deformation", MM),
+    ("strain", "strain", "damper_strain", PERCENT),
+    ("v", "velocity", "velocity", M_S),
 )
 _ALONG = {"viscous": "c", "viscous_power": "c"}
+
+SCHEDULE = TableSpec[Row](
+    "damper_schedule",
+    "Dampers{of}",
+    (
+        text("storey"),
+        text("place"),
+        text("stands as"),
+        text("law"),
+        count("places"),
+        count("number"),
+        text("size of one", broken=1),
+        text("brace", broken=2),
+    ),
+    keys=4,
+)
+REQUIRED = TableSpec[Row](
+    "damper_demand",
+    "Required of one damper{of}",
+    (text("storey"), text("place"), text("law"), text("level"), MORE, col("histories", ONE), text("governs")),
+    keys=4,
+)
 
 
 @dataclass(frozen=True)
@@ -107,55 +132,50 @@ def _asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> li
 
 
 def _schedule(variant: str, alike: Sequence[_Alike], project: Project) -> Table:
-    columns = ("storey", "place", "stands as", "law", "places", "number", "size of one", "brace")
-    table = Table(
-        "Dampers" + (f", {variant}" if variant else ""), columns, left=4, sentences=(6, 7), name="damper_schedule"
-    )
-    total = 0
+    rows: list[Row] = []
     for group in alike:
-        count = len(group.devices) * group.devices[0].size.number
-        total += count
-        size, brace = _size(group.devices[0]), _brace(group.devices[0])
-        cells = [group.stands, group.law, whole(len(group.devices)), whole(count), size, brace]
-        table.rows.append([*group.at, *cells])
-    table.rows.append(["total", "", "", "", whole(sum(len(g.devices) for g in alike)), whole(total), "", ""])
+        one, places = group.devices[0], len(group.devices)
+        rows.append((*group.at, group.stands, group.law, places, places * one.size.number, _size(one), _brace(one)))
+    places = sum(len(group.devices) for group in alike)
+    number = sum(len(group.devices) * group.devices[0].size.number for group in alike)
+    notes = []
     if project.dampers is not None and any(isinstance(d.brace, BraceSection) for d in project.dampers.devices):
-        table.notes.append("The stiffness of a brace follows from its section and length.")
-    return table
+        notes.append("The stiffness of a brace follows from its section and length.")
+    total = ("total", "", "", "", places, number, "", "")
+    return SCHEDULE.of([*rows, total], notes=notes, of=f", {variant}" if variant else "")
 
 
 def _size(device: Device) -> str:
     size, law = device.size, device.values
     if device.restrained is not None:
         brace = device.restrained
-        return f"core of {number(brace.area / size.number, scale=1e-6)} mm2"
+        return f"core of {significant(brace.area / size.number / MM2.si)} mm2"
     if device.layer_thickness is not None:
-        return _layers(device)
+        return _layers(device.size, device.layer_thickness)
     if law.law in _ALONG and not law.amendments:
         c, alpha = (*law.values, 1.0)[:2]
         exponent = "" if alpha == 1.0 else f"^{alpha:g}"
-        return f"c = {number(c * size.scale, scale=1e3)} kN (s/m){exponent}"
+        return f"c = {significant(c * size.scale / KN.si)} kN (s/m){exponent}"
     if law.law == "friction_pendulum":  # scaled to the weight that it stands under
-        return f"weight {number(device.force_scale / size.number * law.values[0], scale=1e3)} kN"
-    return "as the law" if size.scale == 1.0 else f"{number(size.scale)} times the law"
+        return f"weight {significant(device.force_scale / size.number * law.values[0] / KN.si)} kN"
+    return "as the law" if size.scale == 1.0 else f"{significant(size.scale)} times the law"
 
 
-def _layers(device: Device) -> str:
-    size = device.size
+def _layers(size: DeviceSize, thickness: float) -> str:
     parts = []
     if size.layers is not None:
         parts.append(f"{size.layers} layers")
     if size.layer_area is not None:
-        parts.append(f"{number(size.layer_area)} m2 each")
-    parts.append(f"{number(device.layer_thickness, scale=1e-3)} mm thick")
+        parts.append(f"{significant(size.layer_area)} m2 each")
+    parts.append(f"{significant(thickness / MM.si)} mm thick")
     return ", ".join(parts) if size.resized else f"the law's own, {parts[-1]}"
 
 
 def _brace(device: Device) -> str:
     if not device.brace:
         return "rigid"
-    stiffness = f"{number(device.brace, scale=1e6)} kN/mm"
-    play = f", play {number(device.play, scale=1e-3)} mm" if device.play else ""
+    stiffness = f"{significant(device.brace / KN_MM.si)} kN/mm"
+    play = f", play {significant(device.play / MM.si)} mm" if device.play else ""
     return f"{device.brace_bar.section}, {stiffness}{play}" if device.brace_bar is not None else stiffness + play
 
 
@@ -174,32 +194,25 @@ def _required(
         if histories.completed
     }
     rules = rules_in_force(frames.hazard)
-    shown = [q for q in QUANTITIES if any(one.get(q[3]) is not None for one in found.values())]
+    shown = [q for q in QUANTITIES if any(one.get(q[2]) is not None for one in found.values())]
     asks = {label for (_, label), one in found.items() if any(value is not None for value in one.values())}
     counts = {label: histories for label, histories in asking if label in asks}  # others are without these dampers
     single = all(len(histories.completed) == 1 for histories in counts.values())
-    spread = ("",) if single else ("mean ", "max ")
-    headers = [f"{short} {which}{unit}" for short, unit, *_ in shown for which in spread]
-    table = Table("Required of one damper" + (f", {variant}" if variant else ""), left=4, name="damper_demand")
-    table.columns = ("storey", "place", "law", "level", *headers, "histories", "governs")
+    spread = ("",) if single else (" mean", " max")
+    columns: list[Column[Row]] = [
+        col(f"{short}{which}", unit, negligible=ROUNDING) for short, *_, unit in shown for which in spread
+    ]
+    rows: list[Row] = []
     for at, group in enumerate(alike):
-        levels = list(counts)
-        governing = {q[3]: _most(found, at, levels, q[3], rules) for q in shown}
-        for label in levels:
-            cells = [
-                cell for *_, name, scale in shown for cell in _pair(found[at, label].get(name), scale)[-len(spread) :]
-            ]
-            histories = counts[label]
+        governing = {name: _most(found, at, list(counts), name, rules) for _, _, name, _ in shown}
+        for label, histories in counts.items():
+            cells = [cell for _, _, name, _ in shown for cell in _pair(found[at, label].get(name))[-len(spread) :]]
             of = f"{len(histories.completed)}/{len(histories.histories)}"
-            governs = [word for _, _, word, name, _ in shown if governing[name] == label]
-            table.rows.append([*group.at, group.law, label, *cells, of, ", ".join(governs)])
-    if len(counts) < 2:
-        table.columns = table.columns[:-1]
-        table.rows = [row[:-1] for row in table.rows]
-    if table.rows:
-        table.notes += _notes(single, len(counts) > 1, rules)
-        table.notes += _velocity_notes(found, alike)
-    return table
+            governs = [word for _, word, name, _ in shown if governing[name] == label]
+            rows.append((*group.at, group.law, label, *cells, of, ", ".join(governs)))
+    notes = [*_notes(single, len(counts) > 1, rules), *_velocity_notes(found, alike)] if rows else []
+    without = ("governs",) if len(counts) < 2 else ()
+    return REQUIRED.of(rows, more=columns, without=without, notes=notes, of=f", {variant}" if variant else "")
 
 
 def _notes(single: bool, levels: bool, rules: SetRules) -> list[str]:
@@ -239,10 +252,8 @@ def _most(
     return max(values, key=lambda label: values[label]) if any(values.values()) else ""
 
 
-def _pair(found: Demand | None, scale: float) -> tuple[str, str]:
-    if found is None:
-        return "-", "-"
-    return number(found.mean, 4, scale, ROUNDING), number(found.maximum, 4, scale, ROUNDING)
+def _pair(found: Demand | None) -> tuple[float | None, float | None]:
+    return (None, None) if found is None else (found.mean, found.maximum)
 
 
 def _velocity_notes(found: dict[tuple[int, str], dict[str, Demand | None]], alike: Sequence[_Alike]) -> list[str]:

@@ -12,11 +12,22 @@ from edesign.damper.parameters import write_parameters
 from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.tables.table import SCIENTIFIC, Table, number
+from edesign.report.tables.column import formula, text
+from edesign.report.tables.number import SCIENTIFIC, significant
+from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.unit import MM, MM2
 from edesign.study.analysis.dampers import device_laws
 
 DIGITS = 5
 _OWN = "thesis"  # how sources begin that say nothing to those who have not this work
+
+PARAMETERS = TableSpec[Row](
+    "law_in_analyses",
+    "Law {law}{of}: {title}{at}",
+    (formula("parameter"), formula("value"), text("meaning", broken=1)),
+    keys=3,
+    named_by_title=True,
+)
 
 
 def law_tables(frames: VariantFrames) -> list[Table]:
@@ -49,18 +60,16 @@ def law_tables(frames: VariantFrames) -> list[Table]:
 def _table(name: str, values: DeviceLaw, temperature: float | None, project: Project, of: str) -> Table:
     assert project.dampers is not None
     law, spec = LAWS[values.law.law], project.dampers.laws[name]
-    at = "" if temperature is None else f" at {temperature:g} °C"
-    table = Table(f"Law {name}{of}: {law.title}{at}", ("parameter", "value", "meaning"), left=3, sentences=2)
-    table.formulas = (0, 1)
     branches = (len(values.law.values) - len(law.parameters)) // len(law.branch) if law.branch else 0
     parameters = law.with_branches(branches)
     by_name = dict(zip((p.name for p in parameters), values.law.values, strict=True))
     written = write_parameters(law, by_name)
+    rows: list[Row] = []
     for parameter in parameters:
         value, _, unit = written[parameter.name].partition(" ")
-        table.rows.append([parameter.name, f"{_short(value)} {unit}".strip(), parameter.meaning])
-    table.notes += _notes(law, values, spec)
-    return table
+        rows.append((parameter.name, f"{_short(value)} {unit}".strip(), parameter.meaning))
+    at = "" if temperature is None else f" at {temperature:g} °C"
+    return PARAMETERS.of(rows, notes=_notes(law, values, spec), law=name, of=of, title=law.title, at=at)
 
 
 def _factors(variants: Mapping[str, float]) -> list[str]:
@@ -86,7 +95,7 @@ def _notes(law: Law, values: DeviceLaw, spec: DamperLaw) -> list[str]:
     notes = [f"Equation: {law.equation}" + (f" ({'; '.join(sources)})" if sources else "")]
     if values.layers is not None and values.layer_area is not None and values.layer_thickness is not None:
         layers = f"{values.layers} layer{'s' * (values.layers > 1)}"
-        size = f"{number(values.layer_area, 4, 1e-6)} mm2, {number(values.layer_thickness, 4, 1e-3)} mm thick"
+        size = f"{significant(values.layer_area / MM2.si)} mm2, {significant(values.layer_thickness / MM.si)} mm thick"
         notes.append(f"The parameters belong to a damper of {layers} of {size}.")
     if values.tested_strain is not None:
         notes.append(f"They come from tests up to a shear strain of {100.0 * values.tested_strain:g} %.")

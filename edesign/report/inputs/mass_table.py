@@ -10,10 +10,18 @@ from edesign.building.loads import floor_loads
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.tables.table import Table, formatted, number
+from edesign.report.tables.column import col, text
+from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.unit import KN, M, T
 
 SAME = 0.01
 """Share by which weight and mass times g may differ before it is said."""
+
+FLOORS = TableSpec[Row](
+    "floor_masses",
+    "Masses and weights of the floors{of}",
+    (text("floor"), col("level", M, form="g", missing=""), col("mass", T), col("weight", KN)),
+)
 
 
 def mass_tables(frames: VariantFrames) -> list[Table]:
@@ -56,23 +64,16 @@ def _floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndar
 
 
 def _table(floors: tuple[tuple[float, float], ...], project: Project, of: str) -> Table:
-    table = Table(
-        f"Masses and weights of the floors{of}", ("floor", "level [m]", "mass [t]", "weight [kN]"), name="floor_masses"
-    )
-    for floor in reversed(range(len(floors))):
-        mass, weight = floors[floor]
-        if floor or mass or weight:
-            cells = [number(mass, scale=1e3), number(weight, scale=1e3)]
-            table.rows.append([str(floor) if floor else "base", formatted(project.frame.y[floor], "g"), *cells])
+    found = [(i, *floors[i]) for i in reversed(range(len(floors)))]
+    rows = [(i or "base", project.frame.y[i], mass, weight) for i, mass, weight in found if i or mass or weight]
     total = np.sum(floors, axis=0)
-    table.rows.append(["total", "", number(float(total[0]), scale=1e3), number(float(total[1]), scale=1e3)])
     factors = project.loads.gravity
-    table.notes.append(f"Mass: that resists horizontal motion. Weight: loads of {factors.G:g} G + {factors.Q:g} Q.")
+    notes = [f"Mass: that resists horizontal motion. Weight: loads of {factors.G:g} G + {factors.Q:g} Q."]
     share = float(total[1]) / (STANDARD_GRAVITY * float(total[0]))
     if abs(share - 1.0) > SAME:
-        table.notes.append(f"The weight is {100.0 * share:.0f} % of the mass times g.")
+        notes.append(f"The weight is {100.0 * share:.0f} % of the mass times g.")
     if project.frame.leaning_column is not None:
-        table.notes.append("Both contain what leans on the frame.")
+        notes.append("Both contain what leans on the frame.")
     if project.dampers is not None and project.dampers.attachments:
-        table.notes.append("Tuned masses are not in it.")
-    return table
+        notes.append("Tuned masses are not in it.")
+    return FLOORS.of([*rows, ("total", None, *total)], notes=notes, of=of)

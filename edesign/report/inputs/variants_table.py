@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from edesign.project.study.study import Study, Variant
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import Row, Table, TableSpec
 from edesign.study.plan.variants import bound_of
+
+VARIANTS = TableSpec[Row](
+    "variants",
+    "Variants",
+    (text("variant"), text("dampers"), text("otherwise than in the project", broken=1)),
+    keys=3,
+)
 
 
 def variants_table(study: Study) -> Table:
     """Return the dampers of each variant of a study, and its other changes of the project."""
-    table = Table(
-        "Variants", ("variant", "dampers", "otherwise than in the project"), left=3, sentences=2, name="variants"
+    return VARIANTS.of(
+        (name, _dampers(study, variant), "; ".join(_changes(study, name, variant)) or None)
+        for name, variant in study.variants.items()
     )
-    for name, variant in study.variants.items():
-        table.rows.append([name, _dampers(study, variant), "; ".join(_changes(study, name, variant)) or "-"])
-    return table
 
 
 def _dampers(study: Study, variant: Variant) -> str:

@@ -16,6 +16,7 @@ from edesign.report.page.project_facts import project_rows
 from edesign.report.page.source import Source
 from edesign.report.page.words import KEPT
 from edesign.report.response.analysis_tables import analyses_table
+from edesign.report.tables import spec
 from edesign.report.tables.table import Table
 
 NAMES = (
@@ -56,7 +57,7 @@ def _names() -> list[list[str]]:
 
 def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
     """Masses, laws and schedule; one that cannot be made, as a file is not at hand, is named under Provenance."""
-    makers: tuple[tuple[str, Callable[[], list[Table]]], ...] = (
+    makers: tuple[tuple[str, Callable[[], list[spec.Table]]], ...] = (
         ("masses of the floors", lambda: mass_tables(frames)),
         ("laws of the dampers", lambda: law_tables(frames)),
         (
@@ -66,7 +67,7 @@ def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
     )
     parts: list[Part] = []
     for what, make in makers:
-        tables: list[Table] = []
+        tables: list[spec.Table] = []
         with source.or_left_out(what):
             tables = make()
         if tables and what != "masses of the floors":
