@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -12,9 +13,9 @@ import edesign
 from edesign.report.export.export_table import export_table
 from edesign.report.export.tables_by_name import MODULES, tables_by_name
 from edesign.report.html.render import alignments, cells
-from edesign.report.tables.cell import Listed, Marked, Quantity, Span, Value, Verdict
-from edesign.report.tables.column import col, count, formula, literal, text, verdict
-from edesign.report.tables.spec import MORE, TableSpec
+from edesign.report.tables.cell import Listed, Marked, Quantity, Rounded, Span, Value, Verdict
+from edesign.report.tables.column import bounded, col, count, formula, known, literal, text, verdict
+from edesign.report.tables.spec import MORE, Row, TableSpec
 from edesign.report.tables.text import plain
 from edesign.report.tables.unit import KN, MM, ONE, PERCENT, Unit
 
@@ -75,6 +76,7 @@ def test_files_get_numbers_with_all_digits_and_units() -> None:
         ("none", "none", "none"),
         (Marked(1500.0, " (mean)", "> "), "> 1.500 (mean)", 1.5),
         (Quantity(0.0123, MM, 3), "12.3 mm", 12.3),
+        (Rounded("1230", 1234.567), "1230", 1234.567),  # as its error leaves it
         (Span(800.0, 1200.0), "0.8000-1.200", "0.8000-1.200"),
         (Span(800.0, 800.0), "0.8000", "0.8000"),
         (Listed((1e3, 2e3)), "1.000, 2.000", "1.000, 2.000"),
@@ -115,6 +117,22 @@ def test_columns_of_one_table_stand_where_the_declaration_says() -> None:
     table = spec.of(ITEMS, more=[col(literal("{u}"), MM, "drift")])
     assert table.headers == ["storey", "{u} [mm]", "bays"] and table.name == "all_u"
     assert spec.of(ITEMS).headers == ["storey", "bays"]
+
+
+def test_a_row_may_be_a_tuple_of_its_values() -> None:
+    spec = TableSpec[Row]("u", "U", (text("storey"), col("u", MM, mark=lambda row: "*" if row[0] == "1" else ""), MORE))
+    table = spec.of([("1", 0.012, 2e3), ("2", None, 3e3)], more=[col("V", KN)])
+    assert table.texts == [["1", "12.00*", "2.000"], ["2", "-", "3.000"]]
+
+
+def test_columns_read_attributes_of_attributes_where_they_are_known() -> None:
+    class Pair(NamedTuple):
+        low: Storey
+        high: Storey
+
+    columns = (text("low", "low.name"), col("u", ONE, known("low.drift"), 2), col("V", ONE, bounded("high.drift"), 2))
+    pairs = [Pair(Storey("1", 2, 0.5), Storey("2", 2, math.inf)), Pair(Storey("1", 2, math.nan), Storey("2", 2, 0.3))]
+    assert TableSpec[Pair]("u", "U", columns).of(pairs).texts == [["1", "0.50", "-"], ["1", "-", "0.30"]]
 
 
 def test_one_list_knows_all_tables() -> None:
