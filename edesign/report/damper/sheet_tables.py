@@ -79,14 +79,7 @@ def _deviation(worst: _Worst) -> Value:
 TESTS = TableSpec[Row](
     "tests",
     "Tests: third cycle, and mean of all",
-    (
-        text("test"),
-        text("cycle"),
-        col("T", DEGC),
-        col("f", HZ),
-        col("x0", MM),
-        *(COLUMNS[name] for name in _OF_TESTS),
-    ),
+    (text("test"), text("cycle"), col("T", DEGC), col("f", HZ), col("x0", MM), *(COLUMNS[name] for name in _OF_TESTS)),
     notes=NOTES,
     keys=2,
 )
