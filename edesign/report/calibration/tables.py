@@ -87,7 +87,7 @@ COMPARED = TableSpec[Row](
         text("effects of the model"),
         col("fitted tests: NRMS", PERCENT, digits=3),
         col("behind", ONE),
-        col("probability", ONE),
+        text("probability"),
     ),
 )
 LAW = TableSpec[Row](

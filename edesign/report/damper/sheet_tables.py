@@ -11,7 +11,7 @@ import numpy as np
 from edesign.damper.testing.acceptance import GIVES_ENERGY, STANDARDS, Judged
 from edesign.damper.testing.device_cycles import Run
 from edesign.report.tables.cell import Quantity, Value, Verdict
-from edesign.report.tables.column import Column, col, count, formula, text, verdict
+from edesign.report.tables.column import Column, col, count, text, verdict
 from edesign.report.tables.number import finite
 from edesign.report.tables.spec import Row, Table, TableSpec
 from edesign.report.tables.unit import DEGC, HZ, KJ, KN, KN_MM, MM, PERCENT, Unit
@@ -100,7 +100,7 @@ ACCEPTANCE = TableSpec[_Worst](
         text("clause", "judged.criterion.clause"),
         text("quantity", "judged.criterion.quantity.name", broken=1),
         text("compared", lambda worst: _REFERENCES[worst.judged.criterion.reference]),
-        replace(formula("limit", _limit), unit=PERCENT),
+        replace(col("limit", PERCENT, _limit), symbols=True),
         col("worst", PERCENT, _deviation),
         text("test", lambda worst: None if worst.judged.met is None else worst.run, broken=2),
         count("cycle", "judged.cycle"),
