@@ -115,7 +115,7 @@ class TableSpec(Generic[Item]):
         named_as: name of the file of tables that share one; "": `name`.
         names_kept: see `Table`.
         most: rows that are printed; 0: all.
-        cut: note of a table with more rows: `The first {shown} of {all} feet.`
+        cut: note of a table with more rows: `The first {shown} of {all} feet.`, or `and {more} more`
     """
 
     name: str
@@ -167,7 +167,8 @@ class TableSpec(Generic[Item]):
         kept = [i for i, c in enumerate(made) if not c.optional or any(row[i] is not None for row in rows)]
         lines = [note.format(**words) for note in self.notes] if rows else []
         if len(shown) < len(chosen):
-            lines.append(self.cut.format(shown=len(shown), all=len(chosen), **words))
+            counts = {"shown": len(shown), "all": len(chosen), "more": len(chosen) - len(shown)}
+            lines.append(self.cut.format(**counts, **words))
         marks = {value.after.strip()[:1] for row in rows for value in row if isinstance(value, Marked)}
         lines += [note for note in self.signs if note[0] in marks]
         return Table(
