@@ -11,7 +11,7 @@ from edesign.assess.measures import response_measures
 from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
-from edesign.report.tables.table import finite
+from edesign.report.tables.number import finite
 from edesign.study.motions.record_groups import failed_criteria
 from edesign.study.results.kinds import ANALYSES, DESIGNS, RECORDS
 from edesign.study.results.warnings import ATTRIBUTE, warnings_of

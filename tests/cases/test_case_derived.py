@@ -17,7 +17,7 @@ from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.html.section import Picture
 from edesign.report.page.sections.derived import derived
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table
 from edesign.report.tables.text import print_tables
 from edesign.study.run.run import run_study
 
@@ -96,19 +96,19 @@ def test_tables_show_each_value_and_the_bound_that_governs(archive: Path) -> Non
         tables = {table.title: table for table in study_tables(opened)}
         verdicts = {verdict.variant: verdict for verdict in study_verdicts(opened)}
     sweep = tables["Mean response by c of fluid, damped at DBE"]
-    assert [row[0] for row in sweep.rows] == ["40 kN*s/m", "150 kN*s/m", "600 kN*s/m"]
-    drifts = [float(row[1]) for row in sweep.rows]
+    assert [row[0] for row in sweep.texts] == ["40 kN*s/m", "150 kN*s/m", "600 kN*s/m"]
+    drifts = [float(row[1]) for row in sweep.texts]
     assert drifts == pytest.approx([100.0 * mean(f"damped_c_{i}", "storey_drift") for i in (1, 2, 3)], rel=1e-3)
     bounds = tables["Mean response of damped at DBE with bounds of its dampers"]
     forces = {
         side: mean(name, "damper_force")
         for side, name in (("lower", "damped_lower"), ("nominal", "damped"), ("upper", "damped_upper"))
     }
-    row = next(cells for cells in bounds.rows if cells[0] == "damper force [kN]")
+    row = next(cells for cells in bounds.texts if cells[0] == "damper force [kN]")
     assert [float(cell) for cell in row[1:4]] == pytest.approx([force / 1e3 for force in forces.values()], rel=1e-3)
     assert (row[4], row[5]) == (row[3], "upper") and max(forces, key=forces.__getitem__) == "upper"
     # the means of other tables leave the sweep out, and criteria on a variant are on what is made of it
-    assert not any("_c_" in header for header in tables["Mean response"].columns)
+    assert not any("_c_" in header for header in tables["Mean response"].headers)
     assert set(verdicts) == {name.partition(".")[0] for name in found} - {"softer"}
     assert verdicts["damped_c_1"].value == pytest.approx(mean("damped_c_1", "storey_drift"), rel=1e-12)
 

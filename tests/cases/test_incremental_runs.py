@@ -193,7 +193,7 @@ def test_tables_and_figures_of_the_archive(done: RunSummary) -> None:
     first = fallen(done)
     with open_archive(done.archive) as opened:
         table = plan_table(opened)
-        rows = {row[0]: dict(zip(table.columns, row, strict=True)) for row in table.rows}
+        rows = {row[0]: dict(zip(table.headers, row, strict=True)) for row in table.texts}
         assert list(rows) == ["bare.modes", "bare.gravity", "same.modes", "same.gravity", "bare.ida", "same.ida"]
         ida = rows["same.ida"]
         states = [ida[key] for key in ("planned", "completed", "collapsed", "skipped")]
@@ -217,5 +217,5 @@ def test_while_a_run_goes_on_its_stripes_stand_together(done: RunSummary, tmp_pa
         run_study(study(tmp_path), progress=stop_at(f"same.ida.shake.{LEVELS[0]}"), backend="serial")
     with open_archive(tmp_path / "out.h5.partial") as opened:
         table = plan_table(opened)
-        assert [row[:3] for row in table.rows[4:]] == [["bare.ida", "6", "1"], ["same.ida", "6", "0"]]
+        assert [row[:3] for row in table.texts[4:]] == [["bare.ida", "6", "1"], ["same.ida", "6", "0"]]
         assert len(incremental_tables(opened)) == 2

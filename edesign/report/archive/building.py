@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 from edesign.archive.reader import Archive
 from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive.project import missing_analyses
-from edesign.report.tables.table import AnyTable, Table
+from edesign.report.tables.spec import Table
+from edesign.report.tables.table import AnyTable
 from edesign.study.results.kinds import BUILDING
 
 if TYPE_CHECKING:

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from edesign.archive.reader import Archive
-from edesign.report.tables.table import AnyTable, Table
+from edesign.report.tables.spec import Table
+from edesign.report.tables.table import AnyTable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,7 +11,7 @@ from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive.project_tables import project_tables
 from edesign.report.archive.short_tables import short_project_tables
 from edesign.report.archive_view import entry, record_entries, results
-from edesign.report.tables.table import finite
+from edesign.report.tables.number import finite
 from edesign.study.results.kinds import RECORDS
 
 if TYPE_CHECKING:

@@ -15,7 +15,8 @@ from edesign.report.response.analysis_tables import analyses_table, measures_tab
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
-from edesign.report.tables.table import AnyTable, Table
+from edesign.report.tables.spec import Table
+from edesign.report.tables.table import AnyTable
 from edesign.study.results.warnings import warning_lines
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from textwrap import shorten
-from typing import Any
+from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
@@ -19,37 +19,52 @@ from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
-from edesign.report.assessment.measure_columns import MEASURE_ROWS, ROUNDING
-from edesign.report.assessment.measure_tables import MAIN
+from edesign.report.assessment.measure_columns import MEASURE_ROWS, ROUNDING, Measure
 from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
-from edesign.report.capacity.pushover_tables import target_tables
+from edesign.report.capacity.pushover_tables import State, failed_notes, level_column, target_states
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
 from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
-from edesign.report.response.analysis_tables import KINDS, periods_table
+from edesign.report.response.analysis_tables import KINDS, NOT_COMPLETED, Entry, Mode, modes
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
-from edesign.report.tables.table import AnyTable, Table, number
+from edesign.report.tables.column import Column, col, literal, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import AnyTable
 from edesign.report.tables.text import PAPER
+from edesign.report.tables.unit import KN, ONE, PERCENT, S, Unit
 from edesign.study.results.kinds import ANALYSES
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COMPLETED
 
 WARNINGS_SHOWN = 3
 FAILED_SHOWN = 5
-PERIODS_SHOWN = 3
 ANALYSES_SHOWN = 4
-TARGET_COLUMNS = {  # of the table of the response at target displacements, with names for little room
-    "target": "target",
-    "roof drift [%]": "roof drift %",
-    "storey drift [%]": "storey %",
-    "base shear [kN]": "V kN",
-    "level by drift": "by drift",
-    "level by members": "by members",
-}
+MAIN = (
+    "roof_displacement_m",
+    "interstorey_drift",
+    "residual_interstorey_drift",
+    "base_shear_N",
+    "column_base_shear_N",
+    "roof_acceleration_m_s2",
+    "beam_plastic_rotation_rad",
+    "column_plastic_rotation_rad",
+    "brace_ductility",
+    "damper_strain",
+    "damper_deformation_m",
+    "damper_force_N",
+)
+"""Measures of analyses without histories that are told here."""
+
+
+class _Modes(NamedTuple):
+    """The modes of an analysis."""
+
+    analysis: str
+    modes: list[Mode]
 
 
 def short_project_tables(archive: Archive, top: Table) -> list[AnyTable]:
@@ -111,7 +126,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         governing += others
     tables += [response_in_short(not_swept(study, sets)), changes_in_short(not_swept(study, sets)), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
-    tables += _targets(study.base, groups, study)
+    tables.append(_targets(study.base, groups, study))
     return tables + incremental_tables(archive, groups)
 
 
@@ -122,7 +137,7 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[AnyTable]:
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)
     tables: list[AnyTable] = [_periods(groups)]
-    tables += _targets(archived_project(archive) if targets else None, groups)
+    tables.append(_targets(archived_project(archive) if targets else None, groups))
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
     tables.append(changes_in_short(sets))
     tables += [isolation_table(groups)]
@@ -131,42 +146,74 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[AnyTable]:
     return [*tables, *([footings] if footings.rows else []), dampers_table(groups)]
 
 
+def _period(number: int) -> Column[_Modes]:
+    def of(found: _Modes) -> float | None:
+        return found.modes[number - 1].period if len(found.modes) >= number else None
+
+    return col(f"T_{number}", S, of, form=".4f")
+
+
+def _state(header: str, unit: Unit, measure: str) -> Column[State]:
+    return col(header, unit, lambda state: state.measures.get(measure), negligible=ROUNDING, bare=True)
+
+
+PERIODS = TableSpec[_Modes](
+    "first_periods",
+    "Periods",
+    (
+        text("analysis"),
+        *(_period(number) for number in (1, 2, 3)),
+        col("effective mass of mode 1", PERCENT, lambda found: found.modes[0].mass, form=".2f"),
+    ),
+    named_by_title=True,
+)
+TARGETS = TableSpec[State](
+    "targets_in_short",
+    "Response at the target displacements",
+    (
+        text("target"),
+        _state("roof drift", PERCENT, "roof_drift"),
+        _state("storey", PERCENT, "interstorey_drift"),
+        _state("V", KN, "base_shear_N"),
+        level_column("by drift", "by_drift"),
+        level_column("by members", "by_members"),
+    ),
+    named_by_title=True,
+)
+MEASURES = TableSpec[Measure](
+    "measures_in_short",
+    "Response (largest absolute values)",
+    (text("measure", "head"),),  # and each analysis
+    named_by_title=True,
+)
+
+
 def _periods(groups: dict[str, Group]) -> Table:
     """The first periods of each modal analysis, and the effective mass of the first mode."""
-    modes = [f"T_{mode} [s]" for mode in range(1, PERIODS_SHOWN + 1)]
-    table = Table("Periods", ("analysis", *modes, "effective mass of mode 1 [%]"))
-    for name, group in groups.items():
-        rows = periods_table(name, group, PERIODS_SHOWN).rows
-        if rows:
-            periods = [row[1] for row in rows] + ["-"] * (PERIODS_SHOWN - len(rows))
-            table.rows.append([name, *periods, rows[0][3]])
-    return table
+    return PERIODS.of(_Modes(name, found) for name, group in groups.items() if (found := modes(group)))
 
 
-def _targets(project: Project | None, groups: dict[str, Group], study: Study | None = None) -> list[AnyTable]:
+def _targets(project: Project | None, groups: dict[str, Group], study: Study | None = None) -> Table:
     """The response at target displacements without rotations of members and what the displacements follow from."""
-    found = target_tables(project, groups, study)
-    if not found:
-        return []
-    states = found[-1]
-    kept = [i for i, header in enumerate(states.columns) if header in TARGET_COLUMNS]
-    headers = [TARGET_COLUMNS[states.columns[i]] for i in kept]
-    return [Table(states.title, headers, [[row[i] for i in kept] for row in states.rows], states.notes)]
+    without = () if project is not None else ("by drift", "by members")
+    return TARGETS.of(target_states(project, groups, study), without=without, notes=failed_notes(groups))
 
 
-def _measures(entries: list[dict[str, Any]]) -> Table:
+def _measures(entries: Sequence[Entry]) -> Table:
     """The main measures of analyses without histories, a column for each that has any."""
     having = [item for item in entries if any(value is not None for value in item["measures"].values())]
-    marks = ["" if item["status"] == COMPLETED else " *" for item in having]
-    columns = ("measure", *(item["name"] + mark for item, mark in zip(having, marks, strict=True)))
-    table = Table("Response (largest absolute values)", columns)
-    for name, measure, unit in MEASURE_ROWS:
-        values = [item["measures"].get(measure) for item in having]
-        if measure in MAIN and any(value is not None for value in values):
-            table.rows.append([name, *(number(value, scale=unit, negligible=ROUNDING) for value in values)])
-    if any(marks):
-        table.notes.append("* not completed: as far as the analysis came, and not to be relied on")
-    return table
+    rows = [
+        row
+        for row in MEASURE_ROWS
+        if row.name in MAIN and any(item["measures"][row.name] is not None for item in having)
+    ]
+    notes = () if all(item["status"] == COMPLETED for item in having) else (NOT_COMPLETED,)
+    return MEASURES.of(rows, more=[_of_analysis(item) for item in having], notes=notes)
+
+
+def _of_analysis(item: Entry) -> Column[Measure]:
+    name = literal(item["name"] + ("" if item["status"] == COMPLETED else " *"))
+    return col(name, ONE, lambda row: row.cell(item["measures"][row.name]))
 
 
 def _warnings(archive: Archive, groups: dict[str, Group]) -> Table:

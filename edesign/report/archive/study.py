@@ -14,7 +14,8 @@ from edesign.report.archive.short_tables import short_study_tables
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts, verdict_entry
 from edesign.report.ground_motion.record_tables import tables_of
-from edesign.report.tables.table import AnyTable, finite
+from edesign.report.tables.number import finite
+from edesign.report.tables.table import AnyTable
 from edesign.study.results.kinds import STUDY
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
@@ -23,12 +24,64 @@ from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.response.ground_tables import ground_tables
-from edesign.report.tables.table import AnyTable, Table, number, seconds, whole
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import AnyTable
+from edesign.report.tables.unit import ONE, S
 from edesign.study.results.kinds import INCREMENTAL
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, SKIPPED
 
 EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
+
+
+class _Part(NamedTuple):
+    """The analyses of a variant and level, or of an incremental study: their results by name, with ends and effort."""
+
+    title: str
+    groups: Mapping[str, Group]
+
+    @property
+    def endings(self) -> dict[str, dict[str, Any]]:
+        return {name: ending(group) for name, group in self.groups.items()}
+
+    def spent(self, key: str) -> list[float]:
+        """The statistics of the analyses that have them."""
+        found = (statistics(group)[key] for group in self.groups.values())
+        return [float(value) for value in found if value is not None]
+
+    @property
+    def notes(self) -> list[str]:
+        told = {name: item for name, item in self.endings.items() if item["reason"] and item["status"] not in EXPECTED}
+        lines = warning_lines(self.groups)
+        return [
+            *(f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()),
+            *(f"{self.title}: {line}" if len(self.groups) > 1 else line for line in lines),
+        ]
+
+
+def _ended(status: str) -> Column[_Part]:
+    return count(status, lambda part: sum(item["status"] == status for item in part.endings.values()))
+
+
+def _sum(key: str) -> Callable[[_Part], float | None]:
+    return lambda part: sum(found) if (found := part.spent(key)) else None
+
+
+PLAN = TableSpec[_Part](
+    "analyses_of_the_study",
+    "Analyses",
+    (
+        text("analyses", "title"),
+        count("planned", lambda part: len(part.groups)),
+        *map(_ended, (COMPLETED, *EXPECTED)),
+        count("steps", _sum("steps")),
+        count("fallbacks", _sum("fallbacks")),
+        col("CPU", S, _sum("cpu_s"), form=".3f"),
+        col("largest energy error", ONE, lambda part: max(part.spent("energy_error"), default=None), 2),
+    ),
+    named_as="analyses",
+)
 
 
 def study_tables(archive: Archive) -> list[AnyTable]:
@@ -78,27 +131,11 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
         groups: all its analyses by name, if they have been read already.
     """
     stripes = _stripe_entries(archive)
-    ends = (COMPLETED, *(EXPECTED if stripes else ()))
-    table = Table(
-        "Analyses",
-        ("analyses", "planned", *ends, "steps", "fallbacks", "CPU [s]", "largest energy error"),
-        name="analyses",
-    )
     by_entry: dict[str, dict[str, Group]] = defaultdict(dict)
     for name, group in (all_results(archive) if groups is None else groups).items():
         by_entry[_entry_of(name, group, stripes)][name] = group
-    for title, found in by_entry.items():
-        endings = {name: ending(group) for name, group in found.items()}
-        counts = [whole(sum(item["status"] == end for item in endings.values())) for end in ends]
-        cost = [statistics(group) for group in found.values()]
-        sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
-        errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]
-        cells = [whole(sums[0]), whole(sums[1]), seconds(sums[2]), number(max(errors, default=None), 2)]
-        table.rows.append([title, whole(len(found)), *counts, *cells])
-        told = {name: item for name, item in endings.items() if item["reason"] and item["status"] not in EXPECTED}
-        table.notes += [f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()]
-        table.notes += [f"{title}: {line}" if len(found) > 1 else line for line in warning_lines(found)]
-    return table
+    parts = [_Part(title, found) for title, found in by_entry.items()]
+    return PLAN.of(parts, without=() if stripes else EXPECTED, notes=[note for part in parts for note in part.notes])
 
 
 def _stripe_entries(archive: Archive) -> tuple[str, ...]:
@@ -116,8 +153,3 @@ def _entry_of(name: str, group: Group, stripes: tuple[str, ...]) -> str:
     if record and name.endswith(f".{record}"):  # names of records may have points
         return name.removesuffix(f".{record}")
     return (name.rpartition(".")[0] if kind == "history" or kind is None else name) or name
-
-
-def _sum(cost: Sequence[Mapping[str, float | None]], key: str) -> float | None:
-    values = [value for item in cost if (value := item.get(key)) is not None]
-    return float(sum(values)) if values else None

@@ -8,7 +8,7 @@ from typing import Any
 from edesign.archive.reader import Archive, open_archive
 from edesign.report.archive.kinds import kind_of
 from edesign.report.archive_view import design_warnings, find, input_warnings, planned
-from edesign.report.tables.table import finite
+from edesign.report.tables.number import finite
 from edesign.study.results.warnings import ATTRIBUTE
 
 OF_KINDS = ("study_file", "building_file", "building_checksum", "rts_file", "rts_checksum")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
+from operator import itemgetter
 
 from edesign.archive.reader import Archive, open_archive
 from edesign.report.archive.kinds import kind_of
@@ -21,13 +22,23 @@ from edesign.report.response.analysis_tables import (
 from edesign.report.response.damper_results import damper_stiffness_table, each_damper_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
-from edesign.report.tables.table import AnyTable, Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import AnyTable
 from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.warnings import warnings_of
 
 SCREEN = 40  # lines
 LAST = 2  # of them for the line that tells where the rest is
 LEAST = 5  # tables, however long they are
+HEADING = TableSpec[tuple[str, str]](
+    "heading",
+    "{title}",
+    (text("what", itemgetter(0)), text("value", itemgetter(1))),
+    keys=2,
+    headed=False,
+    named_by_title=True,
+)
 
 
 def overview(archive: str | os.PathLike[str] | Archive) -> list[AnyTable]:
@@ -84,15 +95,17 @@ def heading(archive: Archive) -> Table:
     made = archive.group_attributes("provenance").get("created", "?") if "provenance" in archive.names() else "?"
     project = f"{about.get('project_file')}, sha256 {str(about.get('project_checksum'))[:12]}"
     building = f"{about.get('building_file')}, sha256 {str(about.get('building_checksum'))[:12]}"
-    rows = [
-        ["archive", str(archive.path)],
-        *([["project", project]] if about.get("project_file") else []),  # `edesign match` needs none
-        *([["building", building]] if about.get("building_file") else []),
-        ["made", f"{made} by edesign {about.get('edesign_version')}, core {about.get('core_version')}"],
-        ["status", state],
-        *([["damaged", damage]] if (damage := archive.damage_in_short()) else []),
-    ]
-    return Table(str(about.get("title", "")), (), rows, left=2)
+    return HEADING.of(
+        [
+            ("archive", str(archive.path)),
+            *([("project", project)] if about.get("project_file") else []),  # `edesign match` needs none
+            *([("building", building)] if about.get("building_file") else []),
+            ("made", f"{made} by edesign {about.get('edesign_version')}, core {about.get('core_version')}"),
+            ("status", state),
+            *([("damaged", damage)] if (damage := archive.damage_in_short()) else []),
+        ],
+        title=str(about.get("title", "")),
+    )
 
 
 def short_tables(archive: Archive) -> list[AnyTable]:

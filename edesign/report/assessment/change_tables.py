@@ -2,29 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.assess.changes import Change, Tension, in_common, largest_change, tension
 from edesign.assess.sets import HistorySet
-from edesign.report.assessment.measure_columns import ROUNDING
+from edesign.report.assessment.measure_columns import ROUNDING, Measure
 from edesign.report.assessment.measure_tables import DIFFERENCE, first_of_level, label
-from edesign.report.tables.table import Table, formatted, number
+from edesign.report.tables.column import Column, col, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, M_S2, MRAD, ONE, PERCENT
 
-ROWS = (  # name, quantity, unit of the name in SI
-    ("storey drift [%]", "storey_drift", 0.01),
-    ("residual storey drift [%]", "residual_storey_drift", 0.01),
-    ("storey shear [kN]", "storey_shear", 1e3),
-    ("floor acceleration [m/s2]", "floor_acceleration", 1.0),
-    ("column axial force [kN]", "column_axial_force", 1e3),
-    ("brace axial force [kN]", "brace_axial_force", 1e3),
-    ("beam plastic rotation [mrad]", "beam_plastic_rotation", 1e-3),
-    ("column plastic rotation [mrad]", "column_plastic_rotation", 1e-3),
-    ("brace ductility", "brace_ductility", 1.0),
+QUANTITIES = (
+    Measure("storey drift", "storey_drift", PERCENT),
+    Measure("residual storey drift", "residual_storey_drift", PERCENT),
+    Measure("storey shear", "storey_shear", KN),
+    Measure("floor acceleration", "floor_acceleration", M_S2),
+    Measure("column axial force", "column_axial_force", KN),
+    Measure("brace axial force", "brace_axial_force", KN),
+    Measure("beam plastic rotation", "beam_plastic_rotation", MRAD),
+    Measure("column plastic rotation", "column_plastic_rotation", MRAD),
+    Measure("brace ductility", "brace_ductility", ONE),
 )
-SHORT = (("drift", "storey_drift"), ("column force", "column_axial_force"))
-MOST_ROWS = 6
 
 
 @dataclass(frozen=True)
@@ -44,29 +46,88 @@ class _Pair:
         return len(self.before) == len(self.first.completed) and len(self.after) == len(self.found.completed)
 
 
+class _Row(NamedTuple):
+    """A quantity that changes from one set of histories to another."""
+
+    histories: str
+    quantity: Measure
+    change: Change
+
+
+def _growth(found: Change) -> float | None:
+    return None if found.before <= ROUNDING else found.after / found.before - 1.0
+
+
+GROWTH: Column[Change] = col(DIFFERENCE, PERCENT, _growth, form="+.1f")
+CHANGES = TableSpec[_Row](
+    "largest_changes",
+    "Storeys, floors and members whose response grows most, or falls least",
+    (
+        text("histories"),
+        text("quantity", "quantity.head"),
+        text("most in", "change.place"),
+        col("before", ONE, lambda row: row.quantity.cell(row.change.before)),
+        col("after", ONE, lambda row: row.quantity.cell(row.change.after)),
+        col(DIFFERENCE, PERCENT, lambda row: _growth(row.change), form="+.1f"),
+    ),
+    notes=(
+        "Before: in the first variant of the level. Each storey, floor and member is compared with itself, by the "
+        "mean over the records that both have.",
+    ),
+    keys=3,
+)
+
+
+def _largest(quantity: str) -> Callable[[_Pair], str | None]:
+    """The place where a quantity changes most, with the change."""
+
+    def of(pair: _Pair) -> str | None:
+        found = pair.change(quantity)
+        return None if found is None else f"{GROWTH.text(_growth(found))} % {found.place}"
+
+    return of
+
+
+def _tensions(pair: _Pair) -> str:
+    """The largest tension in any record, and in brackets that of the first variant."""
+    before, now = (tension(found.completed.values()) for found in (pair.first, pair.found))
+    there = "none" if now is None else f"{_in_kn(now.force)} {now.column}"
+    alike = pair.of_the_same_records()
+    return there + ("" if before is None or not alike else f" ({_in_kn(before.force)})")
+
+
+def _in_kn(force: float) -> str:
+    return f"{significant(force / 1e3, 3)} kN"
+
+
+CHANGES_IN_SHORT = TableSpec[_Pair](
+    "changes_in_short",
+    "Storey and column that grow most, or fall least, from {firsts}",
+    (
+        text("histories", lambda pair: label(pair.found)),
+        text("drift", _largest("storey_drift"), optional=True),
+        text("column force", _largest("column_axial_force"), optional=True),
+        text("tension, any record (before)", _tensions),
+    ),
+    keys=4,
+    most=6,
+    cut="and {more} more, among all tables",
+)
+
+
 def changes_table(sets: Sequence[HistorySet]) -> Table:
     """Return where each quantity changes most from the first variant of a level to each other one.
 
     Args:
         sets: the histories by variant and level.
     """
-    columns = ("histories", "quantity", "most in", "before", "after", DIFFERENCE)
-    title = "Storeys, floors and members whose response grows most, or falls least"
-    table = Table(title, columns, left=3, name="largest_changes")
-    for pair in _pairs(sets):
-        for name, quantity, unit in ROWS:
-            found = pair.change(quantity)
-            if found is None or max(found.before, found.after) <= ROUNDING:
-                continue
-            cells = [number(value, 4, unit, ROUNDING) for value in (found.before, found.after)]
-            table.rows.append([label(pair.found), name, found.place, *cells, _percent(found)])
-    if table.rows:
-        table.notes.append(
-            "Before: in the first variant of the level. Each storey, floor and member is compared with itself, by the "
-            "mean over the records that both have."
-        )
-        table.notes += tension_notes(sets)
-    return table
+    rows = [
+        _Row(label(pair.found), quantity, found)
+        for pair in _pairs(sets)
+        for quantity in QUANTITIES
+        if (found := pair.change(quantity.name)) is not None and max(found.before, found.after) > ROUNDING
+    ]
+    return CHANGES.of(rows, notes=tension_notes(sets) if rows else ())
 
 
 def changes_in_short(sets: Sequence[HistorySet]) -> Table:
@@ -76,24 +137,7 @@ def changes_in_short(sets: Sequence[HistorySet]) -> Table:
         sets: the histories by variant and level.
     """
     pairs = list(_pairs(sets))
-    columns = [(title, quantity) for title, quantity in SHORT if any(pair.change(quantity) for pair in pairs)]
-    headers = ("histories", *(title for title, _ in columns), "tension, any record (before)")
-    firsts = dict.fromkeys(pair.first.variant for pair in pairs)
-    title = f"Storey and column that grow most, or fall least, from {', '.join(firsts)}"
-    table = Table(title, headers, left=len(headers), name="changes_in_short")
-    for pair in pairs[:MOST_ROWS]:
-        cells = []
-        for _, quantity in columns:
-            found = pair.change(quantity)
-            cells.append("-" if found is None else f"{_percent(found)} % {found.place}")
-        before, now = (tension(found.completed.values()) for found in (pair.first, pair.found))
-        there = "none" if now is None else f"{number(now.force, 3, 1e3)} kN {now.column}"
-        alike = pair.of_the_same_records()
-        there += "" if before is None or not alike else f" ({number(before.force, 3, 1e3)} kN)"
-        table.rows.append([label(pair.found), *cells, there])
-    if len(pairs) > MOST_ROWS:
-        table.notes.append(f"and {len(pairs) - MOST_ROWS} more, among all tables")
-    return table
+    return CHANGES_IN_SHORT.of(pairs, firsts=", ".join(dict.fromkeys(pair.first.variant for pair in pairs)))
 
 
 def tension_notes(sets: Sequence[HistorySet]) -> list[str]:
@@ -113,7 +157,7 @@ def tension_notes(sets: Sequence[HistorySet]) -> list[str]:
 
 def _tension(found: Tension) -> str:
     count = len(found.columns)
-    text = f"{count} column{'s' * (count > 1)} in tension, most {found.column}, {number(found.force, 3, 1e3)} kN"
+    text = f"{count} column{'s' * (count > 1)} in tension, most {found.column}, {_in_kn(found.force)}"
     lifting = len(found.lifting)
     return text + (f"; {lifting} of them in storey 1, which pull{'s' * (lifting == 1)} at supports" if lifting else "")
 
@@ -125,9 +169,3 @@ def _pairs(sets: Sequence[HistorySet]) -> Iterator[_Pair]:
             before, after = in_common(first, found)
             if before:
                 yield _Pair(first, found, list(before.values()), list(after.values()))
-
-
-def _percent(found: Change) -> str:
-    if found.before <= ROUNDING:
-        return "-"
-    return formatted(100.0 * (found.after / found.before - 1.0), "+.1f")

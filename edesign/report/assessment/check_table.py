@@ -3,14 +3,67 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from edesign.assess.criteria import Verdict
 from edesign.project.criteria.criteria import Criterion, PerformanceCriterion
-from edesign.report.assessment.verdict_tables import measured
+from edesign.report.assessment.verdict_tables import answer, measured
 from edesign.report.drawing.captions import record_label
-from edesign.report.tables.table import Table, formatted, said_of
+from edesign.report.tables.cell import Marked, Value
+from edesign.report.tables.column import col, text, verdict
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE
 
 FEMA = {"drift": "FEMA 356, Table C1-3", "members": "FEMA 356, Table 5-6", "both": "FEMA 356, Tables C1-3 and 5-6"}
+
+
+class _Check(NamedTuple):
+    """A verdict with the source of its limit."""
+
+    found: Verdict
+    source: str
+
+    @property
+    def demand(self) -> Value:
+        """The value with the statistic that it is."""
+        value = measured(self.found.value, self.found.unit)
+        if value is None or (self.found.count == 1 and not self.found.missing):
+            return value
+        return Marked(value, f" ({self.found.statistic} of {self.found.count})")
+
+    @property
+    def governs(self) -> str | None:
+        """The place and the motion of the value."""
+        if self.found.negligible:
+            return None
+        name = self.found.governing_history
+        motion = name.partition(f".{self.found.level}.")[2] if self.found.level else ""
+        parts = [self.found.place, record_label(motion) if motion else name]
+        return ", ".join(part for part in parts if part) or None
+
+
+CHECKS = TableSpec[_Check](
+    "checks",
+    "Checks",
+    (
+        text("check", "found.name"),
+        text("requirement", "found.requirement", broken=1),
+        text("source", lambda check: check.source or None, broken=3),
+        text("variant", lambda check: check.found.variant or None),
+        text("level", lambda check: check.found.level or None),
+        text("demand"),
+        text("capacity", lambda check: measured(check.found.limit, check.found.unit)),
+        col("D/C", ONE, "found.ratio", form=".2f"),
+        verdict("verdict", lambda check: answer(check.found)),
+        text("governs", broken=2),
+    ),
+    notes=(
+        "D/C is demand over capacity, met up to 1. Of a lower bound it is the inverse, so that 1 is the limit too.",
+        "Governs: place and motion of the largest value of a history, of a lower bound the smallest.",
+    ),
+    keys=5,
+)
+UNKNOWN = "Source -: the study does not say where the limit comes from (`source` of a criterion)."
 
 
 def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> Table:
@@ -21,24 +74,8 @@ def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> T
         criteria: of the study.
     """
     sources = {criterion.name: source_of(criterion) for criterion in criteria}
-    columns = ("check", "requirement", "source", "variant", "level", "demand", "capacity", "D/C", "verdict", "governs")
-    table = Table("Checks", columns, left=5, sentences=(1, 9, 2), name="checks")
-    for verdict in verdicts:
-        cells = [verdict.name, verdict.requirement, sources.get(verdict.name, "") or "-"]
-        cells += [verdict.variant or "-", verdict.level or "-", _demand(verdict)]
-        ratio = "-" if verdict.ratio is None else formatted(verdict.ratio, ".2f")
-        cells += [measured(verdict.limit, verdict.unit), ratio, verdict.answer, _governs(verdict)]
-        table.rows.append(cells)
-    if table.rows:
-        table.notes.append(
-            "D/C is demand over capacity, met up to 1. Of a lower bound it is the inverse, so that 1 is the limit too."
-        )
-        table.notes.append(
-            "Governs: place and motion of the largest value of a history, of a lower bound the smallest."
-        )
-        if "-" in {row[2] for row in table.rows}:
-            table.notes.append("Source -: the study does not say where the limit comes from (`source` of a criterion).")
-    return table
+    checks = [_Check(found, sources.get(found.name, "")) for found in verdicts]
+    return CHECKS.of(checks, notes=() if all(check.source for check in checks) else (UNKNOWN,))
 
 
 def source_of(criterion: Criterion) -> str:
@@ -48,22 +85,3 @@ def source_of(criterion: Criterion) -> str:
     if isinstance(criterion, PerformanceCriterion):
         return FEMA[criterion.by]
     return ""
-
-
-def _demand(verdict: Verdict) -> str:
-    """The value with the statistic that it is."""
-    if verdict.value is None:
-        return "-"
-    value = measured(verdict.value, verdict.unit)
-    if verdict.count == 1 and not verdict.missing:
-        return value
-    return said_of(value, f" ({verdict.statistic} of {verdict.count})")
-
-
-def _governs(verdict: Verdict) -> str:
-    if verdict.negligible:
-        return "-"
-    name = verdict.governing_history
-    motion = name.partition(f".{verdict.level}.")[2] if verdict.level else ""
-    parts = [verdict.place, record_label(motion) if motion else name]
-    return ", ".join(part for part in parts if part) or "-"

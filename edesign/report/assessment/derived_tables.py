@@ -2,14 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.project.study.study import Study
 from edesign.report.assessment.derived_results import Bounded, Sweep, bounded, sweeps
-from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING
+from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING, Measure
 from edesign.report.assessment.measure_tables import missing_notes
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.spec import MORE, Table, TableSpec
+from edesign.report.tables.unit import ONE
+
+
+class _Bound(NamedTuple):
+    """The means of a measure by bound, SI; those of no history are left out."""
+
+    measure: Measure
+    means: Mapping[str, float]
+
+    @property
+    def largest(self) -> str:
+        return max(self.means, key=self.means.__getitem__)
+
+
+def _side(name: str) -> Column[_Bound]:
+    return col(name, ONE, lambda one: one.measure.cell(one.means.get(name)))
+
+
+SWEEP = TableSpec[Mapping[str, Any]](
+    "sweep",
+    "Mean response by {of}",
+    (text("value"), MORE, count("of")),
+    notes=("Value: {place}.", "{variants}; of: histories that were completed."),
+    named_by_title=True,
+)
+BOUNDS = TableSpec[_Bound](
+    "bounds",
+    "Mean response of {of} with bounds of its dampers",
+    (
+        text("measure", "measure.head"),
+        MORE,  # a column for each bound
+        col("envelope", ONE, lambda one: one.measure.cell(one.means[one.largest])),
+        text("governs", lambda one: one.largest if len(one.means) == 3 and one.means[one.largest] > ROUNDING else None),
+    ),
+    named_by_title=True,
+)
 
 
 def derived_tables(study: Study, sets: Sequence[HistorySet]) -> list[Table]:
@@ -25,35 +64,32 @@ def derived_tables(study: Study, sets: Sequence[HistorySet]) -> list[Table]:
 
 def sweep_table(sweep: Sweep) -> Table:
     """Return the mean measures for each value."""
-    columns = [(header, key, unit) for header, key, unit in MEASURE_COLUMNS if key in sweep.measures]
-    table = Table(f"Mean response by {sweep.title}", ("value", *(header for header, _, _ in columns), "of"))
-    for value, found in zip(sweep.values, sweep.sets, strict=True):
-        statistics = measure_statistics(found)
-        means = [number(statistics[key].mean, 4, unit, ROUNDING) for _, key, unit in columns]
-        table.rows.append([value, *means, f"{len(found.completed)}/{len(found.histories)}"])
-    names = [found.variant for found in sweep.sets]
-    many = f"Variants {names[0]} to {names[-1]}" if len(names) > 1 else f"Variant {names[0]}"
-    table.notes = [
-        f"Value: {sweep.vary.place}.",
-        f"{many}; of: histories that were completed.",
-        *missing_notes(sweep.sets),
+    means = [{name: one.mean for name, one in measure_statistics(found).items()} for found in sweep.sets]
+    items = [
+        {"value": value, "of": f"{len(found.completed)}/{len(found.histories)}", **of}
+        for value, found, of in zip(sweep.values, sweep.sets, means, strict=True)
     ]
-    return table
+    names = [found.variant for found in sweep.sets]
+    return SWEEP.of(
+        items,
+        more=[replace(column, optional=False) for column in MEASURE_COLUMNS if column.value in sweep.measures],
+        notes=missing_notes(sweep.sets),
+        of=sweep.title,
+        place=sweep.vary.place,
+        variants=f"Variants {names[0]} to {names[-1]}" if len(names) > 1 else f"Variant {names[0]}",
+    )
 
 
 def bounds_table(found: Bounded) -> Table:
     """Return the mean measures with each bound of the dampers' properties, and which of them is the largest."""
-    statistics = {side: measure_statistics(one) for side, one in found.sets.items()}
     at = f" at {found.level}" if found.level else ""
-    title = f"Mean response of {found.of}{at} with bounds of its dampers"
-    table = Table(title, ("measure", *statistics, "envelope", "governs"))
-    for name, key, unit in MEASURE_ROWS:
-        means = {side: mean for side, of in statistics.items() if (mean := of[key].mean) is not None}
-        if not means:
-            continue
-        largest = max(means, key=means.__getitem__)
-        cells = [number(means.get(side), 4, unit, ROUNDING) for side in statistics]
-        governs = largest if len(means) == len(statistics) and means[largest] > ROUNDING else "-"
-        table.rows.append([name, *cells, number(means[largest], 4, unit, ROUNDING), governs])
-    table.notes = missing_notes(list(found.sets.values()))
-    return table
+    sides = [_side(name) for name in found.sets]
+    return BOUNDS.of(_bounds(found), more=sides, notes=missing_notes(list(found.sets.values())), of=found.of + at)
+
+
+def _bounds(found: Bounded) -> Iterator[_Bound]:
+    statistics = {side: measure_statistics(one) for side, one in found.sets.items()}
+    for measure in MEASURE_ROWS:
+        means = {side: mean for side, of in statistics.items() if (mean := of[measure.name].mean) is not None}
+        if means:
+            yield _Bound(measure, means)

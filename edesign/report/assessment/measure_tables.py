@@ -2,38 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from edesign.assess.changes import in_common
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.assess.statistics import STATISTICS, Statistics
-from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING
-from edesign.report.tables.table import Table, formatted, number
+from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING, Measure
+from edesign.report.tables.cell import Quantity
+from edesign.report.tables.column import Column, col, literal, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE, PERCENT
 
-STATISTIC_TITLES = {"mean": "Mean", "maximum": "Maximum", "median": "Median", "84%": "84 % percentile (counted)"}
-STATISTIC_NAMES = {
-    "mean": "mean_response",
-    "maximum": "maximum_response",
-    "median": "median_response",
-    "84%": "percentile_84_response",
-}
-MAIN = (
-    "roof_displacement_m",
-    "interstorey_drift",
-    "residual_interstorey_drift",
-    "base_shear_N",
-    "column_base_shear_N",
-    "roof_acceleration_m_s2",
-    "beam_plastic_rotation_rad",
-    "column_plastic_rotation_rad",
-    "brace_ductility",
-    "damper_strain",
-    "damper_deformation_m",
-    "damper_force_N",
+RECORDS = TableSpec[Mapping[str, Any]](
+    "record_response",
+    "{whose}: response measures (largest absolute values)",
+    (text("record"), *MEASURE_COLUMNS),
+    each="Response measures of each record (largest absolute values)",
 )
-"""Measures of which the means are told where there is room for few."""
-DIFFERENCE = "diff. [%]"
+ROWS: tuple[Column[Measure], ...] = (text("measure", "head"),)  # and each variant at each level
+RESPONSE = TableSpec[Measure]("response", "Response", ROWS)
+MEAN = TableSpec[Measure]("mean_response", "Mean response", ROWS)
+MAXIMUM = TableSpec[Measure]("maximum_response", "Maximum response", ROWS)
+MEDIAN = TableSpec[Measure]("median_response", "Median response", ROWS)
+PERCENTILE = TableSpec[Measure]("percentile_84_response", "84 % percentile (counted) response", ROWS)
+OF_STATISTICS = {"mean": MEAN, "maximum": MAXIMUM, "median": MEDIAN, "84%": PERCENTILE}
+DIFFERENCE = "diff."
 """Header of the column beside a variant: how far it is from the first variant of its level."""
 LARGEST = (
     "Each value is the largest of all storeys, floors or members, wherever it stands; what grows most is another table."
@@ -48,24 +43,22 @@ def label(found: HistorySet) -> str:
 def record_measures_table(found: HistorySet) -> Table:
     """Return the response measures of each record of a variant at a level, and below them their statistics."""
     measures = found.measures
-    shown = [c for c in MEASURE_COLUMNS if any(item[c[1]] is not None for item in measures.values())]
-    table = Table(f"{label(found)}: response measures (largest absolute values)", ("record", *(c[0] for c in shown)))
-    table.each = ("Response measures of each record (largest absolute values)", label(found))
-    table.name = "record_response"
     records = {name: str(found.histories[name].attributes.get("record") or name) for name in measures}
     unique = len(set(records.values())) == len(records)
-    for name, item in measures.items():
-        cells = [number(item[measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
-        table.rows.append([records[name] if unique else name, *cells])
-    over = measure_statistics(found)
-    for statistic, of in STATISTICS.items() if len(measures) > 1 else ():
-        cells = [number(of(over[c[1]]), scale=c[2], negligible=ROUNDING) for c in shown]
-        table.rows.append([STATISTIC_TITLES[statistic].lower(), *cells])
+    rows: list[Mapping[str, Any]] = [
+        {"record": records[name] if unique else name, **item} for name, item in measures.items()
+    ]
     if len(measures) > 1:
-        spread = [number(over[c[1]].dispersion, 3) for c in shown]
-        table.rows.append(["dispersion (of ln)", *spread])
-    table.notes += missing_notes([found], labelled=False)
-    return table
+        over = measure_statistics(found)
+        for statistic, of in STATISTICS.items():
+            title = OF_STATISTICS[statistic].title.removesuffix(" response").lower()
+            rows.append({"record": title, **{name: of(each) for name, each in over.items()}})
+        rows.append({"record": "dispersion (of ln)", **{name: _spread(each) for name, each in over.items()}})
+    return RECORDS.of(rows, whose=label(found), notes=missing_notes([found], labelled=False))
+
+
+def _spread(over: Statistics) -> Quantity | None:
+    return None if over.dispersion is None else Quantity(over.dispersion, ONE, 3)
 
 
 def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
@@ -79,34 +72,21 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
     Source: form of thesis Tables 5.8 (mean) and 5.9 (maximum).
     """
     of_levels = first_of_level(sets)
+    if not of_levels:
+        return []
     ordered = [found for _, found in of_levels]
     over = [measure_statistics(found) for found in ordered]
     pairs = [_pair(first, found) for first, found in of_levels]
-    shown = [row for row in MEASURE_ROWS if any(each[row[1]].count for each in over)]
-    tables = []
+    counts = "; ".join(f"{label(found)}: {len(found.completed)} of {len(found.histories)}" for found in ordered)
+    notes = [f"Histories: {counts}", *([LARGEST] if any(pairs) else [])]
+    notes += [pair.note for pair in pairs if pair is not None and pair.note]
+    notes += missing_notes(sets)
+    shown = [row for row in MEASURE_ROWS if any(each[row.name].count for each in over)]
     single = all(len(found.completed) == 1 for found in ordered)
-    titles = (
-        {"maximum": "Response"} if single else {key: f"{title} response" for key, title in STATISTIC_TITLES.items()}
-    )
-    for statistic, title in titles.items() if ordered else ():
-        of = STATISTICS[statistic]
-        headers = ("measure", *_headers(ordered, pairs))
-        joined = tuple(i for i, header in enumerate(headers) if header == DIFFERENCE)
-        table = Table(title, headers, joined=joined, name="response" if single else STATISTIC_NAMES[statistic])
-        for name, measure, unit in shown:
-            cells = []
-            for each, pair in zip(over, pairs, strict=True):
-                cells.append(number(of(each[measure]), scale=unit, negligible=ROUNDING))
-                if pair is not None:
-                    cells.append(_difference(of(pair.base[measure]), of(pair.own[measure])))
-            table.rows.append([name, *cells])
-        counts = "; ".join(f"{label(found)}: {len(found.completed)} of {len(found.histories)}" for found in ordered)
-        table.notes.append(f"Histories: {counts}")
-        table.notes += [LARGEST] if any(pairs) else []
-        table.notes += [pair.note for pair in pairs if pair is not None and pair.note]
-        table.notes += missing_notes(sets)
-        tables.append(table)
-    return tables
+    return [
+        spec.of(shown, more=list(_columns(ordered, over, pairs, STATISTICS[statistic])), notes=notes)
+        for statistic, spec in ({"maximum": RESPONSE} if single else OF_STATISTICS).items()
+    ]
 
 
 def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, HistorySet]]:
@@ -163,14 +143,26 @@ def _pair(first: HistorySet, found: HistorySet) -> _Pair | None:
     return _Pair(measure_statistics(first, before), measure_statistics(found, after), note)
 
 
-def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> list[str]:
-    headers = []
-    for found, pair in zip(ordered, pairs, strict=True):
-        headers += [label(found)] if pair is None else [label(found), DIFFERENCE]
-    return headers
+def _columns(
+    sets: Sequence[HistorySet],
+    over: Sequence[Mapping[str, Statistics]],
+    pairs: Sequence[_Pair | None],
+    of: Callable[[Statistics], float | None],
+) -> Iterator[Column[Measure]]:
+    """A statistic of each set, and beside it how far it is from that of the first one of its level."""
+    for found, each, pair in zip(sets, over, pairs, strict=True):
+        yield _column(label(found), each, of)
+        if pair is not None:
+            yield _difference(pair, of)
 
 
-def _difference(base: float | None, value: float | None) -> str:
-    if value is None or base is None or abs(base) < ROUNDING:
-        return "-"
-    return formatted(100.0 * (value / base - 1.0), "+.1f")
+def _column(name: str, over: Mapping[str, Statistics], of: Callable[[Statistics], float | None]) -> Column[Measure]:
+    return col(literal(name), ONE, lambda measure: measure.cell(of(over[measure.name])))
+
+
+def _difference(pair: _Pair, of: Callable[[Statistics], float | None]) -> Column[Measure]:
+    def value(measure: Measure) -> float | None:
+        base, own = (of(side[measure.name]) for side in (pair.base, pair.own))
+        return None if own is None or base is None or abs(base) < ROUNDING else own / base - 1.0
+
+    return col(DIFFERENCE, PERCENT, value, form="+.1f", joined=True)

@@ -4,27 +4,41 @@ from __future__ import annotations
 
 from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
 from edesign.project.criteria.measures import MEASURE_KINDS, short_name
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import Table, TableSpec
+
+
+def _said(unit: str) -> str | None:
+    """A unit as printed; a ratio has none."""
+    return None if unit in ("", "1") else unit
+
+
+QUANTITIES_OF_CRITERIA = TableSpec[str](
+    "quantities_of_criteria",
+    "Quantities of criteria",
+    (
+        text("quantity", str),
+        text("unit", lambda name: _said(QUANTITIES[name].kind.unit)),
+        text("keys", lambda name: ", ".join(keys_of(name)) or None),
+        text("histories", lambda name: QUANTITIES[name].kept or None),
+        text("meaning", lambda name: QUANTITIES[name].meaning, broken=1),
+    ),
+    notes=("histories: what `outputs: histories` of the study must keep for it",),
+    keys=5,
+)
+MEASURES_OF_CRITERIA = TableSpec[str](
+    "measures_of_criteria",
+    "Measures of criteria",
+    (text("measure", short_name), text("unit", lambda name: _said(MEASURE_KINDS[name].unit))),
+    keys=2,
+)
 
 
 def quantities_table() -> Table:
     """Return all archived quantities that a criterion may limit, with the keys that say where and of what."""
-    rows = [
-        [
-            name,
-            "-" if item.kind.unit in ("", "1") else item.kind.unit,
-            ", ".join(keys_of(name)) or "-",
-            item.kept or "-",
-            item.meaning,
-        ]
-        for name, item in QUANTITIES.items()
-    ]
-    columns = ("quantity", "unit", "keys", "histories", "meaning")
-    note = "histories: what `outputs: histories` of the study must keep for it"
-    return Table("Quantities of criteria", columns, rows, [note], left=5, sentences=4, name="quantities_of_criteria")
+    return QUANTITIES_OF_CRITERIA.of(QUANTITIES)
 
 
 def measures_table() -> Table:
     """Return all response measures that a criterion may limit; they are of the whole frame unless places are chosen."""
-    rows = [[short_name(name), "-" if kind.unit == "1" else kind.unit] for name, kind in MEASURE_KINDS.items()]
-    return Table("Measures of criteria", ("measure", "unit"), rows, left=2, name="measures_of_criteria")
+    return MEASURES_OF_CRITERIA.of(MEASURE_KINDS)

@@ -2,30 +2,149 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from math import isinf
+from operator import itemgetter
+from typing import NamedTuple
 
 from edesign.assess.criteria import Verdict
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
-from edesign.assess.performance import Usage, set_performance
-from edesign.assess.requirement import UNITS, shown
+from edesign.assess.performance import SetPerformance, Usage, set_performance
+from edesign.assess.requirement import NEGLIGIBLE as NO_VALUE
+from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
 from edesign.codes.criterion import with_standard
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
-from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.fema356.objectives import OBJECTIVES, Objective
 from edesign.ground_motion.hazard import objective_level, rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.criteria.criteria import Objectives
 from edesign.project.project import Project
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
-from edesign.report.tables.table import NumberText, Table, formatted, whole
+from edesign.report.tables import cell
+from edesign.report.tables.cell import Plain, Quantity, Rounded, State, Value
+from edesign.report.tables.column import Column, col, count, text, verdict
+from edesign.report.tables.spec import Table, TableSpec
 from edesign.report.tables.text import wrapped
+from edesign.report.tables.unit import ONE, Unit
 
-REMARKS = "Remarks on the criteria"
 BEYOND = 10
 """Demand over capacity from which on its size means nothing but that the limit is far off."""
-TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
+STATES: Mapping[str, State] = {"met": "good", "not met": "bad", "open": "open"}
+"""Of answers."""
+
+
+@dataclass(frozen=True)
+class _Measured(Quantity):
+    """A value of a verdict; files have it with all digits where people read that it is negligible."""
+
+    def data(self, column: Column) -> Plain:
+        """Return the number in its unit."""
+        return None if self.value is None else self.value / self.unit.si
+
+
+def beyond_or(ratio: float, value: Value) -> Value:
+    """Return demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay.
+
+    Args:
+        ratio: demand over capacity.
+        value: the ratio as it is shown.
+    """
+    return value if ratio < BEYOND or isinf(ratio) else Rounded(f"> {BEYOND}", ratio)
+
+
+def _ratio(found: Verdict) -> Value:
+    return None if found.ratio is None else beyond_or(found.ratio, found.ratio)
+
+
+RATIO: Column[Verdict] = col("D/C", ONE, _ratio, form=".2f")
+"""Demand over capacity."""
+
+
+def answer(found: Verdict, more: str = "") -> cell.Verdict:
+    """Return whether a criterion is met, with more words behind it."""
+    return cell.Verdict(f"{found.answer} {more}".rstrip(), STATES.get(found.answer, ""))
+
+
+def measured(value: float | None, unit: str) -> Quantity | None:
+    """Return a value of a verdict with the unit that people read.
+
+    Args:
+        value: in SI; None: there is none.
+        unit: its SI unit.
+    """
+    return None if value is None else _Measured(value, Unit(*UNITS[unit]), form=".4g", negligible=NO_VALUE)
+
+
+def motion_of(found: Verdict) -> str:
+    """Return the record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
+    name = found.governing_history
+    return name.partition(f".{found.level}.")[2] or name
+
+
+def _remark(found: Verdict) -> str:
+    """What is to be said of a verdict beside its numbers."""
+    missing = f"missing: {', '.join(found.missing)}" if found.missing else ""
+    return "; ".join(part for part in (found.remark, missing) if part)
+
+
+def _number(found: Verdict) -> int:
+    """Histories that count."""
+    return found.count + len(found.missing)
+
+
+VARIANT: Column[Verdict] = text("variant", lambda found: found.variant or None)
+LEVEL: Column[Verdict] = text("level", lambda found: found.level or None)
+CRITERIA = TableSpec[Verdict](
+    "criteria",
+    "Criteria",
+    (
+        text("criterion", "name", broken=1),
+        replace(VARIANT, broken=2),
+        LEVEL,
+        verdict("verdict", answer),
+        text("value", lambda found: measured(found.value, found.unit)),
+        text("limit", lambda found: measured(found.limit, found.unit)),
+        RATIO,
+    ),
+    notes=wrapped("D/C: demand over capacity, value / limit; limit / value if the limit is a lower bound."),
+    keys=4,
+)
+GOVERNING = TableSpec[Verdict](
+    "governing",
+    "What governs the criteria",
+    (
+        text("criterion", "name", broken=1),
+        replace(VARIANT, broken=2),
+        LEVEL,
+        text("place", lambda found: None if found.negligible else found.place or "frame"),
+        text("motion", lambda found: None if found.negligible else motion_of(found), broken=3),
+        text("statistic"),
+        count("of", lambda found: f"{found.count}/{_number(found)}"),
+    ),
+    notes=wrapped("Where the value is largest, or smallest if the limit is a lower bound; of: histories that have it."),
+    keys=6,
+)
+REMARKS = TableSpec[Verdict](
+    "remarks_on_the_criteria",
+    "Remarks on the criteria",
+    (
+        text("criterion", "name", broken=2),
+        VARIANT,
+        LEVEL,
+        text("remark", lambda found: f"{found.answer}: {_remark(found)}", broken=1),
+    ),
+    keys=4,
+    named_by_title=True,
+)
+REQUIREMENTS = TableSpec[tuple[str, str]](
+    "requirements",
+    "What the criteria require",
+    (text("criterion", itemgetter(0), broken=2), text("requirement", itemgetter(1), broken=1)),
+    keys=2,
+)
 
 
 def verdicts_tables(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[Table]:
@@ -37,59 +156,76 @@ def verdicts_tables(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[
         verdicts: of the study.
         hazard: of the project, whose code says what few histories are worth.
     """
-    name = ("criterion", "variant", "level")
-    answers = Table("Criteria", (*name, "verdict", "value", "limit", "D/C"), left=4, sentences=(0, 1), name="criteria")
-    governs = Table(
-        "What governs the criteria",
-        (*name, "place", "motion", "statistic", "of"),
-        left=6,
-        sentences=(0, 1, 4),
-        name="governing",
+    required = dict.fromkeys((found.name, found.requirement) for found in verdicts)
+    governed = [found for found in verdicts if found.governing_history]
+    tables = [
+        CRITERIA.of(verdicts),
+        GOVERNING.of(governed, notes=few_notes(verdicts, hazard)),
+        remarks_table(verdicts),
+        REQUIREMENTS.of(required),
+    ]
+    return [table for table in tables if table.rows]
+
+
+def remarks_table(verdicts: Sequence[Verdict]) -> Table:
+    """Return what is to be said of verdicts beside their numbers."""
+    return REMARKS.of(found for found in verdicts if _remark(found))
+
+
+def _usage(worst: tuple[str, Usage] | None) -> str | None:
+    if worst is None:
+        return None
+    history, usage = worst
+    if usage.of_force:
+        return f"{usage.of_force}, {history}"
+    if usage.ratio < ROUNDING:
+        return "D/C 0"
+    ratio = col("D/C", ONE, digits=3).text(beyond_or(usage.ratio, f"{usage.ratio:.3g}"))
+    return f"D/C {ratio}: {usage.governing}, {usage.member or f'storey {usage.storey}'}, {history}"
+
+
+def _performance(reached: str, counts: str, worst: str) -> tuple[Column[SetPerformance], ...]:
+    """The columns of one of the two ways to judge performance levels, by the names of attributes."""
+
+    def at(level: str) -> Callable[[SetPerformance], int]:
+        return lambda found: int(getattr(found, counts)[level])
+
+    return (
+        text("variant", lambda found: found.variant or None),
+        text("level", lambda found: found.level or None),
+        text("reached", reached),
+        *(count(level, at(level)) for level in ("IO", "LS", "CP")),
+        count("beyond", at("beyond CP")),
+        count("of", lambda found: f"{found.count}/{found.count + len(found.missing)}"),
+        text("governs", lambda found: _usage(getattr(found, worst)), broken=1),
     )
-    remarks = Table(REMARKS, (*name, "remark"), left=4, sentences=(3, 0))
-    required = dict.fromkeys((verdict.name, verdict.requirement) for verdict in verdicts)
-    requirements = Table(
-        "What the criteria require",
-        ("criterion", "requirement"),
-        [list(pair) for pair in required],
-        left=2,
-        sentences=(1, 0),
-        name="requirements",
-    )
-    for verdict in verdicts:
-        about = [verdict.name, verdict.variant or "-", verdict.level or "-"]
-        value, limit = (measured(found, verdict.unit) for found in (verdict.value, verdict.limit))
-        answers.rows.append([*about, verdict.answer, value, limit, ratio_text(verdict)])
-        if verdict.governing_history:
-            of = [verdict.statistic, f"{verdict.count}/{verdict.count + len(verdict.missing)}"]
-            where = ("-", "-") if verdict.negligible else (verdict.place or "frame", motion_of(verdict))
-            governs.rows.append([*about, *where, *of])
-        if said := "; ".join(part for part in (verdict.remark, _missing(verdict)) if part):
-            remarks.rows.append([*about, f"{verdict.answer}: {said}"])
-    answers.notes += wrapped("D/C: demand over capacity, value / limit; limit / value if the limit is a lower bound.")
-    if governs.rows:
-        governs.notes += wrapped(
-            "Where the value is largest, or smallest if the limit is a lower bound; of: histories that have it."
-        )
-        governs.notes += few_notes(verdicts, hazard)
-    return [table for table in (answers, governs, remarks, requirements) if table.rows]
 
 
-def ratio_text(verdict: Verdict) -> str:
-    """Return demand over capacity with two decimals; from 10 on how far it is beyond means nothing."""
-    if verdict.ratio is None:
-        return "-"
-    return beyond_or(verdict.ratio, formatted(verdict.ratio, ".2f"))
-
-
-def beyond_or(ratio: float, text: str) -> str:
-    """Return the text of demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay.
-
-    Args:
-        ratio: demand over capacity.
-        text: the ratio as text.
-    """
-    return text if ratio < BEYOND or isinf(ratio) else NumberText(f"> {BEYOND}", ratio)
+GOVERNS = "Governs: the history with the largest demand over capacity (D/C) of Collapse Prevention, met up to 1."
+BY_DRIFT = TableSpec[SetPerformance](
+    "performance_by_drift",
+    "FEMA 356 performance levels by drift ({statistic}, and histories at each)",
+    _performance("by_drift", "drift_counts", "worst_drift"),
+    notes=[
+        *wrapped(
+            "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent "
+            f'{100 * NEGLIGIBLE:g} ("negligible" there), 1, 5 %; of: histories that count.'
+        ),
+        *wrapped(GOVERNS),
+    ],
+    keys=2,
+)
+BY_MEMBERS = TableSpec[SetPerformance](
+    "performance_by_rotation",
+    "FEMA 356 performance levels by plastic rotation ({statistic}, and histories at each)",
+    _performance("by_members", "member_counts", "worst_members"),
+    notes=wrapped(
+        "Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled and has to stay elastic: up to "
+        f"{1e3 * ELASTIC_ROTATION:g} mrad count as that. P is its largest compression in the history, with what "
+        f"dampers add; P_CL its buckling strength over the storey (K = 1). {GOVERNS}"
+    ),
+    keys=2,
+)
 
 
 def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
@@ -100,35 +236,69 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, stat
         members: acceptance limits of the members, by variant.
         statistic: the statistic over the records.
     """
-    title, under = "FEMA 356 performance levels", f"({statistic}, and histories at each)"
-    columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
-    by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8, name="performance_by_drift")
-    by_members = Table(
-        f"{title} by plastic rotation {under}", columns, left=2, sentences=8, name="performance_by_rotation"
-    )
-    for found in sets:
-        p = set_performance(found, members(found.variant), statistic)
-        for table, level, number, worst in (
-            (by_drift, p.by_drift, p.drift_counts, p.worst_drift),
-            (by_members, p.by_members, p.member_counts, p.worst_members),
-        ):
-            counts = [*(whole(count) for count in number.values()), f"{p.count}/{p.count + len(p.missing)}"]
-            table.rows.append([p.variant or "-", p.level or "-", level or "-", *counts, _usage(worst)])
-    governs = "Governs: the history with the largest demand over capacity (D/C) of Collapse Prevention, met up to 1."
-    transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
-    by_drift.notes = [
-        *wrapped(f'{transient} {100 * NEGLIGIBLE:g} ("negligible" there), 1, 5 %; of: histories that count.'),
-        *wrapped(governs),
-        *missing_notes(sets),
+    found = [set_performance(one, members(one.variant), statistic) for one in sets]
+    known = any(members(one.variant) for one in sets)
+    without = [] if known else ["No member has a section and a material that Table 5-6 knows."]
+    return [
+        BY_DRIFT.of(found, statistic=statistic, notes=missing_notes(sets)),
+        BY_MEMBERS.of(found, statistic=statistic, notes=without),
     ]
-    by_members.notes = wrapped(
-        f"Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled and has to stay elastic: up to "
-        f"{1e3 * ELASTIC_ROTATION:g} mrad count as that. P is its largest compression in the history, with what "
-        f"dampers add; P_CL its buckling strength over the storey (K = 1). {governs}"
-    )
-    if not any(members(found.variant) for found in sets):
-        by_members.notes.append("No member has a section and a material that Table 5-6 knows.")
-    return [by_drift, by_members]
+
+
+class _Judged(NamedTuple):
+    """A verdict on a rehabilitation objective, and the hazard level that stands for its probability."""
+
+    objective: Objective
+    found: Verdict
+    hazard_level: str | None
+
+    @property
+    def by(self) -> str:
+        return self.found.name.rpartition(" ")[2]
+
+    @property
+    def variant(self) -> str:
+        return self.found.variant or "-"
+
+
+def _hazard(one: _Judged) -> str:
+    return f"{100 * one.objective.probability:g} % in 50 years ({one.hazard_level or 'none'})"
+
+
+def _performance_level(one: _Judged) -> str:
+    return f"{PERFORMANCE_LEVELS[one.objective.level]} ({one.objective.level})"
+
+
+def _demand(one: _Judged) -> Value:
+    value = one.found.value
+    return None if value is None else beyond_or(value, measured(value, one.found.unit))
+
+
+def _governs(one: _Judged) -> str | None:
+    if one.found.negligible:
+        return None
+    return ", ".join(part for part in (one.found.governing_history, one.found.place) if part) or None
+
+
+REHABILITATION = TableSpec[_Judged](
+    "rehabilitation_objectives",
+    "Rehabilitation objectives (mean D/C, demand over capacity, met up to 1)",
+    (
+        text("objective", "objective.letter"),
+        text("variant"),
+        text("by"),
+        verdict("verdict", lambda one: answer(one.found)),
+        text("hazard level", _hazard),
+        text("performance", _performance_level),
+        text("class", "objective.rank"),
+        col("D/C", ONE, _demand),
+        count("histories", lambda one: f"{one.found.count} of {_number(one.found)}"),
+        text("governs", _governs),
+    ),
+    keys=7,
+)
+TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
+LETTERS = "Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level."
 
 
 def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: Project) -> Table:
@@ -139,94 +309,20 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         objectives: the performance objectives of the study.
         project: the project.
     """
-    columns = (
-        "objective",
-        "variant",
-        "by",
-        "verdict",
-        "hazard level",
-        "performance",
-        "class",
-        "D/C",
-        "histories",
-        "governs",
-    )
-    table = Table(
-        "Rehabilitation objectives (mean D/C, demand over capacity, met up to 1)",
-        columns,
-        left=7,
-        name="rehabilitation_objectives",
-    )
-    for letter in objectives:
-        objective = OBJECTIVES[letter]
-        hazard = f"{100 * objective.probability:g} % in 50 years"
-        for verdict in verdicts:
-            if not verdict.name.startswith(f"objective {letter},"):
-                continue
-            value = "-" if verdict.value is None else beyond_or(verdict.value, measured(verdict.value, verdict.unit))
-            level = objective_level(letter, project.hazard)
-            table.rows.append(
-                [
-                    letter,
-                    verdict.variant or "-",
-                    verdict.name.rpartition(" ")[2],
-                    verdict.answer,
-                    f"{hazard} ({level or 'none'})",
-                    f"{PERFORMANCE_LEVELS[objective.level]} ({objective.level})",
-                    objective.rank,
-                    value,
-                    f"{verdict.count} of {verdict.count + len(verdict.missing)}",
-                    _governs(verdict),
-                ]
-            )
-            if verdict.statistic == "maximum" and TARGETS not in table.notes:
-                table.notes.append(TARGETS)
-            about = [part for part in (verdict.remark, _missing(verdict)) if part]
-            if about:
-                table.notes.append(
-                    f"{letter}, {verdict.variant or '-'}, {verdict.name.rpartition(' ')[2]}: {'; '.join(about)}"
-                )
-    if table.rows:
-        table.notes.append("Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level.")
-    table.notes += few_notes(verdicts, project.hazard)
-    return table
-
-
-def measured(value: float | None, unit: str) -> str:
-    """Return a value of a verdict, in SI, with the unit people read; a number still.
-
-    Args:
-        value: in SI; None: there is none.
-        unit: its SI unit.
-    """
-    if value is None:
-        return "-"
-    label, size = UNITS[unit]
-    return NumberText(shown(value, unit), value / size, label)
-
-
-def _governs(verdict: Verdict) -> str:
-    if verdict.negligible:
-        return "-"
-    return ", ".join(part for part in (verdict.governing_history, verdict.place) if part) or "-"
-
-
-def motion_of(verdict: Verdict) -> str:
-    """Return the record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
-    name = verdict.governing_history
-    return name.partition(f".{verdict.level}.")[2] or name
-
-
-def _usage(worst: tuple[str, Usage] | None) -> str:
-    if worst is None:
-        return "-"
-    history, usage = worst
-    if usage.of_force:
-        return f"{usage.of_force}, {history}"
-    if usage.ratio < ROUNDING:
-        return "D/C 0"
-    place = usage.member or f"storey {usage.storey}"
-    return f"D/C {beyond_or(usage.ratio, f'{usage.ratio:.3g}')}: {usage.governing}, {place}, {history}"
+    judged = [
+        _Judged(OBJECTIVES[letter], found, objective_level(letter, project.hazard))
+        for letter in objectives
+        for found in verdicts
+        if found.name.startswith(f"objective {letter},")
+    ]
+    notes: list[str] = []
+    for one in judged:
+        if one.found.statistic == "maximum" and TARGETS not in notes:
+            notes.append(TARGETS)
+        if said := _remark(one.found):
+            notes.append(f"{one.objective.letter}, {one.variant}, {one.by}: {said}")
+    notes += [LETTERS] * bool(judged)
+    return REHABILITATION.of(judged, notes=[*notes, *few_notes(verdicts, project.hazard)])
 
 
 def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
@@ -256,7 +352,3 @@ def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
             f"{with_standard(rules.clauses.number)}, asks for {rules.least_number} at least."
         )
     return lines
-
-
-def _missing(verdict: Verdict) -> str:
-    return f"missing: {', '.join(verdict.missing)}" if verdict.missing else ""

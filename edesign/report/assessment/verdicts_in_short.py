@@ -2,15 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from edesign.assess.criteria import Verdict
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.project.actions.hazard_base import Hazard
-from edesign.report.assessment.verdict_tables import few_notes, measured, motion_of, ratio_text
-from edesign.report.tables.table import Table
+from edesign.report.assessment.verdict_tables import RATIO, answer, few_notes, measured, motion_of
+from edesign.report.tables import cell
+from edesign.report.tables.cell import Value
+from edesign.report.tables.column import Column, literal, text, verdict
+from edesign.report.tables.spec import Table, TableSpec
 
 MOST_ROWS = 14
+Row = tuple[str, str]
+"""A criterion and a level."""
+Grouped = dict[Row, dict[str, Verdict]]
+"""Verdicts by criterion and level, then by variant."""
+
+
+def _row_name(name: str, level: str) -> str:
+    return f"{name}, {level}" if level and level not in name else name
+
+
+def _value(found: Verdict) -> Value:
+    return RATIO.of(found) if found.unit == DEMAND_OVER_CAPACITY else measured(found.value, found.unit)
+
+
+def _where(found: Verdict) -> str | None:
+    return None if found.negligible else " ".join(filter(None, (found.place, motion_of(found)))) or None
+
+
+VERDICTS = TableSpec[Row](
+    "verdicts_in_short",
+    "Verdicts, demand over capacity",
+    (text("criterion", lambda row: _row_name(*row), broken=1),),  # and each variant
+    named_by_title=True,
+)
+GOVERNING = TableSpec[Verdict](
+    "governing_in_short",
+    "What governs",
+    (
+        text("variant", lambda found: found.variant or "frame"),
+        text("criterion", lambda found: _row_name(found.name, found.level), broken=1),
+        replace(RATIO, header="value", value=_value),
+        text("where", _where, broken=2),
+    ),
+    keys=2,
+    named_by_title=True,
+)
 
 
 def verdicts_in_short(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[Table]:
@@ -22,59 +62,49 @@ def verdicts_in_short(verdicts: Sequence[Verdict], hazard: Hazard | None) -> lis
         verdicts: of the study.
         hazard: of the project, whose code says what few histories are worth.
     """
-    variants = list(dict.fromkeys(verdict.variant for verdict in verdicts))
-    grouped: dict[tuple[str, str], dict[str, Verdict]] = {}
-    for verdict in verdicts:
-        grouped.setdefault((verdict.name, verdict.level), {})[verdict.variant] = verdict
+    variants = list(dict.fromkeys(one.variant for one in verdicts))
+    grouped: Grouped = {}
+    for one in verdicts:
+        grouped.setdefault((one.name, one.level), {})[one.variant] = one
     kept, left_out = _kept(grouped)
-    table = Table("Verdicts, demand over capacity", ("criterion", *(variant or "frame" for variant in variants)))
-    table.sentences = 0
-    for name, level in kept:
-        cells = [_answer(grouped[name, level].get(variant)) for variant in variants]
-        table.rows.append([_row_name(name, level), *cells])
-    table.notes += [f"and {left_out} more, which all variants meet"] * bool(left_out)
-    table.notes += [*_counts(verdicts), *few_notes(verdicts, hazard)]
-    return [table, *_governing(verdicts, variants)]
+    left = [f"and {left_out} more, which all variants meet"] * bool(left_out)
+    notes = [*left, *_counts(verdicts), *few_notes(verdicts, hazard)]
+    table = VERDICTS.of(kept, more=[_answers(grouped, variant) for variant in variants], notes=notes)
+    governing = GOVERNING.of(_worst(verdicts, variants))
+    return [table, governing] if governing.rows else [table]
 
 
-def _kept(grouped: dict[tuple[str, str], dict[str, Verdict]]) -> tuple[list[tuple[str, str]], int]:
+def _answers(grouped: Grouped, variant: str) -> Column[Row]:
+    def of(row: Row) -> cell.Verdict | None:
+        found = grouped[row].get(variant)
+        if found is None or not found.applies:
+            return None
+        return answer(found, "" if found.ratio is None else RATIO.text(RATIO.of(found)))
+
+    return verdict(literal(variant or "frame"), of)
+
+
+def _kept(grouped: Grouped) -> tuple[list[Row], int]:
     """The rows that are shown, and how many are not."""
     spare = [key for key, of in grouped.items() if all(v.answer in ("met", "does not apply") for v in of.values())]
-    spare.sort(key=lambda key: max((verdict.ratio or 0.0 for verdict in grouped[key].values()), default=0.0))
+    spare.sort(key=lambda key: max((one.ratio or 0.0 for one in grouped[key].values()), default=0.0))
     gone = set(spare[: max(0, len(grouped) - MOST_ROWS)])
     return [key for key in grouped if key not in gone], len(gone)
 
 
-def _row_name(name: str, level: str) -> str:
-    return f"{name}, {level}" if level and level not in name else name
-
-
-def _answer(verdict: Verdict | None) -> str:
-    if verdict is None or not verdict.applies:
-        return "-"
-    ratio = ratio_text(verdict)
-    return verdict.answer if ratio == "-" else f"{verdict.answer} {ratio}"
-
-
-def _governing(verdicts: Sequence[Verdict], variants: Sequence[str]) -> list[Table]:
+def _worst(verdicts: Sequence[Verdict], variants: Sequence[str]) -> Iterator[Verdict]:
     """For each variant the criterion with the largest demand over capacity; nothing where none has a value."""
-    table = Table("What governs", ("variant", "criterion", "value", "where"), left=2, sentences=(1, 3))
     for variant in variants:
         own = [one for one in verdicts if one.variant == variant and one.applies and one.ratio is not None]
-        if not own:
-            continue
-        worst = max(own, key=lambda one: one.ratio or 0.0)
-        value = ratio_text(worst) if worst.unit == DEMAND_OVER_CAPACITY else measured(worst.value, worst.unit)
-        where = "" if worst.negligible else " ".join(filter(None, (worst.place, motion_of(worst))))
-        table.rows.append([variant or "frame", _row_name(worst.name, worst.level), value, where or "-"])
-    return [table] if table.rows else []
+        if own:
+            yield max(own, key=lambda one: one.ratio or 0.0)
 
 
 def _counts(verdicts: Sequence[Verdict]) -> list[str]:
     """How many of the criteria that apply each variant meets; where one is open, how many are."""
     lines = []
-    for variant in dict.fromkeys(verdict.variant for verdict in verdicts):
-        answers = [verdict.answer for verdict in verdicts if verdict.variant == variant and verdict.applies]
+    for variant in dict.fromkeys(one.variant for one in verdicts):
+        answers = [one.answer for one in verdicts if one.variant == variant and one.applies]
         if answers:
             still = f", {answers.count('open')} open" if "open" in answers else ""
             lines.append(f"{variant or 'The frame'}: {answers.count('met')} of {len(answers)} met{still}")

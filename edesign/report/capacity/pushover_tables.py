@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import isfinite
+from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import response_measures
 from edesign.assess.members import VariantMembers
-from edesign.assess.performance import set_performance
+from edesign.assess.performance import SetPerformance, set_performance
 from edesign.assess.sets import TARGET, HistorySet, target_sets
 from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.project import Project
 from edesign.project.study.study import Study
-from edesign.report.assessment.measure_columns import FRAME_COLUMNS, ROUNDING
-from edesign.report.tables.table import Table, number
+from edesign.report.assessment.measure_columns import FRAME_COLUMNS, ROUNDING, Measures
+from edesign.report.tables.column import Column, col, text
+from edesign.report.tables.spec import TableSpec
+from edesign.report.tables.table import AnyTable, Table, number
 
 _OF_COEFFICIENTS = (
     ("T_i [s]", "T_i", 1.0),
@@ -74,7 +77,7 @@ def events_table(groups: Mapping[str, Group]) -> Table:
     return table
 
 
-def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[Table]:
+def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[AnyTable]:
     """Return the values behind the target displacements of each method, and the response at them.
 
     Args:
@@ -83,7 +86,7 @@ def target_tables(project: Project | None, groups: Mapping[str, Group], study: S
         study: whose variants may have other values of the project; None: there is none.
     """
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
-    tables = []
+    tables: list[AnyTable] = []
     for method, columns in COLUMNS.items():
         headers = ("pushover", "level", *(header for header, _, _ in columns))
         table = Table(f"Target displacements, {METHODS[method]}", headers, name=f"target_displacements_{method}")
@@ -95,31 +98,67 @@ def target_tables(project: Project | None, groups: Mapping[str, Group], study: S
             cells = [_shown(value, unit) for value, (_, _, unit) in zip(values, columns, strict=True)]
             table.rows.append([_pushover(name, group), str(group.attributes.get("level")), *cells])
         tables.append(table)
-    tables.append(_states(targets, project, study))
+    without = () if project is not None else ("level by drift", "level by members")
+    states = target_states(project, groups, study)
+    tables.append(TARGET_RESPONSE.of(states, without=without, notes=failed_notes(groups)))
     return [table for table in tables if table.rows]
 
 
-def _states(targets: Mapping[str, Group], project: Project | None, study: Study | None) -> Table:
-    """The response of the frame at each target displacement, with the performance level that it meets."""
-    shown = [column for column in FRAME_COLUMNS if column[1] in STATE]
-    levels = ("level by drift", "level by members") if project is not None else ()
-    columns = ("target", *(header for header, _, _ in shown), *levels)
-    table = Table("Response at the target displacements", columns, name="target_response")
+class State(NamedTuple):
+    """The frame at a target displacement: response measures, and the performance levels that it meets."""
+
+    target: str
+    measures: Mapping[str, float | None]
+    performance: SetPerformance | None
+
+
+def _measure(column: Column[Measures]) -> Column[State]:
+    name = str(column.value)
+    return col(column.header, column.unit, lambda state: state.measures.get(name), negligible=ROUNDING)
+
+
+def level_column(header: str, by: str) -> Column[State]:
+    """Return a column of the performance level that each state meets, by `by_drift` or `by_members`."""
+    return text(header, lambda state: getattr(state.performance, by, None))
+
+
+TARGET_RESPONSE = TableSpec[State](
+    "target_response",
+    "Response at the target displacements",
+    (
+        text("target"),
+        *(_measure(column) for column in FRAME_COLUMNS if column.value in STATE),
+        level_column("level by drift", "by_drift"),
+        level_column("level by members", "by_members"),
+    ),
+)
+
+
+def failed_notes(groups: Mapping[str, Group]) -> list[str]:
+    """Return why states at target displacements were not reached."""
+    return [
+        f"{name}: {group.attributes.get('reason')}"
+        for name, group in groups.items()
+        if group.attributes.get("kind") == TARGET and group.attributes.get("status") != "completed"
+    ]
+
+
+def target_states(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[State]:
+    """Return the response at target displacements; arguments as of `target_tables`."""
+    targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
     members = VariantMembers(project, study) if project is not None else None
     of = {name: found for found in target_sets(targets) for name in found.histories}
+    states = []
     for name, group in targets.items():
         if group.attributes.get("status") != "completed":
-            table.notes.append(f"{name}: {group.attributes.get('reason')}")
-            table.rows.append([name, *("-" for _ in columns[1:])])
+            states.append(State(name, {}, None))
             continue
-        measures = response_measures(group)
-        cells = [number(measures[measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
+        performance = None
         if members is not None:
             alone = HistorySet(of[name].variant, of[name].level, {name: group}, of[name].method)
-            found = set_performance(alone, members(alone.variant), "maximum")
-            cells += [found.by_drift or "-", found.by_members or "-"]
-        table.rows.append([name, *cells])
-    return table
+            performance = set_performance(alone, members(alone.variant), "maximum")
+        states.append(State(name, response_measures(group), performance))
+    return states
 
 
 def _pushover(name: str, group: Group) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.report.comparison.cells import ComparedCell, ComparedChange, Comparison
-from edesign.report.tables.table import finite
+from edesign.report.tables.number import finite
 
 HEADERS = (
     "table",

@@ -2,109 +2,204 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.profile import storey_profile
 from edesign.report.assessment.measure_columns import BRACE_COLUMNS, FRAME_COLUMNS, ROUNDING
 from edesign.report.response.damper_results import amplitude_notes
-from edesign.report.tables.table import Table, formatted, number, seconds, whole
+from edesign.report.tables.cell import Marked, State, Verdict
+from edesign.report.tables.column import Column, col, count, text, verdict
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import HZ, KN, M_S2, ONE, PERCENT, M, S, Unit
 
-PROFILE_COLUMNS = (
-    ("floor u [m]", "floor_displacement", 1.0),
-    ("drift [%]", "storey_drift", 0.01),
-    ("residual drift [%]", "residual_storey_drift", 0.01),
-    ("shear [kN]", "storey_shear", 1e3),
-    ("floor a [m/s2]", "floor_acceleration", 1.0),
-)
-EVENTS_SHOWN = 20
-ABSCISSAE = {  # what steps are taken in
-    "gravity": "load factor",
-    "pushover": "roof u [m]",
-    "target": "roof u [m]",
-    "history": "time [s]",
-}
 KINDS = {"target": "target displacement"}
 """Kinds of analyses as people read them, where the word of the archive is another."""
+STATES: Mapping[str, State] = {
+    "completed": "good",
+    "failed": "bad",
+    "collapsed": "bad",
+    "not run": "open",
+    "interrupted": "open",
+}
+"""Of ends of analyses."""
+ABSCISSAE = {
+    "gravity": ("load factor", ONE),
+    "pushover": ("roof u", M),
+    "target": ("roof u", M),
+    "history": ("time", S),
+}
+"""What steps of kinds of analyses are taken in."""
+NOT_COMPLETED = "* not completed: as far as the analysis came, and not to be relied on"
+
+Entry = Mapping[str, Any]
+"""An analysis as `archive_view.entry` returns it, or a part of that."""
 
 
-def analyses_table(entries: list[dict[str, Any]]) -> Table:
-    """Return name, kind, labels and status of each analysis; reasons of failures stand below."""
-    table = Table("Analyses", ("analysis", "kind", "variant", "record", "level", "status"), left=6, name="analyses")
-    for item in entries:
-        kind = KINDS.get(str(item["kind"]), str(item["kind"] or "-"))
-        labels = [kind, *(str(item[label] or "-") for label in ("variant", "record", "level"))]
-        table.rows.append([item["name"], *labels, item["status"]])
-        if item["reason"]:
-            table.notes.append(f"{item['name']}: {item['reason']}")
-    return table
+class Mode(NamedTuple):
+    """A mode: its number, its period in s, its share of the mass, and that of all modes up to it; None: not known."""
+
+    number: int
+    period: float
+    mass: float | None
+    total: float | None
 
 
-def measures_table(entries: list[dict[str, Any]]) -> Table:
+class _Storey(NamedTuple):
+    """A storey by its number from 1, and the profile of the frame."""
+
+    number: int
+    profile: Mapping[str, np.ndarray]
+
+
+def marked_name(entry: Entry) -> Marked:
+    """Return the name of an analysis, with a mark if it was not completed."""
+    return Marked(entry["name"], "" if entry["status"] == "completed" else " *")
+
+
+def _ended(entry: Entry) -> Verdict:
+    return Verdict(entry["status"], STATES.get(entry["status"], ""))
+
+
+def _label(name: str) -> Column[Entry]:
+    return text(name, lambda entry: entry[name] or None)
+
+
+def _peak(header: str, unit: Unit, quantity: str) -> Column[_Storey]:
+    def of(storey: _Storey) -> float | None:
+        found = storey.profile.get(quantity)
+        return None if found is None else found[storey.number - 1]
+
+    return col(header, unit, of, negligible=ROUNDING, optional=True)
+
+
+ANALYSES = TableSpec[Entry](
+    "analyses",
+    "Analyses",
+    (
+        text("{first}", "name"),
+        text("kind", lambda entry: KINDS.get(entry["kind"], entry["kind"] or None)),
+        _label("variant"),
+        _label("record"),
+        _label("level"),
+        verdict("status", _ended),
+    ),
+    keys=6,
+)
+MEASURES = TableSpec[Entry](
+    "response_measures",
+    "Response measures (largest absolute values)",
+    (text("analysis"), *FRAME_COLUMNS, *BRACE_COLUMNS),
+    signs=(NOT_COMPLETED,),
+)
+STATISTICS = TableSpec[Entry](
+    "statistics",
+    "Statistics",
+    (
+        text("analysis"),
+        count("steps"),
+        count("iterations"),
+        count("refactorisations"),
+        count("fallbacks"),
+        col("CPU", S, "cpu_s", form=".3f"),
+        col("energy error", ONE, "energy_error", 2),
+    ),
+)
+PERIODS = TableSpec[Mode](
+    "periods",
+    "{whose}: periods",
+    (
+        count("mode", "number"),
+        col("T", S, "period", form=".4f"),
+        col("f", HZ, lambda mode: 1 / mode.period, form=".4f"),
+        col("effective mass", PERCENT, "mass", form=".2f"),
+        col("sum", PERCENT, "total", form=".2f"),
+    ),
+    keys=0,
+    each="Periods",
+)
+STOREYS = TableSpec[_Storey](
+    "storey_response",
+    "{whose}: storeys (largest absolute values)",
+    (
+        count("storey", "number"),
+        _peak("floor u", M, "floor_displacement"),
+        _peak("drift", PERCENT, "storey_drift"),
+        _peak("residual drift", PERCENT, "residual_storey_drift"),
+        _peak("shear", KN, "storey_shear"),
+        _peak("floor a", M_S2, "floor_acceleration"),
+    ),
+    keys=0,
+    each="Storeys (largest absolute values)",
+)
+FALLBACKS = TableSpec[Mapping[str, Any]](
+    "fallbacks",
+    "{whose}: fallbacks",
+    (count("step"), col("{abscissa}", "abscissa", "time"), text("rung"), text("detail")),
+    keys=0,
+    each="Fallbacks",
+    most=20,
+    cut="and {more} more, in the archive",
+)
+
+
+def analyses_table(entries: Sequence[Entry], first: str = "analysis") -> Table:
+    """Return name, kind, labels and status of each analysis; reasons of failures stand below.
+
+    Args:
+        entries: the analyses.
+        first: header of their names.
+    """
+    return ANALYSES.of(
+        entries, first=first, notes=[f"{one['name']}: {one['reason']}" for one in entries if one["reason"]]
+    )
+
+
+def measures_table(entries: Sequence[Entry]) -> Table:
     """Return the response measures of the analyses that have any; columns that apply to none are left out."""
-    rows = [item for item in entries if any(value is not None for value in item["measures"].values())]
-    shown = [
-        column
-        for column in (*FRAME_COLUMNS, *BRACE_COLUMNS)
-        if any(item["measures"][column[1]] is not None for item in rows)
-    ]
-    table = Table(
-        "Response measures (largest absolute values)",
-        ("analysis", *(header for header, _, _ in shown)),
-        name="response_measures",
+    return MEASURES.of(
+        {"analysis": marked_name(one), **one["measures"]}
+        for one in entries
+        if any(value is not None for value in one["measures"].values())
     )
-    for item in rows:
-        mark = "" if item["status"] == "completed" else " *"
-        cells = [number(item["measures"][measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
-        table.rows.append([item["name"] + mark, *cells])
-    if any(item["status"] != "completed" for item in rows):
-        table.notes.append("* not completed: as far as the analysis came, and not to be relied on")
-    return table
 
 
-def statistics_table(entries: list[dict[str, Any]]) -> Table:
+def statistics_table(entries: Sequence[Entry]) -> Table:
     """Return the computing effort of each analysis, and the error of its energy balance."""
-    table = Table(
-        "Statistics",
-        ("analysis", "steps", "iterations", "refactorisations", "fallbacks", "CPU [s]", "energy error"),
-        name="statistics",
+    return STATISTICS.of(
+        {"analysis": one["name"], **one["statistics"]}
+        for one in entries
+        if any(value is not None for value in one["statistics"].values())
     )
-    for item in entries:
-        found = item["statistics"]
-        if all(value is None for value in found.values()):
-            continue
-        counts = [whole(found[key]) for key in ("steps", "iterations", "refactorisations", "fallbacks")]
-        table.rows.append([item["name"], *counts, seconds(found["cpu_s"]), number(found["energy_error"], 2)])
-    return table
 
 
-def periods_table(name: str, group: Group, most: int | None = None) -> Table:
-    """Return periods and effective modal masses of a modal analysis: of the first modes, or of all.
+def modes(group: Group) -> list[Mode]:
+    """Return the modes of a modal analysis; none of another one."""
+    if "period" not in group.variables:
+        return []
+    periods = group.variables["period"].values.tolist()
+    ratio = group.variables.get("effective_mass_ratio_x")
+    if ratio is None:
+        return [Mode(i, period, None, None) for i, period in enumerate(periods, start=1)]
+    found, total = [], 0.0
+    for i, (period, mass) in enumerate(zip(periods, ratio.values.tolist(), strict=True), start=1):
+        total += mass
+        found.append(Mode(i, period, mass, total))
+    return found
+
+
+def periods_table(name: str, group: Group) -> Table:
+    """Return periods and effective modal masses of a modal analysis.
 
     Args:
         name: name of the analysis.
         group: results of the analysis.
-        most: number of modes that are shown; None: all.
     """
-    table = Table(f"{name}: periods", ("mode", "T [s]", "f [Hz]", "effective mass [%]", "sum [%]"), left=0)
-    table.each = ("Periods", name)
-    table.name = "periods"
-    period = group.variables.get("period")
-    if period is None:
-        return table
-    ratio = group.variables.get("effective_mass_ratio_x")
-    total = 0.0
-    for mode, value in enumerate(period.values[:most]):
-        cells = ["-", "-"]
-        if ratio is not None:
-            total += float(ratio.values[mode])
-            cells = [formatted(100 * float(ratio.values[mode]), ".2f"), formatted(100 * total, ".2f")]
-        table.rows.append([whole(mode + 1), formatted(value, ".4f"), formatted(1 / value, ".4f"), *cells])
-    if len(table.rows) < period.values.size:
-        table.notes.append(f"the first {len(table.rows)} of {period.values.size} modes")
-    table.notes += amplitude_notes(group)
-    return table
+    found = modes(group)
+    return PERIODS.of(found, whose=name, notes=amplitude_notes(group) if found else ())
 
 
 def profile_table(name: str, group: Group) -> Table:
@@ -115,22 +210,8 @@ def profile_table(name: str, group: Group) -> Table:
         group: results of the analysis.
     """
     found = storey_profile(group)
-    columns = [(header, unit, found[key]) for header, key, unit in PROFILE_COLUMNS if key in found]
-    table = Table(
-        f"{name}: storeys (largest absolute values)", ("storey", *(header for header, _, _ in columns)), left=0
-    )
-    table.each = ("Storeys (largest absolute values)", name)
-    table.name = "storey_response"
-    if not columns:
-        return table
-    for storey in range(len(columns[0][2]), 0, -1):
-        table.rows.append(
-            [
-                whole(storey),
-                *(number(float(values[storey - 1]), scale=unit, negligible=ROUNDING) for _, unit, values in columns),
-            ]
-        )
-    return table
+    top = max(map(len, found.values()), default=0)
+    return STOREYS.of((_Storey(number, found) for number in range(top, 0, -1)), whose=name)
 
 
 def fallbacks_table(name: str, group: Group) -> Table:
@@ -140,14 +221,7 @@ def fallbacks_table(name: str, group: Group) -> Table:
         name: name of the analysis.
         group: results of the analysis.
     """
-    abscissa = ABSCISSAE.get(str(group.attributes.get("kind")), "time [s]")
-    table = Table(
-        f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0, each=("Fallbacks", name), name="fallbacks"
-    )
+    header, unit = ABSCISSAE.get(str(group.attributes.get("kind")), ("time", S))
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
-    for event in listed[:EVENTS_SHOWN]:
-        table.rows.append([whole(event["step"]), number(event["time"]), str(event["rung"]), str(event["detail"])])
-    if len(listed) > EVENTS_SHOWN:
-        table.notes.append(f"and {len(listed) - EVENTS_SHOWN} more, in the archive")
-    return table
+    return FALLBACKS.of(listed, whose=name, abscissa=header, units={"abscissa": unit})

@@ -394,7 +394,7 @@ def test_tables_of_performance_fit_a_page() -> None:
     stream = io.StringIO()
     print_tables(tables, stream, widest=80)
     assert max(map(len, stream.getvalue().splitlines())) <= 80
-    drift, members = (table.rows[0] for table in tables)
+    drift, members = (table.texts[0] for table in tables)
     assert drift[:8] == ["modified", "el_centro", "CP", "0", "0", "1", "0", "1/1"] and "transient drift" in drift[8]
     assert members[:8] == ["modified", "el_centro", "LS", "0", "1", "0", "0", "1/1"] and "B_1_1" in members[8]
 

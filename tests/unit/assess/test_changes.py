@@ -53,20 +53,20 @@ def sets() -> tuple[HistorySet, ...]:
 
 
 def test_the_column_that_grows_most_is_named(sets: tuple[HistorySet, ...]) -> None:
-    rows = {row[1]: row for row in changes_table(sets).rows}
+    rows = {row[1]: row for row in changes_table(sets).texts}
     # record three has no history with dampers, and counts in neither mean
     assert rows["column axial force [kN]"] == [
         "damped, DBE", "column axial force [kN]", "C_B_1", "400.0", "528.0", "+32.0",
     ]  # fmt: skip
     assert rows["storey drift [%]"][2:] == ["storey 2", "0.5000", "0.5500", "+10.0"]
     assert "beam plastic rotation [mrad]" in rows and rows["beam plastic rotation [mrad]"][-1] == "-100.0"
-    (short,) = changes_in_short(sets).rows
+    (short,) = changes_in_short(sets).texts
     assert short == ["damped, DBE", "+10.0 % storey 2", "+32.0 % C_B_1", "60.0 kN C_B_1"]
 
 
 def test_the_maximum_of_all_columns_stays_and_points_to_the_table(sets: tuple[HistorySet, ...]) -> None:
     mean = statistics_tables(sets)[0]
-    row = next(row for row in mean.rows if row[0] == "column axial force [kN]")
+    row = next(row for row in mean.texts if row[0] == "column axial force [kN]")
     assert row[-1] == "-0.7"
     assert any("grows most is another table" in note for note in mean.notes)
     assert not any("grows most" in note for note in statistics_tables(sets[:1])[0].notes)

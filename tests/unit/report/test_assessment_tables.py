@@ -34,7 +34,7 @@ HISTORIES = {
 
 
 def row(table: Table, name: str) -> list[str]:
-    return next(cells for cells in table.rows if cells[0] == name)
+    return next(cells for cells in table.texts if cells[0] == name)
 
 
 def test_single_histories_have_no_statistics() -> None:
@@ -54,7 +54,7 @@ def test_rounding_has_no_difference() -> None:
 
 def test_statistics_stand_beside_each_other_with_their_difference() -> None:
     mean, maximum, *_ = statistics_tables(history_sets(HISTORIES))
-    assert list(mean.columns) == ["measure", "bare, DBE", "damped, DBE", "diff. [%]"]
+    assert mean.headers == ["measure", "bare, DBE", "damped, DBE", "diff. [%]"]
     assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-50.0"]  # 1 % and 2 % under record one
     assert row(maximum, "interstorey drift [%]")[1:] == ["3.000", "1.000", "-50.0"]
     assert row(mean, "residual interstorey drift [%]")[1:] == ["0.2500", "0.1000", "-50.0"]
@@ -76,7 +76,7 @@ def test_differences_compare_the_same_records_only() -> None:
         "same.DBE.one": history("same", "DBE", 0.02, record="suite/one"),
     }
     mean = statistics_tables(history_sets(HISTORIES | added))[0]
-    assert list(mean.columns)[4:] == ["damped at 35 degC, DBE", "diff. [%]", "other, DBE", "same, DBE", "diff. [%]"]
+    assert mean.headers[4:] == ["damped at 35 degC, DBE", "diff. [%]", "other, DBE", "same, DBE", "diff. [%]"]
     assert row(mean, "interstorey drift [%]")[4:] == ["1.500", "-50.0", "4.000", "4.000", "+60.0"]
     told = [note for note in mean.notes if note.startswith("diff.")]
     assert told == [f"diff. of {name}, DBE: over the 1 record that bare, DBE has too" for name in ("damped", WARM)]
@@ -84,8 +84,8 @@ def test_differences_compare_the_same_records_only() -> None:
 
 def test_measures_of_each_record_and_their_statistics() -> None:
     bare, damped = (record_measures_table(found) for found in history_sets(HISTORIES))
-    at = list(bare.columns).index("storey drift [%]")
-    assert [cells[at] for cells in bare.rows[:2]] == ["2.000", "3.000"]
+    at = bare.headers.index("storey drift [%]")
+    assert [cells[at] for cells in bare.texts[:2]] == ["2.000", "3.000"]
     assert row(bare, "suite/one")[at] == "2.000" and row(bare, "median")[at] == "2.500"
     assert row(bare, "dispersion (of ln)")[at] == "0.287"  # ln 1.5 / sqrt 2
     assert [cells[0] for cells in damped.rows] == ["suite/one"]  # one record has no statistics
@@ -101,13 +101,13 @@ def test_verdicts_performance_and_objectives() -> None:
     said = row(remarks, "drift")
     assert said[1:3] == ["damped", "DBE"] and said[3].startswith("not met: failed histories count")
     assert said[3].endswith("missing: damped.DBE.two")
-    assert [cells[3] for cells in verdicts.rows if cells[0] == "columns"] == ["not met", "not met"]
+    assert [cells[3] for cells in verdicts.texts if cells[0] == "columns"] == ["not met", "not met"]
     assert row(performance, "bare")[2:7] == ["LS", "0", "1", "1", "0"]  # mean 2.5 % of 2.5 %; one at 2, one at 3 %
     assert row(performance, "damped")[-2] == row(by_members, "damped")[-2] == "1/2"
-    by_drift = objectives.rows[0]
+    by_drift = objectives.texts[0]
     assert by_drift[:7] == ["h", "bare", "drift", "met", "10 % in 50 years (DBE)", "Life Safety (LS)", "basic"]
     assert by_drift[7] == "1"
-    assert [cells[3] for cells in objectives.rows] == ["met", "not met", "met", "not met"]
+    assert [cells[3] for cells in objectives.texts] == ["met", "not met", "met", "not met"]
     assert all(
         len(line) > 0 for table in (verdicts, performance, by_members, objectives) for line in plain(table).splitlines()
     )

@@ -111,7 +111,7 @@ def test_checks_tell_source_demand_capacity_and_what_governs() -> None:
     bare = MeasureCriterion(name="other", measure="interstorey_drift", most="1 %")
     verdicts = [verdict("drift", True, 0.008), verdict("level", False, 0.012), verdict("other", True, 0.005)]
     table = check_table(verdicts, (drift, level, bare))
-    rows = [dict(zip(table.columns, row, strict=True)) for row in table.rows]
+    rows = [dict(zip(table.headers, row, strict=True)) for row in table.texts]
     assert [row["source"] for row in rows] == ["client, letter of 3 May", "FEMA 356, Table C1-3", "-"]
     assert rows[0] == {
         "check": "drift",

@@ -45,8 +45,8 @@ def verdict(ratio: float, count: int = 7, variant: str = "bare") -> Verdict:
 
 def test_variants_stand_side_by_side() -> None:
     table, governs = verdicts_in_short(judge(STUDY.criteria, STUDY.objectives, HISTORIES, frame()), None)
-    assert list(table.columns) == ["criterion", "bare", "damped", "damped twice"]
-    assert table.rows[0] == ["drift, DBE", "not met 1.92", "met 0.85", "met 0.65"]
+    assert table.headers == ["criterion", "bare", "damped", "damped twice"]
+    assert table.texts[0] == ["drift, DBE", "not met 1.92", "met 0.85", "met 0.65"]
     assert [row[0] for row in table.rows[1:]] == [
         "columns, DBE", "objective h, by drift, DBE", "objective h, by members, DBE",
     ]  # fmt: skip
@@ -64,7 +64,7 @@ def test_verdicts_fit_and_names_stay_whole(width: int) -> None:
 
 
 def test_far_beyond_a_limit_is_no_number() -> None:
-    cells = [verdicts_in_short([verdict(ratio)], None)[0].rows[0][1] for ratio in (9.994, 82.74)]
+    cells = [verdicts_in_short([verdict(ratio)], None)[0].texts[0][1] for ratio in (9.994, 82.74)]
     assert cells == ["not met 9.99", "not met > 10"]
 
 
@@ -87,23 +87,24 @@ def test_one_history_is_told_as_one() -> None:
 def test_means_have_a_line_for_each_variant_and_level() -> None:
     """Of two records each, by hand: (2 + 3) / 2, (1 + 1.2) / 2, (0.8 + 0.9) / 2."""
     table = response_in_short(history_sets(HISTORIES))
-    assert table.title == "Mean response of the records" and list(table.columns[:3]) == ["histories", "n", "drift %"]
-    assert [row[:3] for row in table.rows] == [
+    assert table.title == "Mean response of the records" and table.headers[:3] == ["histories", "n", "drift %"]
+    assert [row[:3] for row in table.texts] == [
         ["bare, DBE", "2", "2.50"], ["damped, DBE", "2", "1.10"], ["damped twice, DBE", "2", "0.850"],
     ]  # fmt: skip
     one = {name: group for name, group in HISTORIES.items() if name.endswith("two")}
     single = response_in_short(history_sets(one))
-    assert single.title == "Response" and list(single.columns[:2]) == ["histories", "drift %"]
+    assert single.title == "Response" and single.headers[:2] == ["histories", "drift %"]
 
 
 @pytest.mark.parametrize("width", range(44, 90, 9))
 def test_no_cut_parts_a_difference_from_its_variant(width: int) -> None:
     table = statistics_tables(history_sets(HISTORIES))[0]
-    assert DIFFERENCE in table.columns
+    header_of = f"{DIFFERENCE} [%]"
+    assert header_of in table.headers
     for cut in fitted(table, width):
         columns = list(cut.columns)
         for at, header in enumerate(columns):
-            assert header != DIFFERENCE or columns[at - 1].startswith("damped")
+            assert header != header_of or columns[at - 1].startswith("damped")
 
 
 def test_a_path_that_is_longer_than_a_line_is_broken_inside_of_a_cell_only() -> None:
@@ -139,9 +140,12 @@ def test_what_rounding_leaves_of_nothing_is_0_and_governed_by_nothing() -> None:
     asked = ("columns", "no plastic hinges in columns: at most 0.001 rad", "damped", "DBE", "mean")
     one = Verdict(*asked, 1.98e-18, 1e-3, "rad", True, "", "damped.DBE.a", None, "C_A_1", 7, ())
     table, governing = verdicts_in_short([one], None)
-    assert (table.rows, governing.rows) == ([["columns, DBE", "met 0.00"]], [["damped", "columns, DBE", "0 rad", "-"]])
+    assert (table.texts, governing.texts) == (
+        [["columns, DBE", "met 0.00"]],
+        [["damped", "columns, DBE", "0 rad", "-"]],
+    )
     answers, governs = verdicts_tables([one], None)[:2]
-    assert answers.rows[0][4] == "0 rad" and governs.rows[0][3:5] == ["-", "-"]
-    assert check_table([one], ()).rows[0][-1] == "-"
+    assert answers.texts[0][4] == "0 rad" and governs.texts[0][3:5] == ["-", "-"]
+    assert check_table([one], ()).texts[0][-1] == "-"
     small = replace(one, value=2e-6)  # 2 microrad, which yielding may leave
-    assert verdicts_in_short([small], None)[1].rows[0][2:] == ["2e-06 rad", "C_A_1 a"]
+    assert verdicts_in_short([small], None)[1].texts[0][2:] == ["2e-06 rad", "C_A_1 a"]

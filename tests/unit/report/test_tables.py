@@ -148,8 +148,8 @@ def test_a_file_gets_the_table_in_one_piece(monkeypatch: pytest.MonkeyPatch) -> 
 def test_fallbacks_stand_where_the_run_was(kind: str, header: str) -> None:
     event = {"time": 0.125, "step": 7, "rung": "new factors", "detail": "step / 1, converged after 3 iterations"}
     table = fallbacks_table("a", Group(attributes={"kind": kind, "events": [event]}))
-    assert table.columns[1] == header
-    assert table.rows == [["7", "0.1250", "new factors", "step / 1, converged after 3 iterations"]]
+    assert table.headers[1] == header
+    assert table.texts == [["7", "0.1250", "new factors", "step / 1, converged after 3 iterations"]]
 
 
 def test_a_brace_that_was_never_in_tension_has_none() -> None:

@@ -39,8 +39,7 @@ def inputs(source: Source) -> Section:
     if source.frames is not None and source.entries:
         parts += _of_frames(source, source.frames)
     if source.entries:
-        table = analyses_table(source.entries)
-        table = replace(table, columns=(KEPT, *table.columns[1:]))
+        table = replace(analyses_table(source.entries, KEPT), names_kept=True)
         parts.append(Folded(f"All {len(source.entries)} analyses", (table,)))
     for name, what in (("study_text", "The study file"), ("project_text", "The project file")):
         text = source.text(name)

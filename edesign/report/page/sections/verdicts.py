@@ -6,10 +6,9 @@ from edesign.assess.criteria import Verdict, judge
 from edesign.assess.members import VariantMembers
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.check_table import check_table
-from edesign.report.assessment.verdict_tables import REMARKS, objectives_table, performance_tables, verdicts_tables
+from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, remarks_table
 from edesign.report.html.section import Folded, Headline, Part, Section
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table
 
 MANY = 60  # rows, from which the table of all checks is folded
 
@@ -45,16 +44,12 @@ def checks(source: Source) -> Section:
     study, project = source.study, source.project
     parts: list[Part] = []
     if source.verdicts and study is not None:
-        table, *others = [check_table(source.verdicts, study.criteria), *_remarks(source.verdicts)]
-        parts += [Folded(f"All checks ({len(table.rows)})", (table,)) if len(table.rows) > MANY else table, *others]
+        table, remarks = check_table(source.verdicts, study.criteria), remarks_table(source.verdicts)
+        parts.append(Folded(f"All checks ({len(table.rows)})", (table,)) if len(table.rows) > MANY else table)
+        parts += [remarks] if remarks.rows else []
     if study is not None and project is not None and study.objectives and source.judged_histories:
         of_objectives = judge((), study.objectives, source.judged_histories, project, study)
         parts.append(objectives_table(of_objectives, study.objectives, project))
     if project is not None and any(found.completed for found in source.sets):
         parts += performance_tables(source.sets, VariantMembers(project, study))
     return Section("checks", title, (), tuple(parts))
-
-
-def _remarks(verdicts: tuple[Verdict, ...]) -> list[Table]:
-    """What is to be said of verdicts beside their numbers."""
-    return [table for table in verdicts_tables(verdicts, None) if table.title == REMARKS]
