@@ -26,16 +26,40 @@ from edesign.errors import EdesignError, InputError
 from edesign.project.study.reference_loader import load_reference
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.archive_view import all_results, planned, record_entries
-from edesign.report.assessment.measure_columns import MEASURE_ROWS
+from edesign.report.assessment.measure_columns import MEASURE_ROWS, Measure
 from edesign.report.comparison.cells import Comparison
 from edesign.report.comparison.compare import compare
 from edesign.report.comparison.variants import variant_tables
 from edesign.report.comparison.wide_tables import wide_tables
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.column import col, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import typed
+from edesign.report.tables.unit import ONE, PERCENT
 from edesign.study.results.kinds import ANALYSES, RECORDS
 
 ROOT = Path(__file__).resolve().parents[1]
 BLOCK = re.compile(r"(<!-- begin (?P<name>.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+Row = tuple[Measure, float | None, float | None]
+"""A measure at the temperature of the design and at another one."""
+
+
+def _change(row: Row) -> float | None:
+    _, usual, other = row
+    return None if not usual or other is None else (other - usual) / usual
+
+
+TEMPERATURES = TableSpec[Row](
+    "temperatures",
+    "",
+    (
+        text("measure", lambda row: row[0].head),
+        col("{usual}", ONE, lambda row: row[0].cell(row[1])),
+        col("{other}", ONE, lambda row: row[0].cell(row[2])),
+        col("diff.", PERCENT, _change, form="+.1f", bare=True),
+    ),
+)
 
 
 def main() -> None:
@@ -118,12 +142,8 @@ def temperature(archive: Archive) -> str:
         if other == name:
             continue
         measures = [response_measures(histories[found]) for found in (other, name)]
-        table = Table("", ("measure", other, name, "diff. %"))
-        for title, measure, unit in MEASURE_ROWS:
-            cold, warm = (found[measure] for found in measures)
-            change = f"{100.0 * (warm - cold) / cold:+.1f}" if cold and warm is not None else "-"
-            table.rows.append([title, number(cold, scale=unit), number(warm, scale=unit), change])
-        lines.append(markdown(table))
+        rows = [(row, *(found[row.name] for found in measures)) for row in MEASURE_ROWS]
+        lines.append(markdown(TEMPERATURES.of(rows, usual=other, other=name)))
     return "\n\n".join(lines)
 
 
@@ -131,7 +151,7 @@ def redesign(archive: Archive) -> str:
     """Rounds of the designs, mean response, and verdicts."""
     wanted = ("Rounds", "Mean response", "Criteria", "What governs the criteria", "Remarks on the criteria")
     wanted += ("What the criteria require",)
-    return "\n\n".join(markdown(table) for table in study_tables(archive) if table.title in wanted)
+    return "\n\n".join(markdown(typed(table)) for table in study_tables(archive) if table.title in wanted)
 
 
 def tables(comparison: Comparison) -> dict[str, str]:
@@ -147,8 +167,8 @@ def tables(comparison: Comparison) -> dict[str, str]:
 def markdown(table: Table) -> str:
     """A table in Markdown, its notes below."""
     lines = [f"**{table.title}**", ""] if table.title else []
-    lines += [_row(table.columns), _row(["---"] * table.left + ["--:"] * (len(table.columns) - table.left))]
-    lines += [_row(row) for row in table.rows]
+    lines += [_row(table.headers), _row(["---"] * table.keys + ["--:"] * (len(table.columns) - table.keys))]
+    lines += [_row(row) for row in table.texts]
     return "\n".join([*lines, "", *(f"{note}  " for note in table.notes)]).rstrip()
 
 

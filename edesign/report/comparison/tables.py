@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from operator import itemgetter
+from typing import NamedTuple
 
 from edesign.report.comparison.cells import ComparedCell, ComparedChange, ComparedTable, Comparison
-from edesign.report.tables.table import Table, formatted, number
+from edesign.report.tables.cell import Quantity
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE, PERCENT
 
 WORDS = {
     "mean": "mean",
@@ -15,6 +20,64 @@ WORDS = {
     "minimum": "minimum",
     "mean_profile": "mean storey by storey, and its largest value,",
 }
+
+
+PRINTED = ".10g"
+"""Form of reference values: as they are written in their file."""
+DIFFERENCE = "+.1f"
+"""Form of differences in per cent."""
+
+
+class _Row(NamedTuple):
+    """A value with the words for it and the numbers of its notes."""
+
+    label: str
+    cell: ComparedCell
+
+
+class _Change(NamedTuple):
+    """A change with the words for it and the number of its note."""
+
+    label: str
+    change: ComparedChange
+
+
+def found(cell: ComparedCell) -> Quantity | None:
+    """Return the value that was found with at least as many significant digits as the printed one (3 to 5)."""
+    digits = format(cell.reference, PRINTED).lstrip("-").partition("e")[0].replace(".", "").lstrip("0")
+    return None if cell.found is None else Quantity(cell.found, ONE, min(max(len(digits), 3), 5))
+
+
+def _bar(row: _Row) -> str | None:
+    within = row.cell.within
+    return None if within is None else f"{100.0 * within:g} {'met' if row.cell.inside else 'NOT met'}"
+
+
+HEADING = TableSpec[tuple[str, str]](
+    "compared_files", "{title}", (text("what", itemgetter(0)), text("file", itemgetter(1))), keys=2, headed=False
+)
+VALUES = TableSpec[_Row](
+    "compared_values",
+    "{title}",
+    (
+        text("{of}", "label"),
+        col("reference", ONE, "cell.reference", form=PRINTED),
+        col("here", ONE, lambda row: found(row.cell)),
+        col("diff.", PERCENT, "cell.difference", form=DIFFERENCE, bare=True),
+        text("bar %", _bar),
+        count("of", lambda row: f"{row.cell.count}/{row.cell.of}"),
+    ),
+)
+CHANGES = TableSpec[_Change](
+    "compared_changes",
+    "{title}",
+    (
+        text("quantity", "label"),
+        col("reference", PERCENT, "change.reference", form=PRINTED, bare=True),
+        col("here", PERCENT, "change.found", form=DIFFERENCE, bare=True),
+        col("points", PERCENT, "change.difference", form=DIFFERENCE, silent=True),
+    ),
+)
 
 
 def block_tables(comparison: Comparison, bars: bool = False) -> list[Table]:
@@ -41,27 +104,6 @@ def block_tables(comparison: Comparison, bars: bool = False) -> list[Table]:
     return [*tables, _summary(comparison)]
 
 
-def printed(value: float) -> str:
-    """Return a reference value as it is written in its file."""
-    return formatted(value, ".10g")
-
-
-def found(cell: ComparedCell) -> str:
-    """Return the value that was found with at least as many significant digits as the printed one (3 to 5)."""
-    shown = printed(cell.reference).lstrip("-").partition("e")[0].replace(".", "").lstrip("0")
-    return number(cell.found, min(max(len(shown), 3), 5))
-
-
-def per_cent(ratio: float | None, digits: int = 1) -> str:
-    """Return a difference in per cent with its sign, "-" for None.
-
-    Args:
-        ratio: the ratio; None: there is none.
-        digits: number of digits.
-    """
-    return "-" if ratio is None else f"{100.0 * ratio:+.{digits}f}"
-
-
 def groups(table: ComparedTable, by: Sequence[str]) -> list[list[ComparedCell]]:
     """Return the cells of a table in groups that agree in the attributes `by`, in their order.
 
@@ -75,14 +117,9 @@ def groups(table: ComparedTable, by: Sequence[str]) -> list[list[ComparedCell]]:
     return list(made.values())
 
 
-def with_unit(label: str, unit: str) -> str:
-    """Return a label with its unit in brackets.
-
-    Args:
-        label: the label.
-        unit: the unit.
-    """
-    return label if unit == "1" else f"{label} [{unit}]"
+def name_of(cell: ComparedCell) -> str:
+    """Return the quantity of a value with its unit."""
+    return cell.quantity if cell.unit == "1" else f"{cell.quantity} [{cell.unit}]"
 
 
 class Notes:
@@ -104,19 +141,15 @@ class Notes:
 def _response_block(table: ComparedTable, comparison: Comparison, cells: list[ComparedCell], bars: bool) -> Table:
     first, notes, usual = cells[0], Notes(), usual_statistic(table.cells)
     even = len({(cell.count, cell.of) for cell in cells}) == 1
-    shown = Table(f"{table.title} - {first.variant}, {first.level}: {WORDS[usual]}{made_of(first) if even else ''}")
+    title = f"{table.title} - {first.variant}, {first.level}: {WORDS[usual]}{made_of(first) if even else ''}"
     if not any(cell.of for cell in cells):
-        shown.notes = missing_notes(cells, comparison)
-        return shown
-    shown.columns = ["quantity", "reference", "here", "diff. %"]
-    shown.columns += [*(["bar %"] if bars else []), *([] if even else ["of"])]
-    for cell in cells:
-        label = with_unit(cell.quantity, cell.unit) + notes.mark(cell.note) + notes.mark(statistic_note(cell, usual))
-        count = [] if even else [f"{cell.count}/{cell.of}"]
-        shown.rows.append([label, printed(cell.reference), found(cell), per_cent(cell.difference)])
-        shown.rows[-1] += [*(_bar(cell) if bars else []), *count]
-    shown.notes = [*notes.lines, *missing_notes(cells, comparison)]
-    return shown
+        return Table(title, notes=missing_notes(cells, comparison))
+    rows = [
+        _Row(f"{name_of(cell)}{notes.mark(cell.note)}{notes.mark(statistic_note(cell, usual))}", cell) for cell in cells
+    ]
+    without = [*([] if bars else ["bar %"]), *(["of"] if even else [])]
+    told = [*notes.lines, *missing_notes(cells, comparison)]
+    return VALUES.of(rows, title=title, of="quantity", without=without, notes=told)
 
 
 def made_of(cell: ComparedCell) -> str:
@@ -143,12 +176,6 @@ def statistic_note(cell: ComparedCell, usual: str) -> str:
     return "" if cell.statistic == usual else f"{WORDS[cell.statistic]} of the histories"
 
 
-def _bar(cell: ComparedCell) -> list[str]:
-    if cell.within is None:
-        return ["-"]
-    return [f"{100.0 * cell.within:g} {'met' if cell.inside else 'NOT met'}"]
-
-
 def missing_notes(cells: Iterable[ComparedCell], comparison: Comparison) -> list[str]:
     """Return notes on the histories without a value, each with the reason, and on absent values.
 
@@ -169,35 +196,17 @@ def missing_notes(cells: Iterable[ComparedCell], comparison: Comparison) -> list
 
 def _change_block(table: ComparedTable, level: str) -> Table:
     changes, notes = [change for change in table.changes if change.level == level], Notes()
-    first = changes[0]
-    shown = Table(
-        f"{table.title} - change from {first.against} to {first.of}, {level}",
-        ["quantity", "reference %", "here %", "points"],
-    )
-    for change in changes:
-        shown.rows.append(
-            [change.quantity + notes.mark(change.note), *change_cells(change), per_cent(change.difference)]
-        )
-    shown.notes = notes.lines
-    return shown
-
-
-def change_cells(change: ComparedChange) -> list[str]:
-    """Return the printed change and the one found, in per cent."""
-    return [formatted(100.0 * change.reference, ".10g"), per_cent(change.found)]
+    title = f"{table.title} - change from {changes[0].against} to {changes[0].of}, {level}"
+    rows = [_Change(f"{change.quantity}{notes.mark(change.note)}", change) for change in changes]
+    return CHANGES.of(rows, title=title, notes=notes.lines)
 
 
 def _variable_block(table: ComparedTable, cells: list[ComparedCell], bars: bool) -> Table:
-    notes = Notes()
-    title = f"{table.title} - {with_unit(cells[0].quantity, cells[0].unit)}"
-    shown = Table(title, [table.over, "reference", "here", "diff. %", *(["bar %"] if bars else [])])
-    of_all = common_note(cells)
-    for cell in cells:
-        values = [printed(cell.reference), found(cell), per_cent(cell.difference)]
-        mark = "" if of_all else notes.mark(cell.note)
-        shown.rows.append([cell.index + mark, *values, *(_bar(cell) if bars else [])])
-    shown.notes = [*of_all, *notes.lines, *dict.fromkeys(cell.reason for cell in cells if cell.reason)]
-    return shown
+    notes, of_all = Notes(), common_note(cells)
+    rows = [_Row(cell.index + ("" if of_all else notes.mark(cell.note)), cell) for cell in cells]
+    told = [*of_all, *notes.lines, *dict.fromkeys(cell.reason for cell in cells if cell.reason)]
+    without = ("of",) if bars else ("of", "bar %")
+    return VALUES.of(rows, title=f"{table.title} - {name_of(cells[0])}", of=table.over, without=without, notes=told)
 
 
 def common_note(cells: Sequence[ComparedCell]) -> list[str]:
@@ -207,8 +216,8 @@ def common_note(cells: Sequence[ComparedCell]) -> list[str]:
 
 
 def _heading(comparison: Comparison) -> Table:
-    rows = [["archive", comparison.archive], ["reference", comparison.reference]]
-    return Table(comparison.title, (), rows, list(comparison.notes), left=2)
+    files = (("archive", comparison.archive), ("reference", comparison.reference))
+    return HEADING.of(files, title=comparison.title, notes=comparison.notes)
 
 
 def _summary(comparison: Comparison) -> Table:
@@ -217,4 +226,4 @@ def _summary(comparison: Comparison) -> Table:
     barred = [cell for cell in cells if cell.within is not None]
     if barred:
         notes.append(f"{len(barred)} of them have a bar, {len(barred) - len(comparison.outside)} are within it")
-    return Table("", (), notes=notes)
+    return Table("", notes=notes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from edesign.archive.reader import Archive
 from edesign.errors import InputError
@@ -11,8 +11,37 @@ from edesign.project.study.reference import Reference, ResponseTable
 from edesign.report.archive_view import planned, results
 from edesign.report.comparison.cells import ComparedCell
 from edesign.report.comparison.compare import compare
-from edesign.report.comparison.tables import found, per_cent, printed, with_unit
-from edesign.report.tables.table import Table
+from edesign.report.comparison.tables import PRINTED, found, name_of
+from edesign.report.tables.cell import Marked
+from edesign.report.tables.column import Column, col, literal, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE
+
+Row = Mapping[str, ComparedCell]
+"""A value of a reference and the one of each variant."""
+
+
+def _first(row: Row) -> ComparedCell:
+    return next(iter(row.values()))
+
+
+def _variant(name: str) -> Column[Row]:
+    def of(row: Row) -> Marked:
+        difference = row[name].difference
+        return Marked(found(row[name]), " (-)" if difference is None else f" ({100.0 * difference:+.0f})")
+
+    return col(literal(name), ONE, of)
+
+
+VARIANTS = TableSpec[Row](
+    "compared_variants",
+    "{title}",
+    (
+        text("quantity", lambda row: name_of(_first(row))),
+        col("reference", ONE, lambda row: _first(row).reference, form=PRINTED),
+    ),  # and each variant
+    notes=("in brackets the difference from the reference, %",),
+)
 
 
 def variant_tables(archive: Archive, reference: Reference, place: str) -> list[Table]:
@@ -32,19 +61,12 @@ def variant_tables(archive: Archive, reference: Reference, place: str) -> list[T
         raise InputError(f"--variants: {unknown_name('variant', place, sorted(known))}")
     names = [name for name in _variants(archive) if name == place or name not in known]
     cells = {name: _cells(archive, renamed(reference, place, name)) for name in names}
-    tables: dict[tuple[str, str], Table] = {}
-    first = cells[names[0]] if names else {}
-    for key, cell in first.items():
-        title, level, quantity = key
-        if (title, level) not in tables:
-            tables[title, level] = Table(f"{title} - {level}", ("quantity", "reference", *names))
-            tables[title, level].notes.append("in brackets the difference from the reference, %")
-        row = [with_unit(quantity, cell.unit), printed(cell.reference)]
-        for name in names:
-            here = cells[name][key]
-            row.append(f"{found(here)} ({per_cent(here.difference, 0)})")
-        tables[title, level].rows.append(row)
-    return list(tables.values())
+    rows: dict[tuple[str, str], list[Row]] = {}
+    for key in cells[names[0]] if names else ():
+        title, level, _ = key
+        rows.setdefault((title, level), []).append({name: cells[name][key] for name in names})
+    more = [_variant(name) for name in names]
+    return [VARIANTS.of(those, title=f"{title} - {level}", more=more) for (title, level), those in rows.items()]
 
 
 def renamed(reference: Reference, place: str, name: str) -> Reference:

@@ -2,28 +2,52 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import chain
+from operator import itemgetter
+
 from edesign.report.comparison.cells import ComparedCell, ComparedTable, Comparison
 from edesign.report.comparison.tables import (
+    DIFFERENCE,
+    PRINTED,
     WORDS,
     Notes,
-    change_cells,
     common_note,
     found,
     groups,
     made_of,
     missing_notes,
-    per_cent,
-    printed,
+    name_of,
     statistic_note,
     usual_statistic,
-    with_unit,
 )
-from edesign.report.tables.table import Table
+from edesign.report.tables.cell import Marked, Value
+from edesign.report.tables.column import Column, col, literal, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE, PERCENT
 
 WIDEST = 130
 """Characters of the headers of a wide table of variables."""
 
 _BESIDE = 20  # characters of the two columns beside a reference
+Row = list[Value]
+"""The values of a row by their columns."""
+WIDE = TableSpec[Row]("compared_side_by_side", "{title}", (text("{of}", itemgetter(0)),))  # and what is beside it
+
+
+def _columns(headers: Sequence[str], changes: bool = False) -> list[Column[Row]]:
+    """For each header of a reference three columns, and the two of a change."""
+    made: list[Column[Row]] = []
+    for header in headers:
+        at = 1 + len(made)
+        made.append(col(literal(header), ONE, itemgetter(at), form=PRINTED))
+        made.append(col("here", ONE, itemgetter(at + 1)))
+        made.append(col("diff.", PERCENT, itemgetter(at + 2), form=DIFFERENCE, bare=True))
+    if changes:
+        at = 1 + len(made)
+        made.append(col("change %, reference", PERCENT, itemgetter(at), form=PRINTED, silent=True))
+        made.append(col("here", PERCENT, itemgetter(at + 1), form=DIFFERENCE, silent=True))
+    return made
 
 
 def wide_tables(comparison: Comparison) -> list[Table]:
@@ -42,42 +66,33 @@ def wide_tables(comparison: Comparison) -> list[Table]:
 
 def _wide_responses(table: ComparedTable, comparison: Comparison, level: str) -> Table:
     cells = [cell for cell in table.cells if cell.level == level]
-    variants, notes, usual = (
-        list(dict.fromkeys(cell.variant for cell in cells)),
-        Notes(),
-        usual_statistic(table.cells),
-    )
+    variants = list(dict.fromkeys(cell.variant for cell in cells))
+    notes, usual = Notes(), usual_statistic(table.cells)
     changes = {change.quantity: change for change in table.changes if change.level == level}
-    columns = ["quantity"]
-    for variant in variants:
-        columns += [f"{variant}, reference", "here", "diff. %"]
-    columns += ["change %, reference", "here"] if changes else []
-    shown = Table(f"{table.title} - {level}", columns)
-    rows: dict[str, dict[str, ComparedCell]] = {}
+    by_quantity: dict[str, dict[str, ComparedCell]] = {}
     for cell in cells:
-        rows.setdefault(cell.quantity, {})[cell.variant] = cell
-    for quantity, row in rows.items():
+        by_quantity.setdefault(cell.quantity, {})[cell.variant] = cell
+    rows: list[Row] = []
+    for quantity, row in by_quantity.items():
         first = next(iter(row.values()))
-        line = [with_unit(quantity, first.unit) + notes.mark(statistic_note(first, usual))]
+        line: Row = [name_of(first) + notes.mark(statistic_note(first, usual))]
         for variant in variants:
             line += _wide_cell(row.get(variant), notes)
-        if changes:
-            change = changes.get(quantity)
-            line += ["", ""] if change is None else change_cells(change)
-            line[-2] += notes.mark(change.note) if change is not None else ""
-        shown.rows.append(line)
+        change = changes.get(quantity)
+        line += ["", ""] if change is None else [Marked(change.reference, notes.mark(change.note)), change.found]
+        rows.append(line)
     counts = [next(cell for cell in cells if cell.variant == variant) for variant in variants]
     made = "; ".join(f"{cell.variant}: {WORDS[usual]}{made_of(cell)}" for cell in counts if cell.of)
-    shown.notes = [*notes.lines, made]
-    shown.notes = [note for note in [*shown.notes, *missing_notes(cells, comparison)] if note]
-    return shown
+    more = _columns([f"{variant}, reference" for variant in variants], bool(changes))
+    told = [note for note in [*notes.lines, made, *missing_notes(cells, comparison)] if note]
+    return WIDE.of(rows, title=f"{table.title} - {level}", of="quantity", more=more, notes=told)
 
 
-def _wide_cell(cell: ComparedCell | None, notes: Notes | None) -> list[str]:
+def _wide_cell(cell: ComparedCell | None, notes: Notes | None) -> Row:
     if cell is None:
         return ["", "", ""]
     mark = "" if notes is None else notes.mark(cell.note)
-    return [printed(cell.reference) + mark, found(cell), per_cent(cell.difference)]
+    return [Marked(cell.reference, mark), found(cell), cell.difference]
 
 
 def _beside(table: ComparedTable) -> list[list[list[ComparedCell]]]:
@@ -85,7 +100,7 @@ def _beside(table: ComparedTable) -> list[list[list[ComparedCell]]]:
     parts: list[list[list[ComparedCell]]] = []
     width = WIDEST
     for row in groups(table, ("quantity",)):
-        of_row = len(with_unit(row[0].quantity, row[0].unit)) + _BESIDE
+        of_row = len(name_of(row[0])) + _BESIDE
         if width + of_row > WIDEST:
             parts.append([])
             width = 0
@@ -95,16 +110,12 @@ def _beside(table: ComparedTable) -> list[list[list[ComparedCell]]]:
 
 
 def _wide_variables(table: ComparedTable, rows: list[list[ComparedCell]], first: bool) -> Table:
-    columns, notes = [table.over], Notes()
-    for row in rows:
-        mark = "".join(notes.mark(note) for note in common_note(row))
-        columns += [with_unit(row[0].quantity, row[0].unit) + mark, "here", "diff. %"]
-    shown = Table(table.title if first else "", columns)
+    notes = Notes()
+    heads = [name_of(row[0]) + "".join(notes.mark(note) for note in common_note(row)) for row in rows]
+    lines: list[Row] = []
     for cells in zip(*rows, strict=True):
-        line = [cells[0].index]
-        for cell, row in zip(cells, rows, strict=True):
-            line += _wide_cell(cell, None if common_note(row) else notes)
-        shown.rows.append(line)
+        beside = [_wide_cell(cell, None if common_note(row) else notes) for cell, row in zip(cells, rows, strict=True)]
+        lines.append([cells[0].index, *chain.from_iterable(beside)])
     reasons = dict.fromkeys(cell.reason for row in rows for cell in row if cell.reason)
-    shown.notes = [*notes.lines, *reasons]
-    return shown
+    title, told = table.title if first else "", [*notes.lines, *reasons]
+    return WIDE.of(lines, title=title, of=table.over, more=_columns(heads), notes=told)

@@ -208,7 +208,7 @@ def test_blocks_fit_a_terminal_and_bars_are_told(tmp_path: Path) -> None:
     comparison = compared(tmp_path, {**three(), **three("damped", 0.5), "designs/thesis": design()})
     tables = block_tables(comparison, bars=True)
     text = "\n".join(plain(table) for table in tables)
-    assert max(len(line) for table in tables for line in plain(table).splitlines()[1:] if table.columns) <= 80
+    assert max(len(line) for table in tables for line in plain(table).splitlines()[1:] if table.headers) <= 80
     assert "5 NOT met" in text and "10 met" in text and "misprint" in text
     assert "15 reference values, 11 of them found" in text and "9 of them have a bar, 3 are" in text
 
@@ -216,10 +216,10 @@ def test_blocks_fit_a_terminal_and_bars_are_told(tmp_path: Path) -> None:
 def test_wide_tables_hold_every_cell_once(tmp_path: Path) -> None:
     comparison = compared(tmp_path, {**three(), **three("damped", 0.5), "designs/thesis": design()})
     wide = {table.title: table for table in wide_tables(comparison)}
-    drift = wide["Mean - DBE"].rows[0]
+    drift = wide["Mean - DBE"].texts[0]
     assert drift == ["drift [%]", "2.5", "2.67", "+6.7", "1.2 (1)", "1.33", "+11.1", "-52", "-50.0"]
-    assert wide["Mean - MCE"].rows[0][:4] == ["drift [%]", "4", "-", "-"]
-    assert wide["Design"].rows[0] == ["1", "100", "120", "+20.0", "26.84", "26.81", "-0.1"]
+    assert wide["Mean - MCE"].texts[0][:4] == ["drift [%]", "4", "-", "-"]
+    assert wide["Design"].texts[0] == ["1", "100", "120", "+20.0", "26.84", "26.81", "-0.1"]
 
 
 def test_files_hold_every_cell(tmp_path: Path) -> None:

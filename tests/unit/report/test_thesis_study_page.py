@@ -8,7 +8,8 @@ import pytest
 
 from edesign.errors import InputError
 from edesign.project.study.reference_loader import load_reference
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import count, text
+from edesign.report.tables.spec import Table
 from tools.thesis_study_page import BLOCK, markdown, replaced
 
 ROOT = Path(__file__).parents[3]
@@ -26,7 +27,7 @@ def test_blocks_are_replaced_again_and_again() -> None:
 
 
 def test_a_table_in_markdown() -> None:
-    table = Table("T", ["quantity", "reference"], [["k (1)", "3"]], ["(1) seen"])
+    table = Table("T", (text("quantity"), count("reference")), [["k (1)", 3]], ["(1) seen"])
     assert markdown(table) == "**T**\n\n| quantity | reference |\n| --- | --: |\n| k (1) | 3 |\n\n(1) seen"
 
 
