@@ -18,8 +18,15 @@ from edesign.report.export.facts import provenance_facts
 from edesign.report.export.files import write_csv_folder, write_parquet_folder
 from edesign.report.export.value_tables import history_tables
 from edesign.report.export.workbook import write_workbook
-from edesign.report.tables.table import Table, whole
+from edesign.report.tables.column import count, text
+from edesign.report.tables.spec import TableSpec
 from edesign.report.tables.text import print_tables
+
+LIST = TableSpec[ExportTable](
+    "list_of_tables",
+    "{number} tables",
+    (text("name"), count("rows"), count("columns", lambda table: len(table.columns))),
+)
 
 
 def export(
@@ -51,8 +58,8 @@ def export(
     """Write the tables of an archive as a workbook, or as CSV or Parquet files, with units and all digits."""
     if xlsx is None and csv is None and parquet is None:
         xlsx = archive.with_name(archive.name.removesuffix(".partial")).with_suffix(".xlsx")
-    for option, text in (("--tables", tables), ("--histories", histories)):
-        if text is not None and not _names(text):
+    for option, names in (("--tables", tables), ("--histories", histories)):
+        if names is not None and not _names(names):
             raise InputError(f"{option}: it names nothing; names are separated by commas, `*` stands for all")
     if xlsx is not None and not as_list:
         check_page_path(xlsx, (".xlsx",), "a workbook")
@@ -71,9 +78,7 @@ def export(
 
     (found, facts), damage = read_archive(archive, read)
     if as_list:
-        shown = Table(f"{len(found)} tables", ("name", "rows", "columns"))
-        shown.rows = [[t.name, whole(t.rows), whole(len(t.columns))] for t in found]
-        print_tables([shown])
+        print_tables([LIST.of(found, number=len(found))])
     else:
         kept = f"the results are in {archive}"  # and each form of the tables does without the others
         if xlsx is not None:

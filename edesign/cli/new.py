@@ -9,8 +9,21 @@ import typer
 
 from edesign.cli.shared.complete import template_names
 from edesign.project import template as chosen
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import col, text
+from edesign.report.tables.spec import TableSpec
 from edesign.report.tables.text import print_tables
+from edesign.report.tables.unit import S
+
+TEMPLATES = TableSpec[chosen.Template](
+    "templates",
+    "Templates",
+    (text("template", "name"), text("what it is", "about", broken=1), col("CPU", S, "seconds", form="g")),
+    notes=(
+        "CPU: about, of all commands that `edesign new` names at its end, on one core",
+        "`edesign new FOLDER --template NAME` makes one; without --template it is `frame`.",
+    ),
+    keys=2,
+)
 
 
 def new(
@@ -29,13 +42,7 @@ def new(
 ) -> None:
     """Make a folder with a small project that runs as it is: of a frame, or by another --template."""
     if list_them:
-        table = Table("Templates", ("template", "what it is", "CPU [s]"), left=2, sentences=1)
-        table.rows = [[one.name, one.about, f"{one.seconds:g}"] for one in chosen.templates().values()]
-        table.notes = [
-            "CPU: about, of all commands that `edesign new` names at its end, on one core",
-            "`edesign new FOLDER --template NAME` makes one; without --template it is `frame`.",
-        ]
-        print_tables([table])
+        print_tables([TEMPLATES.of(chosen.templates().values())])
         return
     if folder is None:
         raise typer.BadParameter("name the folder to make; --list prints the templates", param_hint="'FOLDER'")

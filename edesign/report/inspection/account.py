@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import col, count, literal, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import ONE
 from edesign.tables.form import Form
 
 Lines = Sequence[int] | np.ndarray
@@ -136,17 +139,38 @@ class Account:
         facts += [["left out", f"{form.repeated} repeated lines of headers"]] if form.repeated else []
         facts += [["sampling", self.sampling.words]] if self.sampling else []
         facts += [["note", remark] for remark in self.remarks]
-        columns = [
-            [str(one.number), _cut(one.header), one.quantity or "-", one.unit or "-", *_range(one)]
-            for one in self.columns
-        ]
-        heads = ["line", *(_cut(one.header) or str(one.number) for one in self.columns)]
+        heads = [literal(_cut(one.header) or str(one.number)) for one in self.columns]
         shown = [*self.first, *(row for row in self.last if row[0] > self.first[-1][0])]
-        return [
-            Table(str(self.path), [], facts, [], 2, (1,)),
-            Table("Columns", ["", "header", "read as", "unit", "smallest", "largest"], columns, [], 4),
-            Table("First and last rows", heads, [[str(n), *(f"{v:z.7g}" for v in row)] for n, row in shown]),
-        ]
+        rows = [(line, *values) for line, values in shown]
+        more = [col(head, ONE, _number(i), form="z.7g") for i, head in enumerate(heads, start=1)]
+        return [FACTS.of(facts, path=self.path), COLUMNS.of(self.columns), ROWS.of(rows, more=more)]
+
+
+def _number(column: int) -> Callable[[tuple[float, ...]], float]:
+    return lambda row: row[column]
+
+
+FACTS = TableSpec[list[str]](
+    "inspected_file",
+    "{path}",
+    (text("what", itemgetter(0)), text("value", itemgetter(1), broken=1)),
+    keys=2,
+    headed=False,
+)
+COLUMNS = TableSpec[Column](
+    "inspected_columns",
+    "Columns",
+    (
+        count("", "number"),
+        text("header", lambda one: _cut(one.header)),
+        text("read as", lambda one: one.quantity or None),
+        text("unit", lambda one: one.unit or None),
+        col("smallest", ONE, form="z.6g"),  # z: no -0
+        col("largest", ONE, form="z.6g"),
+    ),
+    keys=4,
+)
+ROWS = TableSpec[tuple[float, ...]]("inspected_rows", "First and last rows", (count("line", itemgetter(0)),))
 
 
 def ends(rows: np.ndarray, lines: Lines) -> tuple[tuple[tuple[int, tuple[float, ...]], ...], ...]:
@@ -202,10 +226,6 @@ def quoted(text: str) -> str:
 
 def _cut(text: str) -> str:
     return text if len(text) <= _LONGEST_CELL else f"{text[: _LONGEST_CELL - 3]}..."
-
-
-def _range(column: Column) -> list[str]:
-    return [f"{column.smallest:z.6g}", f"{column.largest:z.6g}"]  # z: no -0
 
 
 def _resolution(time: np.ndarray) -> float:
