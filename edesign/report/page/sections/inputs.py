@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from operator import itemgetter
 
 from edesign.report.archive_view import results
 from edesign.report.html.section import Facts, Folded, Heading, Part, Section
@@ -16,14 +17,21 @@ from edesign.report.page.project_facts import project_rows
 from edesign.report.page.source import Source
 from edesign.report.page.words import KEPT
 from edesign.report.response.analysis_tables import analyses_table
-from edesign.report.tables import spec
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import Table, TableSpec
 
 NAMES = (
     ("Columns", "C_B_3 stands on line B in storey 3."),
     ("Beams", "B_2_3 is in bay 2 at floor 3."),
     ("Dampers", "V_2_3 is a chevron in bay 2 and storey 3; R rises, F falls, S is between floors, I is an isolator."),
     ("Braces", "D_2_3_r is in bay 2 and storey 3, and rises from left to right; f falls."),
+)
+MEMBER_NAMES = TableSpec[tuple[str, str]](
+    "names_of_members",
+    "",
+    (text("members", itemgetter(0)), text("example", itemgetter(1))),
+    keys=2,
+    named_by_title=True,
 )
 MANY = 48  # rows of a table of the schedule, beyond which it is folded
 
@@ -33,7 +41,7 @@ def inputs(source: Source) -> Section:
     parts: list[Part] = []
     if source.project is not None:
         parts.append(Facts(tuple(project_rows(source.project))))
-        parts.append(Folded("How members are named", (Table("", ("members", "example"), _names(), left=2),)))
+        parts.append(Folded("How members are named", (MEMBER_NAMES.of(NAMES),)))
     if source.study is not None:
         parts.append(variants_table(source.study))
     if source.frames is not None and source.entries:
@@ -50,13 +58,9 @@ def inputs(source: Source) -> Section:
     return Section("inputs", "Input", (f"{title}.",) if title and not known else (), tuple(parts))
 
 
-def _names() -> list[list[str]]:
-    return [list(row) for row in NAMES]
-
-
 def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
     """Masses, laws and schedule; one that cannot be made, as a file is not at hand, is named under Provenance."""
-    makers: tuple[tuple[str, Callable[[], list[spec.Table]]], ...] = (
+    makers: tuple[tuple[str, Callable[[], list[Table]]], ...] = (
         ("masses of the floors", lambda: mass_tables(frames)),
         ("laws of the dampers", lambda: law_tables(frames)),
         (
@@ -66,7 +70,7 @@ def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
     )
     parts: list[Part] = []
     for what, make in makers:
-        tables: list[spec.Table] = []
+        tables: list[Table] = []
         with source.or_left_out(what):
             tables = make()
         if tables and what != "masses of the floors":

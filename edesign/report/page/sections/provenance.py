@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from operator import itemgetter
 from typing import Any
 
 from edesign.report.drawing.captions import plain
 from edesign.report.html.section import Facts, Folded, Part, Section, Warnings
 from edesign.report.page.source import Source
 from edesign.report.response.analysis_tables import fallbacks_table, statistics_table
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import TableSpec
 
 ROOT = (
     ("edesign", "edesign_version"),
@@ -23,6 +25,14 @@ ROOT = (
     ("SHA-256 of the building file", "building_checksum"),
     ("SHA-256 of the texts of tests, project, rig and laws", "rts_checksum"),
     ("SHA-256 of files and records", "input_checksum"),
+)
+
+CHECKSUMS = TableSpec[tuple[str, str]](
+    "record_checksums",
+    "",
+    (text("record", itemgetter(0)), text("SHA-256", itemgetter(1))),
+    keys=2,
+    named_by_title=True,
 )
 
 
@@ -48,10 +58,7 @@ def provenance(source: Source) -> Section:
     parts.append(Facts(tuple(rows)))
     records = about.get("record_checksums")
     if isinstance(records, dict) and records:
-        cells = [[str(name), str(checksum)] for name, checksum in records.items()]
-        parts.append(
-            Folded("SHA-256 of the samples of each record", (Table("", ("record", "SHA-256"), cells, left=2),))
-        )
+        parts.append(Folded("SHA-256 of the samples of each record", (CHECKSUMS.of(records.items()),)))
     return Section("provenance", "Provenance and accuracy of the solution", (), tuple(parts))
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
-from edesign.assess.measures import located_measure
+from edesign.assess.measures import Located, located_measure
 from edesign.assess.sets import HistorySet
-from edesign.assess.statistics import Statistics
+from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
@@ -17,7 +18,11 @@ from edesign.report.page.sections.incremental import incremental_summary, increm
 from edesign.report.page.sections.verdicts import verdict_tiles
 from edesign.report.page.sections.warnings import warning_table
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.cell import Quantity, Value
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import MRAD, PERCENT, Unit
 
 Measured = tuple[HistorySet, dict[str, Statistics]]
 RESIDUAL = "residual_interstorey_drift"
@@ -29,17 +34,69 @@ TILES = (  # label, measure, unit, unit in SI
     ("Base shear", "base_shear_N", "kN", 1e3),
     ("Column shear at the base", "column_base_shear_N", "kN", 1e3),
 )
-GOVERNING = (
-    ("drift, mean [%]", "drift, largest [%]", "interstorey_drift", 0.01),
-    ("residual drift, mean [%]", "residual drift, largest [%]", RESIDUAL, 0.01),
-)
-MEMBERS = (
-    ("beam rotation, largest [mrad]", "beam_plastic_rotation_rad", 1e-3),
-    ("column rotation, largest [mrad]", "column_plastic_rotation_rad", 1e-3),
-    ("damper strain, largest [%]", "damper_strain", 0.01),
-)
+MEAN, MAXIMUM = STATISTICS["mean"], STATISTICS["maximum"]
 NAMED = 20
 """Failed analyses that are named at once; the others are in the table of all analyses."""
+
+
+def _drift(header: str, of: Callable[[Statistics], float | None], measure: str) -> Column[Measured]:
+    return col(header, PERCENT, lambda one: of(one[1][measure]), 3, negligible=ROUNDING)
+
+
+def _place(one: Measured, measure: str) -> Located | None:
+    """The place of the largest value of a measure."""
+    histories, found = one
+    governing = found[measure].governing
+    return located_measure(histories.histories[governing], measure) if governing else None
+
+
+def _storey(one: Measured) -> int | None:
+    place = _place(one, "interstorey_drift")
+    return None if place is None else place.storey
+
+
+def _record(one: Measured) -> str | None:
+    name = one[1]["interstorey_drift"].governing
+    return record_label(str(one[0].histories[name].attributes.get("record") or name)) if name else None
+
+
+def _largest(header: str, unit: Unit, measure: str) -> Column[Measured]:
+    """A column of the largest value with the member that has it."""
+
+    def of(one: Measured) -> Value:
+        place = _place(one, measure)
+        if place is None:
+            return None
+        if place.member and abs(place.value) >= ROUNDING:
+            return f"{significant(place.value / unit.si, 3)} ({place.member})"
+        return Quantity(place.value, unit, 3, negligible=ROUNDING, beside=True)
+
+    return replace(text(header, of, optional=True), unit=unit)
+
+
+GOVERNING = TableSpec[Measured](
+    "governing_response",
+    "Governing response",
+    (
+        text("variant", lambda one: one[0].variant or None),
+        text("level", lambda one: one[0].level or None),
+        count("histories", lambda one: f"{len(one[0].completed)} of {len(one[0].histories)}"),
+        _drift("drift, mean", MEAN, "interstorey_drift"),
+        _drift("drift, largest", MAXIMUM, "interstorey_drift"),
+        _drift("residual drift, mean", MEAN, RESIDUAL),
+        _drift("residual drift, largest", MAXIMUM, RESIDUAL),
+        count("storey", _storey),
+        text("record", _record),
+        _largest("beam rotation, largest", MRAD, "beam_plastic_rotation_rad"),
+        _largest("column rotation, largest", MRAD, "column_plastic_rotation_rad"),
+        _largest("damper strain, largest", PERCENT, "damper_strain"),
+    ),
+    notes=(
+        "Largest: over all storeys or members and completed histories; mean: over the completed histories, of the "
+        "largest storey of each. Storey and record are those of the largest drift.",
+    ),
+    keys=2,
+)
 
 
 def summary(source: Source) -> Section:
@@ -61,47 +118,7 @@ def governing_table(sets: Sequence[Measured]) -> Table:
 
     Every statistic says of how many histories it is: those that did not complete have no peak.
     """
-    members = [column for column in MEMBERS if any(found[column[1]].count for _, found in sets)]
-    headers = [header for mean, largest, _, _ in GOVERNING for header in (mean, largest)]
-    columns = ("variant", "level", "histories", *headers, "storey", "record")
-    table = Table(
-        "Governing response", (*columns, *(header for header, _, _ in members)), left=2, name="governing_response"
-    )
-    for histories, found in sets:
-        values = [value for _, _, measure, unit in GOVERNING for value in _pair(found[measure], unit)]
-        name = [histories.variant or "-", histories.level or "-"]
-        count = f"{len(histories.completed)} of {len(histories.histories)}"
-        places = [_located(histories, found[measure], measure, unit) for _, measure, unit in members]
-        table.rows.append([*name, count, *values, *_governs(histories, found["interstorey_drift"]), *places])
-    if table.rows:
-        table.notes.append(
-            "Largest: over all storeys or members and completed histories; mean: over the completed histories, of the "
-            "largest storey of each. Storey and record are those of the largest drift."
-        )
-        table.notes += missing_notes([histories for histories, _ in sets])
-    return table
-
-
-def _pair(found: Statistics, unit: float) -> tuple[str, str]:
-    return number(found.mean, 3, unit, negligible=ROUNDING), number(found.maximum, 3, unit, negligible=ROUNDING)
-
-
-def _governs(histories: HistorySet, drift: Statistics) -> tuple[str, str]:
-    if not drift.governing:
-        return "-", "-"
-    group = histories.histories[drift.governing]
-    place = located_measure(group, "interstorey_drift")
-    storey = "-" if place is None or place.storey is None else whole(place.storey)
-    return storey, record_label(str(group.attributes.get("record") or drift.governing))
-
-
-def _located(histories: HistorySet, found: Statistics, measure: str, unit: float) -> str:
-    """The largest value with the member that has it."""
-    place = located_measure(histories.histories[found.governing], measure) if found.governing else None
-    if place is None:
-        return "-"
-    value = number(place.value, 3, unit, negligible=ROUNDING)
-    return value if value == "0" or not place.member else f"{value} ({place.member})"
+    return GOVERNING.of(sets, notes=missing_notes([histories for histories, _ in sets]))
 
 
 def _tiles(sets: Iterable[Measured]) -> tuple[Headline, ...]:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from operator import itemgetter
 
 from edesign.archive.reader import Archive
 from edesign.report.archive_view import design_warnings, input_warnings
 from edesign.report.html.section import Facts, Section
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table
+from edesign.report.tables.column import text
+from edesign.report.tables.spec import Table, TableSpec
 from edesign.study.results.kinds import RECORDS
 from edesign.study.results.warnings import grouped_warnings
 
@@ -17,6 +19,14 @@ NAMED = 20
 """Failed analyses that are named here; the others are in the table of all analyses."""
 NONE = "The check of the input and the analyses found nothing doubtful."
 _WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?): (?P<what>.+)", re.DOTALL)
+
+DOUBTS = TableSpec[tuple[str, str]](
+    "doubts",
+    "",
+    (text("applies to", itemgetter(0)), text("warning", itemgetter(1), broken=1)),
+    keys=2,
+    named_by_title=True,
+)
 
 
 def warnings(source: Source) -> Section:
@@ -29,21 +39,19 @@ def warnings(source: Source) -> Section:
 
 def warning_table(source: Source) -> Table:
     """Return a row for each warning: its subject, and the warning."""
-    table = Table("", ("applies to", "warning"), left=2, sentences=1)
     failed = [item for item in source.entries if item["status"] == "failed"]
-    for item in failed[:NAMED]:
-        table.rows.append([item["name"], _sentence(f"failed: {item['reason'] or 'no reason is known'}")])
-    if more := len(failed) - NAMED if len(failed) > NAMED else 0:
-        table.rows.append([f"{more} more analyses", "Failed; the table of all analyses names them."])
+    rows = [(item["name"], _sentence(f"failed: {item['reason'] or 'no reason is known'}")) for item in failed[:NAMED]]
+    if len(failed) > NAMED:
+        rows.append((f"{len(failed) - NAMED} more analyses", "Failed; the table of all analyses names them."))
     lines = [*input_warnings(source.archive), *record_warnings(source.archive), *design_warnings(source.archive)]
-    table.rows += [list(_apart(line)) for line in dict.fromkeys(lines)]
+    rows += [_apart(line) for line in dict.fromkeys(lines)]
     for told in grouped_warnings(source.groups):
         if told.count == 1:
-            table.rows.append([told.worst, _sentence(told.text)])
+            rows.append((told.worst, _sentence(told.text)))
         else:
             where = f"{told.count} of {len(source.groups)} analyses"
-            table.rows.append([where, _sentence(f"{told.alike}; most in {told.worst}: {told.text}")])
-    return table
+            rows.append((where, _sentence(f"{told.alike}; most in {told.worst}: {told.text}")))
+    return DOUBTS.of(rows)
 
 
 def record_warnings(archive: Archive) -> list[str]:
