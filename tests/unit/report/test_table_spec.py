@@ -102,14 +102,19 @@ def test_columns_may_be_left_out_added_and_have_the_unit_of_the_project() -> Non
         "U",
         (text("storey", "name"), col("u", "length", "drift"), count("bays", "bays")),
         most=2,
-        cut="{shown}/{all}",
+        cut="{shown}/{all}, {more} more",
     )
     more = [col("{times} u", "length", lambda storey: 2.0 * (storey.drift or 0.0))]
     table = spec.of(
         ITEMS, without=("bays",), more=more, units={"length": Unit("cm", 0.01)}, times=2, heading=lambda s: "all"
     )
     assert table.headers == ["storey", "u [cm]", "2 u [cm]"] and table.texts[1] == ["2", "7.000", "14.00"]
-    assert table.notes == ["2/3"] and table.headings == {0: "all"}
+    assert table.notes == ["2/3, 1 more"] and table.headings == {0: "all"}
+
+
+def test_a_sign_may_stand_behind_a_blank() -> None:
+    spec = TableSpec[str]("names", "Names", (text("name", lambda name: Marked(name, " *")),), signs=("* not done",))
+    assert (spec.of(["a"]).texts, spec.of(["a"]).notes) == ([["a *"]], ["* not done"])
 
 
 def test_columns_of_one_table_stand_where_the_declaration_says() -> None:
