@@ -43,7 +43,7 @@ class _Check(NamedTuple):
 
 
 CHECKS = TableSpec[_Check](
-    "checks",
+    "checks_of_criteria",
     "Checks",
     (
         text("check", "found.name"),
@@ -62,6 +62,7 @@ CHECKS = TableSpec[_Check](
         "Governs: place and motion of the largest value of a history, of a lower bound the smallest.",
     ),
     keys=5,
+    named_as="checks",
 )
 UNKNOWN = "Source -: the study does not say where the limit comes from (`source` of a criterion)."
 

@@ -84,7 +84,7 @@ def test_dampers_do_not_damp_unless_it_is_said(archive: Path) -> None:
 
 def test_verdicts_are_of_the_worst_pattern_and_direction(archive: Path) -> None:
     tables = {table.title: table for table in overview(archive)}
-    rows = {(row[0], row[1]): row for row in tables["Criteria"].rows}
+    rows = {(row[0], row[1]): row for row in tables["Criteria"].texts}
     assert list(rows) == [
         ("drift", "bare by N2"),
         ("drift", "bare by ASCE 41"),
@@ -100,10 +100,10 @@ def test_verdicts_are_of_the_worst_pattern_and_direction(archive: Path) -> None:
         if item["name"].startswith("bare.push") and item["name"].endswith("n2.DBE")
     ]
     assert rows["drift", "bare by N2"][4] == f"{100 * max(drifts):.4g} %" and len(drifts) == 4
-    governs = {(row[0], row[1]): row for row in tables["What governs the criteria"].rows}
+    governs = {(row[0], row[1]): row for row in tables["What governs the criteria"].texts}
     assert governs["drift", "bare by N2"][5] == "maximum"
     title = next(title for title in tables if title.startswith("Rehabilitation"))
-    failed = [row for row in tables[title].rows if row[1] == "damped by N2"]
+    failed = [row for row in tables[title].texts if row[1] == "damped by N2"]
     assert [row[3] for row in failed] == ["not met", "not met"]  # its target at MCE is not reached
 
 
