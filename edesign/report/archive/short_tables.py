@@ -12,19 +12,18 @@ from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.sets import history_sets
 from edesign.errors import EdesignError
-from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings
 from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
-from edesign.report.assessment.measure_columns import MEASURE_ROWS, ROUNDING, Measure
+from edesign.report.assessment.measure_columns import MEASURE_ROWS, Measure
 from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
-from edesign.report.capacity.pushover_tables import State, failed_notes, level_column, target_states
+from edesign.report.capacity.pushover_tables import STATES_IN_SHORT, states_table
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
 from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
@@ -35,7 +34,7 @@ from edesign.report.tables.column import Column, col, literal, text
 from edesign.report.tables.spec import Table, TableSpec
 from edesign.report.tables.table import AnyTable
 from edesign.report.tables.text import PAPER
-from edesign.report.tables.unit import KN, ONE, PERCENT, S, Unit
+from edesign.report.tables.unit import ONE, PERCENT, S
 from edesign.study.results.kinds import ANALYSES
 from edesign.study.results.warnings import warning_lines
 from edesign.study.run.outcome import COMPLETED
@@ -126,7 +125,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         governing += others
     tables += [response_in_short(not_swept(study, sets)), changes_in_short(not_swept(study, sets)), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
-    tables.append(_targets(study.base, groups, study))
+    tables.append(states_table(study.base, groups, study, STATES_IN_SHORT))
     return tables + incremental_tables(archive, groups)
 
 
@@ -137,7 +136,7 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[AnyTable]:
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)
     tables: list[AnyTable] = [_periods(groups)]
-    tables.append(_targets(archived_project(archive) if targets else None, groups))
+    tables.append(states_table(archived_project(archive) if targets else None, groups, None, STATES_IN_SHORT))
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
     tables.append(changes_in_short(sets))
     tables += [isolation_table(groups)]
@@ -153,10 +152,6 @@ def _period(number: int) -> Column[_Modes]:
     return col(f"T_{number}", S, of, form=".4f")
 
 
-def _state(header: str, unit: Unit, measure: str) -> Column[State]:
-    return col(header, unit, lambda state: state.measures.get(measure), negligible=ROUNDING, bare=True)
-
-
 PERIODS = TableSpec[_Modes](
     "first_periods",
     "Periods",
@@ -164,19 +159,6 @@ PERIODS = TableSpec[_Modes](
         text("analysis"),
         *(_period(number) for number in (1, 2, 3)),
         col("effective mass of mode 1", PERCENT, lambda found: found.modes[0].mass, form=".2f"),
-    ),
-    named_by_title=True,
-)
-TARGETS = TableSpec[State](
-    "targets_in_short",
-    "Response at the target displacements",
-    (
-        text("target"),
-        _state("roof drift", PERCENT, "roof_drift"),
-        _state("storey", PERCENT, "interstorey_drift"),
-        _state("V", KN, "base_shear_N"),
-        level_column("by drift", "by_drift"),
-        level_column("by members", "by_members"),
     ),
     named_by_title=True,
 )
@@ -191,12 +173,6 @@ MEASURES = TableSpec[Measure](
 def _periods(groups: dict[str, Group]) -> Table:
     """The first periods of each modal analysis, and the effective mass of the first mode."""
     return PERIODS.of(_Modes(name, found) for name, group in groups.items() if (found := modes(group)))
-
-
-def _targets(project: Project | None, groups: dict[str, Group], study: Study | None = None) -> Table:
-    """The response at target displacements without rotations of members and what the displacements follow from."""
-    without = () if project is not None else ("by drift", "by members")
-    return TARGETS.of(target_states(project, groups, study), without=without, notes=failed_notes(groups))
 
 
 def _measures(entries: Sequence[Entry]) -> Table:

@@ -2,82 +2,149 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping
 from math import isfinite
-from typing import NamedTuple
+from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import response_measures
 from edesign.assess.members import VariantMembers
-from edesign.assess.performance import SetPerformance, set_performance
+from edesign.assess.performance import set_performance
 from edesign.assess.sets import TARGET, HistorySet, target_sets
 from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.project import Project
 from edesign.project.study.study import Study
-from edesign.report.assessment.measure_columns import FRAME_COLUMNS, ROUNDING, Measures
+from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.tables.column import Column, col, text
-from edesign.report.tables.spec import TableSpec
-from edesign.report.tables.table import AnyTable, Table, number
+from edesign.report.tables.places import Analysis, Place, at, places
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, M_S2, MM, MRAD, ONE, PERCENT, S, T, Unit
 
-_OF_COEFFICIENTS = (
-    ("T_i [s]", "T_i", 1.0),
-    ("T_e [s]", "T_e", 1.0),
-    ("V_y [kN]", "V_y", 1e3),
-    ("D_y [mm]", "D_y", 1e-3),
-    ("alpha", "alpha", 1.0),
-    ("S_a [m/s2]", "S_a", 1.0),
-    ("C_m", "C_m", 1.0),
+
+def _pushover(target: Analysis) -> str:
+    """Name of the pushover of a target."""
+    about = target.group.attributes
+    return target.name.removesuffix(f".{about.get('method')}.{about.get('level')}")
+
+
+def _of(method: Method, header: str, unit: Unit, name: str = "") -> Column[Analysis]:
+    """A value that a method makes a target displacement of; it may have none."""
+
+    def value(target: Analysis) -> float | str:
+        found = float(target.group.variables[f"{method}_{name or header}"].values)
+        return found if isfinite(found) else "none"
+
+    return col(header, unit, value, negligible=ROUNDING)
+
+
+def _of_coefficients(method: Method, *own: str) -> tuple[Column[Analysis], ...]:
+    """Columns of a method of coefficients, with those that it has alone."""
+    return (
+        *_NAMED,
+        _of(method, "T_i", S),
+        _of(method, "T_e", S),
+        _of(method, "V_y", KN),
+        _of(method, "D_y", MM),
+        _of(method, "alpha", ONE),
+        _of(method, "S_a", M_S2),
+        _of(method, "C_m", ONE),
+        *(_of(method, name, ONE) for name in own),
+        _of(method, "d_t", MM),
+    )
+
+
+def _height(event: Place) -> float:
+    return float(event.group.attributes["height"])
+
+
+EVENTS = TableSpec[Place](
+    "capacity_events",
+    "Events along the capacity curves",
+    (
+        text("pushover", "analysis"),
+        text("event", lambda event: event.word("capacity_event_what")),
+        text("where", lambda event: event.word("capacity_event_place")),
+        col("displacement", MM, at("capacity_event_displacement")),
+        col("of the height", PERCENT, lambda event: event.known("capacity_event_displacement") / _height(event), 3),
+        col("base shear", KN, at("capacity_event_base_shear")),
+    ),
+    keys=3,
 )
-COLUMNS: Mapping[Method, tuple[tuple[str, str, float], ...]] = {
-    "n2": (
-        ("Gamma", "Gamma", 1.0),
-        ("m* [t]", "m", 1e3),
-        ("F_y* [kN]", "F_y", 1e3),
-        ("d_y* [mm]", "d_y", 1e-3),
-        ("T* [s]", "T", 1.0),
-        ("S_e [m/s2]", "S_e", 1.0),
-        ("q_u", "q_u", 1.0),
-        ("d_et* [mm]", "d_et", 1e-3),
-        ("d_t* [mm]", "d_t_oscillator", 1e-3),
-        ("d_t [mm]", "d_t", 1e-3),
+_NAMED: tuple[Column[Analysis], ...] = (
+    text("pushover", _pushover),
+    text("level", lambda target: target.group.attributes.get("level")),
+)
+N2 = TableSpec[Analysis](
+    "target_displacements_n2",
+    f"Target displacements, {METHODS['n2']}",
+    (
+        *_NAMED,
+        _of("n2", "Gamma", ONE),
+        _of("n2", "m*", T, "m"),
+        _of("n2", "F_y*", KN, "F_y"),
+        _of("n2", "d_y*", MM, "d_y"),
+        _of("n2", "T*", S, "T"),
+        _of("n2", "S_e", M_S2),
+        _of("n2", "q_u", ONE),
+        _of("n2", "d_et*", MM, "d_et"),
+        _of("n2", "d_t*", MM, "d_t_oscillator"),
+        _of("n2", "d_t", MM),
     ),
-    "fema356": (
-        *_OF_COEFFICIENTS,
-        ("R", "R", 1.0),
-        *((name, name, 1.0) for name in ("C_0", "C_1", "C_2", "C_3")),
-        ("d_t [mm]", "d_t", 1e-3),
+    keys=2,
+    formulas=True,
+)
+FEMA356 = TableSpec[Analysis](
+    "target_displacements_fema356",
+    f"Target displacements, {METHODS['fema356']}",
+    _of_coefficients("fema356", "R", "C_0", "C_1", "C_2", "C_3"),
+    keys=2,
+    formulas=True,
+)
+ASCE41 = TableSpec[Analysis](
+    "target_displacements_asce41",
+    f"Target displacements, {METHODS['asce41']}",
+    _of_coefficients("asce41", "mu_strength", "alpha_e", "mu_max", "C_0", "C_1", "C_2"),
+    keys=2,
+    formulas=True,
+)
+TARGETS: Mapping[Method, TableSpec[Analysis]] = {"n2": N2, "fema356": FEMA356, "asce41": ASCE41}
+STATES = TableSpec[dict[str, Any]](
+    "target_response",
+    "Response at the target displacements",
+    (
+        text("target"),
+        col("roof drift", PERCENT, "roof_drift", negligible=ROUNDING),
+        col("storey drift", PERCENT, "interstorey_drift", negligible=ROUNDING),
+        col("base shear", KN, "base_shear_N", negligible=ROUNDING),
+        col("beam rot.", MRAD, "beam_plastic_rotation_rad", negligible=ROUNDING),
+        col("col. rot.", MRAD, "column_plastic_rotation_rad", negligible=ROUNDING),
+        text("level by drift"),
+        text("level by members"),
     ),
-    "asce41": (
-        *_OF_COEFFICIENTS,
-        ("mu_strength", "mu_strength", 1.0),
-        ("alpha_e", "alpha_e", 1.0),
-        ("mu_max", "mu_max", 1.0),
-        *((name, name, 1.0) for name in ("C_0", "C_1", "C_2")),
-        ("d_t [mm]", "d_t", 1e-3),
+)
+STATES_IN_SHORT = TableSpec[dict[str, Any]](
+    "target_response_in_short",
+    "Response at the target displacements",
+    (
+        text("target"),
+        col("roof drift", PERCENT, "roof_drift", negligible=ROUNDING, bare=True),
+        col("storey", PERCENT, "interstorey_drift", negligible=ROUNDING, bare=True),
+        col("V", KN, "base_shear_N", negligible=ROUNDING, bare=True),
+        text("by drift", "level by drift"),
+        text("by members", "level by members"),
     ),
-}
-"""Of each method: header with its unit, name in the archive, unit in SI."""
-
-STATE = ("roof_drift", "interstorey_drift", "base_shear_N", "beam_plastic_rotation_rad", "column_plastic_rotation_rad")
+    named_by_title=True,
+)
+_LEVELS = ("level by drift", "level by members", "by drift", "by members")
 
 
 def events_table(groups: Mapping[str, Group]) -> Table:
     """Return the events of pushovers, each with the displacement of the control node since gravity."""
-    columns = ("pushover", "event", "where", "displacement [mm]", "of the height [%]", "base shear [kN]")
-    table = Table("Events along the capacity curves", columns, left=3, name="capacity_events")
-    for name, group in groups.items():
-        if "capacity_event_what" not in group.variables:
-            continue
-        height = float(group.attributes["height"])
-        keys = ("what", "place", "displacement", "base_shear")
-        found = [group.variables[f"capacity_event_{key}"].values.tolist() for key in keys]
-        for what, place, displacement, shear in zip(*found, strict=True):
-            cells = [number(displacement, scale=1e-3), number(displacement / height, 3, 0.01), number(shear, scale=1e3)]
-            table.rows.append([name, str(what), str(place), *cells])
-    return table
+    return EVENTS.of(places(groups, "capacity_event", "capacity_event_what"))
 
 
-def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[AnyTable]:
+def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[Table]:
     """Return the values behind the target displacements of each method, and the response at them.
 
     Args:
@@ -85,86 +152,38 @@ def target_tables(project: Project | None, groups: Mapping[str, Group], study: S
         groups: results of analyses by name.
         study: whose variants may have other values of the project; None: there is none.
     """
-    targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
-    tables: list[AnyTable] = []
-    for method, columns in COLUMNS.items():
-        headers = ("pushover", "level", *(header for header, _, _ in columns))
-        table = Table(f"Target displacements, {METHODS[method]}", headers, name=f"target_displacements_{method}")
-        table.left, table.formulas = 2, ()
-        for name, group in targets.items():
-            if group.attributes.get("method") != method or f"{method}_d_t" not in group.variables:
-                continue
-            values = [float(group.variables[f"{method}_{key}"].values) for _, key, _ in columns]
-            cells = [_shown(value, unit) for value, (_, _, unit) in zip(values, columns, strict=True)]
-            table.rows.append([_pushover(name, group), str(group.attributes.get("level")), *cells])
-        tables.append(table)
-    without = () if project is not None else ("level by drift", "level by members")
-    states = target_states(project, groups, study)
-    tables.append(TARGET_RESPONSE.of(states, without=without, notes=failed_notes(groups)))
-    return [table for table in tables if table.rows]
+    found = [Analysis(name, group) for name, group in groups.items() if group.attributes.get("kind") == TARGET]
+    tables = []
+    for method, spec in TARGETS.items():
+        reached = (one for one in found if f"{method}_d_t" in one.group.variables)
+        tables.append(spec.of(one for one in reached if one.group.attributes.get("method") == method))
+    return [table for table in (*tables, states_table(project, groups, study)) if table.rows]
 
 
-class State(NamedTuple):
-    """The frame at a target displacement: response measures, and the performance levels that it meets."""
+def states_table(
+    project: Project | None, groups: Mapping[str, Group], study: Study | None, spec: TableSpec[dict[str, Any]] = STATES
+) -> Table:
+    """Return the response of the frame at each target displacement, with the performance level that it meets.
 
-    target: str
-    measures: Mapping[str, float | None]
-    performance: SetPerformance | None
-
-
-def _measure(column: Column[Measures]) -> Column[State]:
-    name = str(column.value)
-    return col(column.header, column.unit, lambda state: state.measures.get(name), negligible=ROUNDING)
-
-
-def level_column(header: str, by: str) -> Column[State]:
-    """Return a column of the performance level that each state meets, by `by_drift` or `by_members`."""
-    return text(header, lambda state: getattr(state.performance, by, None))
-
-
-TARGET_RESPONSE = TableSpec[State](
-    "target_response",
-    "Response at the target displacements",
-    (
-        text("target"),
-        *(_measure(column) for column in FRAME_COLUMNS if column.value in STATE),
-        level_column("level by drift", "by_drift"),
-        level_column("level by members", "by_members"),
-    ),
-)
-
-
-def failed_notes(groups: Mapping[str, Group]) -> list[str]:
-    """Return why states at target displacements were not reached."""
-    return [
-        f"{name}: {group.attributes.get('reason')}"
-        for name, group in groups.items()
-        if group.attributes.get("kind") == TARGET and group.attributes.get("status") != "completed"
-    ]
-
-
-def target_states(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[State]:
-    """Return the response at target displacements; arguments as of `target_tables`."""
+    Args:
+        project: of the frame; None: performance levels are left out.
+        groups: results of analyses by name.
+        study: whose variants may have other values of the project; None: there is none.
+        spec: the columns, `STATES_IN_SHORT` where there is little room.
+    """
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
     members = VariantMembers(project, study) if project is not None else None
     of = {name: found for found in target_sets(targets) for name in found.histories}
-    states = []
+    rows, notes = [], []
     for name, group in targets.items():
+        row: dict[str, Any] = defaultdict(lambda: None, target=name)
+        rows.append(row)
         if group.attributes.get("status") != "completed":
-            states.append(State(name, {}, None))
+            notes.append(f"{name}: {group.attributes.get('reason')}")
             continue
-        performance = None
+        row |= response_measures(group)
         if members is not None:
             alone = HistorySet(of[name].variant, of[name].level, {name: group}, of[name].method)
-            performance = set_performance(alone, members(alone.variant), "maximum")
-        states.append(State(name, response_measures(group), performance))
-    return states
-
-
-def _pushover(name: str, group: Group) -> str:
-    """Name of the pushover of a target."""
-    return name.removesuffix(f".{group.attributes.get('method')}.{group.attributes.get('level')}")
-
-
-def _shown(value: float, unit: float) -> str:
-    return number(value, scale=unit, negligible=ROUNDING) if isfinite(value) else "none"
+            found = set_performance(alone, members(alone.variant), "maximum")
+            row |= {"level by drift": found.by_drift or None, "level by members": found.by_members or None}
+    return spec.of(rows, without=_LEVELS if project is None else (), notes=notes)

@@ -60,6 +60,12 @@ class Place:
         stored = self.group.variables.get(variable)
         return None if stored is None else float(stored.values[(self._along(stored.dims[0]), *further)])
 
+    def known(self, variable: str, *further: int) -> float:
+        """Return the number that a variable has here, of one that every such analysis has."""
+        value = self.value(variable, *further)
+        assert value is not None, variable
+        return value
+
     def finite(self, variable: str, *further: int) -> float | None:
         """Return the number that a variable has here; None also where it is infinite or not determined."""
         value = self.value(variable, *further)

@@ -111,7 +111,7 @@ def test_tables_of_one_analysis(archive: Path) -> None:
     with open_archive(archive) as opened:
         d_t = float(opened.group("analyses/bare.push.uniform.right.asce41.MCE").variables["asce41_d_t"].values)
     (table,) = (t for t in details(archive, "bare.push.uniform.right.asce41.MCE") if t.title.endswith("ASCE 41"))
-    assert table.rows[0][:2] == ["bare.push.uniform.right", "MCE"] and table.rows[0][-1] == f"{1e3 * d_t:#.4g}"
+    assert table.texts[0][:2] == ["bare.push.uniform.right", "MCE"] and table.texts[0][-1] == f"{1e3 * d_t:#.4g}"
     (events,) = (t for t in details(archive, "bare.push.uniform.right") if t.title.startswith("Events"))
     assert [row[1] for row in events.rows][:2] == ["first yield of a beam", "first hinge in a beam"]
 
