@@ -53,7 +53,7 @@ RESPONSE = TableSpec[Row](
     named_by_title=True,
 )
 CRITERIA = TableSpec[Criterion](
-    "criteria",
+    "criteria_of_tests",
     "Criteria",
     (
         text("criterion", "name", broken=1),
@@ -61,6 +61,7 @@ CRITERIA = TableSpec[Criterion](
         col("limit", ONE, _limit),
         verdict("met", lambda one: yes_or_no(one.met) if one.met or one.determined else "not determined"),
     ),
+    named_as="criteria",
 )
 
 
