@@ -71,9 +71,9 @@ def test_tables_and_report(archive: Path) -> None:
     with open_archive(archive) as opened:
         tables = {table.title: table for table in study_tables(opened)}
     layout = tables["Design placed: placement, completed"]
-    assert layout.rows == [["3", "-", ""], ["2", "large", ""], ["1", "large", ""]]
+    assert layout.texts == [["3", "-", ""], ["2", "large", ""], ["1", "large", ""]]
     assert any(note.startswith("certificate: optimal: each cheaper layout (") for note in layout.notes)
-    order = tables["Devices to order"].rows
+    order = tables["Devices to order"].texts
     assert order == [
         ["small", "oil", "0", "0", "1", "0"],
         ["large", "oil", "2", "2", "1.6", "3.2"],

@@ -79,7 +79,7 @@ def test_devices_to_order(archive: Path) -> None:
         history = opened.group("analyses/share.DBE.motion")
         force = float(opened.group("designs/share").variables["device_yield_force"].values[2])
     assert [row[0] for row in tables[0].rows] == ["estimate", "share, DBE"] * 3
-    last = tables[0].rows[-1]
+    last = tables[0].texts[-1]
     stroke = max(abs(history.variables[f"damper_deformation_{which}"].values[2]) for which in ("max", "min"))
     assert float(last[3]) == float(last[5]) == float(last[6]) == pytest.approx(force / 1e3, rel=1e-3)
     assert float(last[7]) == pytest.approx(1e3 * stroke, rel=1e-3)

@@ -14,7 +14,7 @@ from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.report.archive.document import page_text
 from edesign.report.archive.study_tables import study_tables
-from edesign.report.tables.table import Table
+from edesign.report.tables.spec import Table
 from edesign.study.run.run import run_study
 
 SHEAR = np.array([444e3, 355e3, 200e3])
@@ -66,8 +66,8 @@ def test_variants_have_the_braces_of_their_design(archive: Path, name: str) -> N
 def test_devices_to_order(archive: Path) -> None:
     table = orders(archive)[0]
     design, history = read(archive, "designs/diagonals", "analyses/diagonals.DBE.motion")
-    rows = [row for row in table.rows if row[0] == "diagonals, DBE"]
-    columns = {header: [float(row[i]) for row in rows] for i, header in enumerate(table.columns) if i > 0}
+    rows = [row for row in table.texts if row[0] == "diagonals, DBE"]
+    columns = {header: [float(row[i]) for row in rows] for i, header in enumerate(table.headers) if i > 0}
     area = SHEAR / (F_YSC * 6.0 / np.hypot(6.0, HEIGHTS))
     printed = pytest.approx
     assert columns["A_sc [mm2]"] == printed(1e6 * area, rel=1e-3)
@@ -76,7 +76,7 @@ def test_devices_to_order(archive: Path) -> None:
     strain = np.maximum(history.variables["core_strain_max"].values, -history.variables["core_strain_min"].values)
     assert columns["max strain [%]"] == printed(100.0 * strain, rel=1e-3)
     assert columns["max cum. [-]"] == printed(history.variables["cumulative_ductility_final"].values, rel=1e-3)
-    estimate = [float(row[table.columns.index("mean strain [%]")]) for row in table.rows if row[0] == "estimate"]
+    estimate = [float(row[table.headers.index("mean strain [%]")]) for row in table.texts if row[0] == "estimate"]
     assert estimate == printed(100.0 * design.variables["estimated_device_core_strain"].values, rel=1e-3)
 
 
@@ -85,8 +85,8 @@ def test_strengths_of_a_bound(archive: Path, bound: str, factor: float) -> None:
     """All forces have the factor of a bound, the adjusted strengths too; the core that is ordered stays."""
     design, history = read(archive, "designs/diagonals", f"analyses/diagonals_{bound}.DBE.motion")
     table = orders(archive)[0]
-    rows = [row for row in table.rows if row[0] == f"diagonals_{bound}, DBE"]
-    printed = {header: np.array([float(row[i]) for row in rows]) for i, header in enumerate(table.columns) if i > 0}
+    rows = [row for row in table.texts if row[0] == f"diagonals_{bound}, DBE"]
+    printed = {header: np.array([float(row[i]) for row in rows]) for i, header in enumerate(table.headers) if i > 0}
     assert printed["A_sc [mm2]"] == pytest.approx(1e6 * design.variables["device_core_area"].values, rel=1e-3)
     for column, side in (("T_adj [kN]", "tension"), ("C_adj [kN]", "compression")):
         of_model = history.variables[f"damper_adjusted_{side}"].values

@@ -2,27 +2,95 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.assess.devices import DeviceDemand, device_demand
 from edesign.assess.sets import HistorySet
 from edesign.report.design.viscous_tables import kilonewtons
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.places import Place, places
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT, Unit
 
-_VALUES = {  # header, name, unit shown in SI
-    "viscous": (("force [kN]", "force", 1e3), ("stroke [mm]", "stroke", 1e-3), ("velocity [m/s]", "velocity", 1.0)),
-    "hysteretic": (
-        ("force [kN]", "force", 1e3),
-        ("stroke [mm]", "stroke", 1e-3),
-        ("plastic [mm]", "cumulated_plastic", 1e-3),
+
+class _Device(NamedTuple):
+    """One damper of a storey, estimated or in the histories of a variant."""
+
+    whose: str
+    storey: Place
+    factor: float
+    """On its strength, of a variant."""
+    largest: Mapping[str, tuple[float | None, float | None]]
+    """Mean and largest of the histories, SI."""
+
+
+def _size(name: str) -> Callable[[_Device], float]:
+    return lambda device: device.storey.known(f"device_{name}")
+
+
+def _strength(name: str) -> Callable[[_Device], float]:
+    """A size that goes with the bound of a variant, as those to order do not."""
+    return lambda device: _size(name)(device) * device.factor
+
+
+def _largest(header: str, unit: Unit, name: str) -> tuple[Column[_Device], Column[_Device]]:
+    return (
+        col(f"mean {header}", unit, lambda device: device.largest[name][0]),
+        col(f"max {header}", unit, lambda device: device.largest[name][1]),
+    )
+
+
+_TITLE = "Devices to order: largest values of one damper"
+_FILE = "devices_to_order"
+_NAMED: tuple[Column[_Device], ...] = (
+    text("", "whose"),
+    count("storey", lambda device: int(device.storey.name)),
+    count("number", _size("count")),
+)
+VISCOUS_DEVICES = TableSpec[_Device](
+    "viscous_devices_to_order",
+    _TITLE,
+    (
+        *_NAMED,
+        col("c", "coefficient", _size("coefficient")),
+        col("alpha", ONE, lambda device: float(device.storey.group.attributes["alpha"]), form="g", as_shown=True),
+        *_largest("force", KN, "force"),
+        *_largest("stroke", MM, "stroke"),
+        *_largest("velocity", M_S, "velocity"),
     ),
-    "buckling_restrained": (
-        ("force [kN]", "force", 1e3),
-        ("strain [%]", "core_strain", 0.01),
-        ("cum. [-]", "cumulative_ductility", 1.0),
+    named_as=_FILE,
+)
+HYSTERETIC_DEVICES = TableSpec[_Device](
+    "hysteretic_devices_to_order",
+    _TITLE,
+    (
+        *_NAMED,
+        col("F_y", KN, _size("yield_force")),
+        col("k", KN_MM, _size("stiffness")),
+        *_largest("force", KN, "force"),
+        *_largest("stroke", MM, "stroke"),
+        *_largest("plastic", MM, "cumulated_plastic"),
     ),
-}
+    named_as=_FILE,
+)
+RESTRAINED_DEVICES = TableSpec[_Device](
+    "restrained_braces_to_order",
+    _TITLE,
+    (
+        *_NAMED,
+        col("A_sc", MM2, _size("core_area")),
+        col("T_adj", KN, _strength("adjusted_tension")),
+        col("C_adj", KN, _strength("adjusted_compression")),
+        *_largest("force", KN, "force"),
+        *_largest("strain", PERCENT, "core_strain"),
+        *_largest("cum.", Unit("-"), "cumulative_ductility"),
+    ),
+    named_as=_FILE,
+)
+_BY_KIND = {"viscous": VISCOUS_DEVICES, "hysteretic": HYSTERETIC_DEVICES, "buckling_restrained": RESTRAINED_DEVICES}
+_VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
 
 
 def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
@@ -33,61 +101,32 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
         sets: histories by variant and level.
         factors: property factors of the variants that have the design, by their names.
     """
-    table = Table("Devices to order: largest values of one damper", left=1, name="devices_to_order")
     if "device_count" not in group.variables or group.attributes.get("status") != "completed":
-        return table
+        return Table("")
     demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]
     found = [demand for demand in demands if demand is not None]
-    values = _VALUES[_kind(group)]
-    spread = [f"{which} {header}" for header, _, _ in values for which in ("mean", "max")]
-    headers, nominal = _sizes(group)
-    bounded = [_sizes(group, factors[demand.variant])[1] for demand in found]
-    table.columns = ["", "storey", "number", *headers, *spread]
-    for i, storey in enumerate(group.coords["storey"].values):
-        counted = [whole(storey), whole(group.variables["device_count"].values[i])]
+    devices = list(_devices(group, found, factors))
+    notes = _notes(group, found) if devices else []
+    if any(factors[demand.variant] != 1.0 for demand in found):
+        own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "forces alone have"
+        notes.append(f"{own} the bound of a variant; what is ordered is without")
+    coefficient = group.variables.get("device_coefficient")
+    units = {} if coefficient is None else {"coefficient": kilonewtons(coefficient.unit)}
+    return _BY_KIND[_kind(group)].of(devices, units=units, notes=notes)
+
+
+def _devices(group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, float]) -> Iterator[_Device]:
+    for storey in places({"": group}, "storey"):
         if "estimated_device_force" in group.variables:
-            table.rows.append(["estimate", *counted, *nominal[i], *_estimated(group, i, values)])
-        for demand, sizes in zip(found, bounded, strict=True):
-            cells = [number(float(of), scale=unit) for _, name, unit in values for of in demand.values[name][:, i]]
-            table.rows.append([f"{demand.variant}, {demand.level}".rstrip(", "), *counted, *sizes[i], *cells])
-    if table.rows:
-        table.notes += _notes(group, found)
-        if any(factors[demand.variant] != 1.0 for demand in found):
-            own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "forces alone have"
-            table.notes.append(f"{own} the bound of a variant; what is ordered is without")
-    return table
-
-
-_STRENGTHS = ("adjusted_tension", "adjusted_compression")  # go with the bound of a variant; sizes to order do not
-_SIZES = {  # header, name, unit shown in SI
-    "hysteretic": (("F_y [kN]", "yield_force", 1e3), ("k [kN/mm]", "stiffness", 1e6)),
-    "buckling_restrained": (
-        ("A_sc [mm2]", "core_area", 1e-6),
-        ("T_adj [kN]", "adjusted_tension", 1e3),
-        ("C_adj [kN]", "adjusted_compression", 1e3),
-    ),
-}
+            estimated = {name: (storey.value(f"estimated_device_{name}"), None) for name in _VALUES}
+            yield _Device("estimate", storey, 1.0, estimated)
+        for demand in found:
+            values = {name: (both[0, storey.number], both[1, storey.number]) for name, both in demand.values.items()}
+            yield _Device(f"{demand.variant}, {demand.level}".rstrip(", "), storey, factors[demand.variant], values)
 
 
 def _kind(group: Group) -> str:
     return "buckling_restrained" if "device_core_area" in group.variables else str(group.attributes["method"])
-
-
-def _sizes(group: Group, property_factor: float = 1.0) -> tuple[list[str], list[list[str]]]:
-    """Headers and cells of each storey of what one damper is, its strengths with the property factor of a variant."""
-    if (sizes := _SIZES.get(_kind(group))) is not None:
-        columns = [
-            [
-                number(float(of) * (property_factor if key in _STRENGTHS else 1.0), scale=unit)
-                for of in group.variables[f"device_{key}"].values
-            ]
-            for _, key, unit in sizes
-        ]
-        return [header for header, _, _ in sizes], [list(row) for row in zip(*columns, strict=True)]
-    coefficient = group.variables["device_coefficient"]
-    alpha = f"{float(str(group.attributes['alpha'])):g}"
-    cells = [[number(float(c), scale=1e3), alpha] for c in coefficient.values]
-    return [f"c [{kilonewtons(coefficient.unit)}]", "alpha"], cells
 
 
 def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
@@ -116,12 +155,3 @@ def _yields(group: Group) -> str:
     deformation = group.variables["device_yield_deformation"].values
     ends = dict.fromkeys(f"{1e3 * end:.4g}" for end in (deformation.min(), deformation.max()))
     return f"{' to '.join(ends)} mm"
-
-
-def _estimated(group: Group, storey: int, values: Sequence[tuple[str, str, float]]) -> list[str]:
-    cells = []
-    for _, name, unit in values:
-        variable = group.variables.get(f"estimated_device_{name}")
-        value = None if variable is None else float(variable.values[storey])
-        cells += [number(value, scale=unit), "-"]
-    return cells

@@ -13,7 +13,7 @@ from edesign.report.archived import archived_project
 from edesign.report.design.heights import heights_caption, heights_figure, size_of
 from edesign.report.design.hysteretic_figures import hysteretic_figures
 from edesign.report.design.placement_figures import placement_figures
-from edesign.report.design.tables import ROUND_SIZES, round_areas, round_damping
+from edesign.report.design.tables import round_damping, round_sizes
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.drawing.captions import file_name
 from edesign.report.drawing.style import (
@@ -28,6 +28,7 @@ from edesign.report.drawing.style import (
     styled,
 )
 from edesign.report.response.histories import names_of
+from edesign.report.tables.unit import M2
 from edesign.study.results.kinds import DESIGNS
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ def _panels(group: Group) -> list[tuple[str, float, tuple[str, ...]]]:
     if coefficient is not None:
         panels = [
             ("roof amplitude (mm)", 1e3, ("iteration_roof_displacement",)),
-            (f"c of all storeys ({kilonewtons(coefficient.unit)})", 1e-3, ("iteration_coefficient",)),
+            (f"c of all storeys ({kilonewtons(coefficient.unit).name})", 1e-3, ("iteration_coefficient",)),
         ]
     return [panel for panel in panels if all(name in group.variables for name in panel[2])]
 
@@ -167,14 +168,9 @@ def _damping(axis: Axes, group: Group, rounds: np.ndarray) -> None:
 
 
 def _size(axis: Axes, group: Group, rounds: np.ndarray) -> None:
-    if group.attributes.get("method") in ROUND_SIZES:
-        total, label = ROUND_SIZES[str(group.attributes["method"])](group)
-        axis.plot(rounds, total, **_LINE)
-        axis.set_ylabel(label.replace("[", "(").replace("]", ")"))
-        _from_zero(axis)
-        return
-    axis.plot(rounds, round_areas(group), **_LINE)
-    axis.set_ylabel("elastomer, all layers (m²)")
+    total, name, unit = round_sizes(group)
+    axis.plot(rounds, total / unit.si, **_LINE)
+    axis.set_ylabel("elastomer, all layers (m²)" if unit == M2 else f"{name} ({unit.name})")
     _from_zero(axis)
 
 

@@ -109,7 +109,7 @@ def _bars(axis: Axes, group: Group, size: str) -> None:
     for i, (name, part, color) in enumerate(parts):
         height = 0.9 * thick if len(parts) > 1 else 0.6
         axis.barh(storeys + 0.4 - (i + 0.5) * thick, scale * _along(group, name), height, color=color, label=part)
-    axis.set_xlabel(label.format(unit=kilonewtons(group.variables[parts[0][0]].unit)))
+    axis.set_xlabel(label.format(unit=kilonewtons(group.variables[parts[0][0]].unit).name))
     if len(parts) > 1:
         legend_above(axis)
 

@@ -2,16 +2,69 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
+from edesign.report.design.storeys import heading
 from edesign.report.response.histories import names_of
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.tables.cell import Value, yes_or_no
+from edesign.report.tables.column import col, count, text, verdict
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, MM, ONE
 
+Row = dict[str, Value]
 _MOST_ROWS = 12  # of the layouts on the front, the cheapest first
+
+
+LAYOUT = TableSpec[Row]("placement", "Design {design}", (count("storey"),), named_by_title=True)  # and each bay
+DEVICES = TableSpec[Row](
+    "placed_devices_to_order",
+    "Devices to order",
+    (
+        text("item"),
+        text("law"),
+        count("places"),
+        count("dampers", missing=""),
+        col("cost of one", ONE, form=".6g"),
+        col("cost", ONE, form=".6g"),
+    ),
+    keys=2,
+    named_as="devices_to_order",
+)
+DEMAND = TableSpec[Row](
+    "placed_devices_demand",
+    "Devices to order: largest values of one damper",
+    (
+        text("item"),
+        text("variant, level"),
+        count("of"),
+        col("F mean", KN),
+        col("F max", KN),
+        col("stroke mean", MM),
+        col("stroke max", MM),
+    ),
+    keys=2,
+    named_as="devices_to_order",
+)
+FRONT = TableSpec[Row](
+    "cost_against_demand",
+    "Cost against worst ratio of demand to limit: no layout analysed is as cheap and better",
+    (
+        text("layout"),
+        col("cost", ONE, form=".6g"),
+        count("dampers"),
+        text("places"),
+        col("worst ratio", ONE, form=".3f"),
+        verdict("met"),
+    ),
+    notes=("layout: in the order of analysis, of {analysed}; *: chosen",),
+    most=_MOST_ROWS,
+    cut="{more} dearer ones are in the archive",
+)
 
 
 def placement_tables(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> list[Table]:
@@ -23,9 +76,13 @@ def placement_tables(group: Group, sets: Sequence[HistorySet], factors: Mapping[
         factors: property factors of the variants that have the design, by their names.
     """
     if "placement" not in group.variables:
-        about = group.attributes
-        return [Table(_title(group), notes=[f"failed: {about['reason']}"] if about.get("reason") else [])]
-    return [_layout(group), _order(group), _demand(group, sets, factors), _front(group)]
+        reason = group.attributes.get("reason")
+        title = f"Design {heading(group)}"
+        return [Table(title, notes=[f"failed: {reason}"] if reason else [], headed=False)]
+    tables = [_layout(group), DEVICES.of(_ordered(group))]
+    if "damper" in group.coords:
+        tables.append(DEMAND.of(_demands(group, sets, factors)))
+    return [*tables, *([_front(group)] if "criterion" in group.coords else [])]
 
 
 def front(group: Group) -> list[int]:
@@ -38,60 +95,52 @@ def front(group: Group) -> list[int]:
     return found
 
 
-def _title(group: Group) -> str:
-    about = group.attributes
-    return f"Design {about.get('name', '')}: placement, {about.get('status')}"
-
-
 def _layout(group: Group) -> Table:
     """What stands in each bay of each storey, from the top down."""
     about, names = group.attributes, ["-", *names_of(group, "item")]
-    bays, storeys = group.coords["bay"].values, group.coords["storey"].values
-    table = Table(_title(group), ("storey", *(f"bay {bay}" for bay in bays)), left=1 + len(bays))
-    at = group.variables["placement"].values
-    for row in reversed(range(len(storeys))):
-        table.rows.append([whole(storeys[row]), *("" if option < 0 else names[option] for option in at[row])])
-    table.notes.append(
+    bays = [f"bay {bay}" for bay in group.coords["bay"].values]
+    rows: list[Row] = []
+    storeys = zip(group.coords["storey"].values, group.variables["placement"].values, strict=True)
+    for storey, options in reversed(list(storeys)):
+        stands = ("" if option < 0 else names[option] for option in options)
+        rows.append({"storey": int(storey), **dict(zip(bays, stands, strict=True))})
+    notes = [
         f"cost {float(about['cost']):.6g}; dampers: {about['dampers']}; worst ratio of demand to limit "
         f"{float(about['demand']):.3f}; -: empty"
-    )
+    ]
     if "certificate" in about and not about.get("reason"):
-        table.notes.append(f"certificate: {about['certificate']}")
+        notes.append(f"certificate: {about['certificate']}")
     if about.get("same_cost"):
         alike = f"{about['same_cost_analysed']} of {about['same_cost']}"
-        table.notes.append(f"other layouts of this cost: {alike} analysed; the least worst ratio decides among them")
+        notes.append(f"other layouts of this cost: {alike} analysed; the least worst ratio decides among them")
     if about.get("reason"):
-        table.notes.append(f"failed: {about['reason']}")
-    return table
+        notes.append(f"failed: {about['reason']}")
+    declared = replace(LAYOUT, keys=1 + len(bays))
+    return declared.of(rows, more=[text(bay) for bay in bays], notes=notes, design=heading(group))
 
 
-def _order(group: Group) -> Table:
+def _ordered(group: Group) -> Iterator[Row]:
     """How many of each item there are, and what they cost."""
-    table = Table(
-        "Devices to order", ("item", "law", "places", "dampers", "cost of one", "cost"), left=2, name="devices_to_order"
+    laws, places, numbers, costs = (
+        group.variables[f"item_{key}"].values for key in ("law", "places", "number", "cost")
     )
-    values = {key: group.variables[f"item_{key}"].values for key in ("law", "places", "number", "cost")}
     for i, name in enumerate(names_of(group, "item")):
-        places, count, cost = int(values["places"][i]), int(values["number"][i]), float(values["cost"][i])
-        table.rows.append([name, str(values["law"][i]), whole(places), whole(places * count), formatted(cost, ".6g")])
-        table.rows[-1].append(formatted(places * count * cost, ".6g"))
-    at = group.variables["placement"].values > 0
-    shared = {"place": int(at.sum()), "storey": int(at.any(axis=1).sum()), "bay": int(at.any(axis=0).sum())}
-    for key, count in shared.items():
-        cost = float(group.attributes[f"cost_of_{key}"])
-        if cost:
-            table.rows.append(
-                [f"each {key}", "", whole(count), "", formatted(cost, ".6g"), formatted(count * cost, ".6g")]
-            )
-    return table
+        yield _order(name, str(laws[i]), int(places[i]), int(places[i]) * int(numbers[i]), float(costs[i]))
+    stands = group.variables["placement"].values > 0
+    shared = {"place": int(stands.sum()), "storey": int(stands.any(axis=1).sum()), "bay": int(stands.any(axis=0).sum())}
+    for key, several in shared.items():
+        if cost := float(group.attributes[f"cost_of_{key}"]):
+            yield _order(f"each {key}", "", several, None, cost)
 
 
-def _demand(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
+def _order(item: str, law: str, places: int, dampers: int | None, cost: float) -> Row:
+    number = places if dampers is None else dampers
+    row: Row = {"item": item, "law": law, "places": places, "dampers": dampers}
+    return row | {"cost of one": cost, "cost": number * cost}
+
+
+def _demands(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Iterator[Row]:
     """Largest force and stroke of one damper of each item in the histories of the variants that have the design."""
-    columns = ("item", "variant, level", "of", "F mean [kN]", "F max [kN]", "stroke mean [mm]", "stroke max [mm]")
-    table = Table("Devices to order: largest values of one damper", columns, left=2, name="devices_to_order")
-    if "damper" not in group.coords:
-        return table
     of = dict(zip(names_of(group, "damper"), group.variables["damper_item"].values.tolist(), strict=True))
     for i, name in enumerate(names_of(group, "item"), start=1):
         mine = {damper for damper, item in of.items() if item == i}
@@ -102,14 +151,15 @@ def _demand(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, floa
                 continue
             force = np.array([_largest(one, "damper_force", mine) for one in completed]) / number_of
             stroke = np.array([_largest(one, "damper_deformation", mine) for one in completed])
-            cells = [number(float(x), scale=unit) for v, unit in ((force, 1e3), (stroke, 1e-3)) for x in _both(v)]
-            histories = f"{len(completed)}/{len(found.histories)}"
-            table.rows.append([name, f"{found.variant}, {found.level}", histories, *cells])
-    return table
-
-
-def _both(values: np.ndarray) -> tuple[float, float]:
-    return float(values.mean()), float(values.max())
+            yield {
+                "item": name,
+                "variant, level": f"{found.variant}, {found.level}",
+                "of": f"{len(completed)}/{len(found.histories)}",
+                "F mean": force.mean(),
+                "F max": force.max(),
+                "stroke mean": stroke.mean(),
+                "stroke max": stroke.max(),
+            }
 
 
 def _largest(group: Group, name: str, dampers: set[str]) -> float:
@@ -119,35 +169,22 @@ def _largest(group: Group, name: str, dampers: set[str]) -> float:
 
 def _front(group: Group) -> Table:
     """The analysed layouts on the Pareto front of cost and worst ratio."""
-    criteria = names_of(group, "criterion") if "criterion" in group.coords else []
-    columns = ("layout", "cost", "dampers", "places", "worst ratio", "met")
-    table = Table(
-        "Cost against worst ratio of demand to limit: no layout analysed is as cheap and better",
-        columns,
-        name="cost_against_demand",
-    )
-    if not criteria:
-        return table
-    values, rows = group.variables, front(group)
-    names = names_of(group, "item")
-    chosen = int(str(group.attributes["chosen_layout"]))
-    for i in rows[:_MOST_ROWS]:
-        options = values["layout_option"].values[i]
-        sizes = [names_of(group, "position")[k].count("+") + 1 for k in range(len(options))]
-        parts = []
-        for item, name in enumerate(names, start=1):
-            count = sum(size for size, option in zip(sizes, options, strict=True) if option == item)
-            parts += [f"{count} {name}"] if count else []
-        mark = "*" if i + 1 == chosen else ""
-        cells = [f"{i + 1}{mark}", formatted(float(values["layout_cost"].values[i]), ".6g")]
-        cells += [whole(float(values["layout_dampers"].values[i])), " + ".join(parts) or "none"]
-        cells += [
-            formatted(float(values["layout_demand"].values[i]), ".3f"),
-            "yes" if values["layout_met"].values[i] else "no",
-        ]
-        table.rows.append(cells)
-    of = group.coords["layout"].values.size
-    table.notes.append(f"layout: in the order of analysis, of {of}; *: chosen")
-    if len(rows) > _MOST_ROWS:
-        table.notes.append(f"{len(rows) - _MOST_ROWS} dearer ones are in the archive")
-    return table
+    rows = (_analysed(group, i) for i in front(group))
+    return FRONT.of(rows, analysed=group.coords["layout"].values.size)
+
+
+def _analysed(group: Group, i: int) -> Row:
+    values, options = group.variables, group.variables["layout_option"].values[i]
+    sizes = [position.count("+") + 1 for position in names_of(group, "position")]
+    parts = []
+    for item, name in enumerate(names_of(group, "item"), start=1):
+        together = sum(size for size, option in zip(sizes, options, strict=True) if option == item)
+        parts += [f"{together} {name}"] if together else []
+    return {
+        "layout": f"{i + 1}{'*' if i + 1 == int(str(group.attributes['chosen_layout'])) else ''}",
+        "cost": values["layout_cost"].values[i],
+        "dampers": values["layout_dampers"].values[i],
+        "places": " + ".join(parts) or "none",
+        "worst ratio": values["layout_demand"].values[i],
+        "met": yes_or_no(bool(values["layout_met"].values[i])),
+    }

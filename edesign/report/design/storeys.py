@@ -1,23 +1,16 @@
-"""What tables of designs show storey by storey, whatever the method."""
+"""What tables of designs show storey by storey and mode by mode, whatever the method."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from edesign.archive.dataset import Group
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.column import Column, count
+from edesign.report.tables.places import Place
+
+STOREY: Column[Place] = count("storey", lambda storey: int(storey.name))
+MODE: Column[Place] = count("mode", lambda mode: int(mode.name))
 
 
-def put_storeys(table: Table, group: Group, columns: Iterable[tuple[str, str, float]]) -> None:
-    """Fill a table with a row for each storey with dampers.
-
-    Args:
-        table: without columns.
-        group: of a design.
-        columns: header, variable over (storey,), and the unit shown, in SI; those that the design has not are left out.
-    """
-    shown = [column for column in columns if column[1] in group.variables]
-    table.columns = ("storey", *(header for header, _, _ in shown))
-    for i, storey in enumerate(group.coords["storey"].values):
-        cells = [number(float(group.variables[key].values[i]), scale=scale) for _, key, scale in shown]
-        table.rows.append([whole(storey), *cells])
+def heading(group: Group) -> str:
+    """Return what titles say of a design: its name, method and status."""
+    about = group.attributes
+    return f"{about.get('name', '')}: {str(about.get('method', '')).replace('_', ' ')}, {about.get('status')}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
@@ -12,42 +12,117 @@ from edesign.archive.dataset import Group
 from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
 from edesign.report.design.device_order import devices_table
-from edesign.report.design.hysteretic_tables import (
-    hysteretic_damping_table,
-    hysteretic_round_sizes,
-    hysteretic_storeys_table,
-)
+from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
-from edesign.report.design.storeys import put_storeys
-from edesign.report.design.viscous_tables import viscous_damping_table, viscous_round_sizes, viscous_storeys_table
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.design.storeys import STOREY, heading
+from edesign.report.design.viscous_tables import kilonewtons, viscous_damping_table, viscous_storeys_table
+from edesign.report.tables.cell import Quantity, Value, yes_or_no
+from edesign.report.tables.column import Column, col, count, literal, text, verdict
+from edesign.report.tables.places import Place, at, places
+from edesign.report.tables.spec import MORE, Table, TableSpec
+from edesign.report.tables.unit import CM, DEGC, KN, KN_PER_M, M2, MM, ONE, PERCENT, S, Unit
 
+Row = dict[str, Value]
 EMPTY: Mapping[str, float] = MappingProxyType({})
-
-_DAMPINGS = (
-    ("energies [%]", "damping_strain_energy"),
-    ("frequencies [%]", "damping_frequencies"),
-    ("complex [%]", "damping_complex"),
-)
+_DAMPINGS = ("damping_strain_energy", "damping_frequencies", "damping_complex")
 _CHANGED = {
-    "target": ("target [%]", 0.01),
-    "area": ("factor on areas", 1.0),
-    "thickness": ("factor on thicknesses", 1.0),
-    "coefficient": ("factor on coefficients", 1.0),
+    "target": ("target", PERCENT),
+    "area": ("factor on areas", ONE),
+    "thickness": ("factor on thicknesses", ONE),
+    "coefficient": ("factor on coefficients", ONE),
 }
-"""What rounds change, as a header with its unit, and that unit."""
+"""What rounds change, and its unit."""
 _BOUNDS = (
-    ("factor on the forces", "factor", 1.0),
-    ("temperature [degC]", "temperature", 1.0),
-    ("T1 [s]", "period", 1.0),
-    ("added damping [%]", "damping", 0.01),
-    ("storey drift [%]", "storey_drift", 0.01),
-    ("roof displacement [cm]", "roof_displacement", 0.01),
-    ("shear of columns [kN]", "column_shear", 1e3),
-    ("base shear [kN]", "base_shear", 1e3),
-    ("force of a damper [kN]", "damper_force", 1e3),
-    ("damper strain [%]", "damper_strain", 0.01),
-    ("stroke of a damper [mm]", "damper_stroke", 1e-3),
+    ("factor on the forces", "factor", ONE),
+    ("temperature", "temperature", DEGC),
+    ("T1", "period", S),
+    ("added damping", "damping", PERCENT),
+    ("storey drift", "storey_drift", PERCENT),
+    ("roof displacement", "roof_displacement", CM),
+    ("shear of columns", "column_shear", KN),
+    ("base shear", "base_shear", KN),
+    ("force of a damper", "damper_force", KN),
+    ("damper strain", "damper_strain", PERCENT),
+    ("stroke of a damper", "damper_stroke", MM),
+)
+
+
+def _stiffness_ratio(storey: Place) -> float | None:
+    damper, own = storey.value("damper_stiffness"), storey.value("storey_stiffness")
+    return None if damper is None or own is None else damper / own
+
+
+def _round_name(one: Place) -> str:
+    chosen = one.number + 1 == one.group.attributes.get("chosen_round")
+    return f"{one.number + 1}{' (chosen)' if chosen else ''}"
+
+
+def _determined(variable: str) -> Callable[[Place], float | str | None]:
+    """A value of a round, "-" where it is none, None of a design that has it in no round."""
+
+    def of(one: Place) -> float | str | None:
+        value = one.value(variable)
+        return "-" if value is not None and np.isnan(value) else value
+
+    return of
+
+
+ELASTOMER_STOREYS = TableSpec[Place](
+    "elastomer_design",
+    "Design {design}",
+    (
+        STOREY,
+        col("k_S", KN_PER_M, at("storey_stiffness")),
+        col("k_D", KN_PER_M, at("damper_stiffness")),
+        col("k_D/k_S", ONE, _stiffness_ratio),
+        col("braces", KN_PER_M, at("brace_stiffness")),
+        col("layer", M2, at("layer_area")),
+        col("A_D/A_P", ONE, at("area_ratio")),
+        col("force", KN, at("estimated_damper_force")),
+        col("columns", KN, at("estimated_column_shear")),
+    ),
+    formulas=True,
+    optional=True,
+    named_by_title=True,
+)
+ELASTOMER_DAMPING = TableSpec[Row](
+    "elastomer_damping",
+    "",
+    (
+        count("mode"),
+        col("T bare", S, "bare_period"),
+        text("dampers"),
+        col("T", S, "period"),
+        col("energies", PERCENT, "damping_strain_energy"),
+        col("frequencies", PERCENT, "damping_frequencies"),
+        col("complex", PERCENT, "damping_complex"),
+    ),
+    notes=("added damping: by energies of the modes with dampers, frequencies, complex eigenvalues",),
+    keys=0,
+    named_by_title=True,
+)
+ROUNDS = TableSpec[Place](
+    "rounds",
+    "Rounds",
+    (
+        text("round", _round_name),
+        col("{changed}", "changed", at("round_changed")),
+        col("damping", PERCENT, lambda one: round_damping(one.group)[one.number]),
+        col("T1", S, at("round_period")),
+        col("{size}", "size", lambda one: round_sizes(one.group)[0][one.number]),
+        col("strain", PERCENT, _determined("round_strain"), optional=True),
+        col("in histories", PERCENT, _determined("round_history_strain"), optional=True),
+        MORE,  # each criterion
+        col("made least", ONE, at("round_objective"), optional=True),
+        verdict("met", lambda one: yes_or_no(bool(one.value("round_met")))),
+    ),
+)
+BOUNDS = TableSpec[Row](
+    "bounds_of_a_design",
+    "Bounds of the properties (estimates by the response spectrum)",
+    (text(""), MORE, text("governs", missing="")),  # each bound
+    notes=("of quantities over the height the largest",),
+    named_by_title=True,
 )
 
 
@@ -61,7 +136,7 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
     """
     method = group.attributes.get("method")
     if method == "placement":
-        tables = [*placement_tables(group, sets, factors), Table("", notes=_doubts(group))]
+        tables = [*placement_tables(group, sets, factors), _lines(_doubts(group))]
         return [table for table in tables if table.rows or table.notes]
     if method == "viscous":
         sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
@@ -75,48 +150,19 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
 
 def storeys_table(group: Group) -> Table:
     """Return stiffness of storey, dampers and braces, area of a layer, as thesis Table 5.7, and estimated forces."""
-    about = group.attributes
-    title = f"Design {about.get('name', '')}: {str(about.get('method', '')).replace('_', ' ')}, {about.get('status')}"
-    columns = (
-        ("k_S [kN/m]", "storey_stiffness", 1e3),
-        ("k_D [kN/m]", "damper_stiffness", 1e3),
-        ("braces [kN/m]", "brace_stiffness", 1e3),
-        ("layer [m2]", "layer_area", 1.0),
-        ("A_D/A_P", "area_ratio", 1.0),
-        ("force [kN]", "estimated_damper_force", 1e3),
-    )
-    table = Table(title, formulas=())
-    if "storey" in group.coords:
-        put_storeys(table, group, columns)
-    values = group.variables
-    if "damper_stiffness" in values and "storey_stiffness" in values:
-        ratio = values["damper_stiffness"].values / values["storey_stiffness"].values
-        _put(table, "k_D/k_S", ratio, after="k_D [kN/m]")
-    if "estimated_column_shear" in values:
-        shear = values["estimated_column_shear"].values[np.asarray(group.coords["storey"].values) - 1]
-        _put(table, "columns [kN]", shear / 1e3, after="force [kN]")
+    about, notes = group.attributes, []
     if "layer_thickness_m" in about:
-        table.notes.append(
+        notes.append(
             f"{about['number']} x {about['layers']} layers of {1e3 * float(about['layer_thickness_m']):.4g} mm at each "
             f"place; G' {1e-6 * float(about['G_storage_Pa']):.4g} MPa, n {float(about['loss_factor']):.4g} at "
             f"{float(about['frequency_Hz']):.3g} Hz{_strains(group)}; all layers "
             f"{float(about['total_layer_area_m2']):.4g} m2{_prototypes(about)}"
         )
-        table.notes.append(
-            "k_S, k_D: of the storey and of its dampers; layer: area of one; A_D/A_P: over the prototype"
-        )
-    if "estimated_damper_force" in values:
-        at = f" at {about['level']}" if about.get("level") else ""
-        table.notes.append(f"estimated{at}: force of the dampers and the brace of a place, shear of all columns")
-    return table
-
-
-def _put(table: Table, header: str, values: np.ndarray, after: str) -> None:
-    """Put a column of numbers into a table behind another one."""
-    i = list(table.columns).index(after) + 1
-    table.columns = [*table.columns[:i], header, *table.columns[i:]]
-    for row, value in zip(table.rows, values, strict=True):
-        row.insert(i, number(float(value)))
+        notes.append("k_S, k_D: of the storey and of its dampers; layer: area of one; A_D/A_P: over the prototype")
+    if "estimated_damper_force" in group.variables:
+        level = f" at {about['level']}" if about.get("level") else ""
+        notes.append(f"estimated{level}: force of the dampers and the brace of a place, shear of all columns")
+    return ELASTOMER_STOREYS.of(places({"": group}, "storey"), notes=notes, design=heading(group))
 
 
 def _strains(group: Group) -> str:
@@ -141,8 +187,12 @@ def _prototypes(about: Mapping[str, Any]) -> str:
 
 def _warnings(group: Group) -> Table:
     """Return why a design failed, and what is doubtful about it; no columns."""
-    about = group.attributes
-    return Table("", notes=[*([f"failed: {about['reason']}"] if about.get("reason") else []), *_doubts(group)])
+    reason = group.attributes.get("reason")
+    return _lines([*([f"failed: {reason}"] if reason else []), *_doubts(group)])
+
+
+def _lines(notes: list[str]) -> Table:
+    return Table("", notes=notes, headed=False)
 
 
 def _doubts(group: Group) -> list[str]:
@@ -152,78 +202,45 @@ def _doubts(group: Group) -> list[str]:
 
 def damping_table(group: Group) -> Table:
     """Return the damping that the dampers add to each mode, by three ways, alone and with their braces."""
-    table = Table("", ("mode", "T bare [s]", "dampers", "T [s]", *(header for header, _ in _DAMPINGS)), left=0)
-    if any(key not in group.variables for key in ("period", "bare_period", *(key for _, key in _DAMPINGS))):
-        return table
-    bare, period = group.variables["bare_period"].values, group.variables["period"].values
-    for mode in range(period.shape[1]):
-        for i, assembly in enumerate(group.coords["assembly"].values):
-            cells = [number(float(group.variables[key].values[i, mode]), scale=0.01) for _, key in _DAMPINGS]
-            times = [number(float(bare[mode])), str(assembly).replace("_", " "), number(float(period[i, mode]))]
-            table.rows.append([whole(mode + 1), *times, *cells])
-    table.notes.append("added damping: by energies of the modes with dampers, frequencies, complex eigenvalues")
-    return table
+    rows: list[Row] = []
+    for mode in places({"": group}, "mode", "damping_complex"):
+        for assembly in places({"": group}, "assembly"):
+            row: Row = {key: assembly.value(key, mode.number) for key in ("period", *_DAMPINGS)}
+            row |= {"mode": int(mode.name), "bare_period": mode.value("bare_period")}
+            rows.append(row | {"dampers": assembly.name.replace("_", " ")})
+    return ELASTOMER_DAMPING.of(rows)
 
 
 def rounds_table(group: Group) -> Table:
     """Return the rounds of sizing and verification; none if there was only one and nothing to verify."""
-    table = Table("Rounds", left=1, name="rounds")
-    count = group.coords["round"].values.size if "round" in group.coords else 0
-    if count == 0 or (count == 1 and "criterion" not in group.coords):
-        return table
-    values, about = group.variables, group.attributes
-    verdicts = [str(name) for name in group.coords["criterion"].values] if "criterion" in group.coords else []
-    units = [UNITS[str(unit)] for unit in values["criterion_unit"].values] if "criterion_unit" in values else []
-    units = units or [("SI", 1.0)] * len(verdicts)  # of archives that do not say them
-    sizes = ROUND_SIZES.get(str(about.get("method")))
-    used, size = (round_areas(group), "all layers [m2]") if sizes is None else sizes(group)
-    damping = round_damping(group)
-    least = "round_objective" in values
-    changed, unit = _changed_header(group)
-    strains = [
-        (header, values[key].values)
-        for header, key in (("strain [%]", "round_strain"), ("in histories [%]", "round_history_strain"))
-        if key in values
-    ]
-    judged = [f"{name} [{label}]" if label else name for name, (label, _) in zip(verdicts, units, strict=True)]
-    table.columns = [
-        "round",
-        changed,
-        "damping [%]",
-        "T1 [s]",
-        size,
-        *(header for header, _ in strains),
-        *judged,
-        *(["made least"] if least else []),
-        "met",
-    ]
-    for i in range(count):
-        cells = [
-            number(float(values["round_changed"].values[i]), scale=unit),
-            number(float(damping[i]), scale=0.01),
-            number(float(values["round_period"].values[i])),
-            number(float(used[i])),
-            *("-" if np.isnan(strain[i]) else number(float(strain[i]), scale=0.01) for _, strain in strains),
-            *(number(float(values["verdict_value"].values[i, j]), scale=units[j][1]) for j in range(len(verdicts))),
-            *([number(float(values["round_objective"].values[i]))] if least else []),
-            "yes" if values["round_met"].values[i] else "no",
-        ]
-        chosen = " (chosen)" if i + 1 == about.get("chosen_round") else ""
-        table.rows.append([f"{i + 1}{chosen}", *cells])
+    rounds = list(places({"": group}, "round"))
+    if not rounds or (len(rounds) == 1 and "criterion" not in group.coords):
+        return Table("")
+    values, notes = group.variables, []
+    criteria = _criteria(group)
     if "verdict_limit" in values:
-        limits = values["verdict_limit"].values[-1]
-        said = [
-            f"{name} {number(float(limit), scale=scale)} {label}".rstrip()
-            for name, limit, (label, scale) in zip(verdicts, limits, units, strict=True)
-        ]
-        table.notes.append(f"limits: {', '.join(said)}")
-    if least:
-        table.notes.append(f"made least: {values['round_objective'].long_name}")
-    return table
+        limits = zip(criteria.items(), values["verdict_limit"].values[-1], strict=True)
+        said = [f"{name} {column.text(float(limit))} {column.unit_in_files}" for (name, column), limit in limits]
+        notes.append(f"limits: {', '.join(one.rstrip() for one in said)}")
+    if "round_objective" in values:
+        notes.append(f"made least: {values['round_objective'].long_name}")
+    changed, unit = _changed(group)
+    _, size, size_unit = round_sizes(group)
+    units = {"changed": unit, "size": size_unit}
+    return ROUNDS.of(rounds, more=list(criteria.values()), units=units, notes=notes, changed=changed, size=size)
 
 
-ROUND_SIZES = {"viscous": viscous_round_sizes, "hysteretic": hysteretic_round_sizes}
-"""What all dampers of each round are in sum, and its header, by the method of the design."""
+def _criteria(group: Group) -> dict[str, Column[Place]]:
+    """A column of rounds for each criterion, by its name."""
+    if "criterion" not in group.coords:
+        return {}
+    names = [str(name) for name in group.coords["criterion"].values]
+    if "criterion_unit" in group.variables:
+        units = [Unit(*UNITS[str(unit)]) for unit in group.variables["criterion_unit"].values]
+    else:
+        units = [Unit("SI")] * len(names)  # archives that do not say them
+    columns = zip(names, units, strict=True)
+    return {name: col(literal(name), unit, at("verdict_value", i)) for i, (name, unit) in enumerate(columns)}
 
 
 def round_damping(group: Group) -> np.ndarray:
@@ -232,12 +249,26 @@ def round_damping(group: Group) -> np.ndarray:
     return np.asarray(group.variables[f"round_damping_{kind}"].values, dtype=float)
 
 
-def _changed_header(group: Group) -> tuple[str, float]:
-    """Return the quantity that the rounds of a design change as a header with its unit, and that unit."""
+def _changed(group: Group) -> tuple[str, Unit]:
+    """Return the quantity that the rounds of a design change, and its unit."""
     about = group.attributes
     if about.get("method") == "simplified" and about.get("changed") == "target":
-        return "beta", 1.0
-    return _CHANGED.get(str(about.get("changed")), ("changed", 1.0))
+        return "beta", ONE
+    return _CHANGED.get(str(about.get("changed")), ("changed", ONE))
+
+
+def round_sizes(group: Group) -> tuple[np.ndarray, str, Unit]:
+    """Return what all dampers of each round are in sum (SI), its name, and the unit that it is shown in."""
+    if group.attributes.get("method") == "viscous":
+        coefficient = group.variables["round_device_coefficient"]
+        return _sum(group, "device_coefficient"), "sum of c", kilonewtons(coefficient.unit)
+    if group.attributes.get("method") == "hysteretic":
+        return _sum(group, "device_yield_force"), "sum of F_y", KN
+    return round_areas(group), "all layers", M2
+
+
+def _sum(group: Group, of_one: str) -> np.ndarray:
+    return np.asarray(group.variables[f"round_{of_one}"].values @ group.variables["device_count"].values)
 
 
 def round_areas(group: Group) -> np.ndarray:
@@ -251,22 +282,16 @@ def round_areas(group: Group) -> np.ndarray:
 
 def bounds_table(group: Group) -> Table:
     """Return the estimated response with lower, nominal and upper properties, and which of them governs."""
-    table = Table("", left=1)
     if "bound" not in group.coords:
-        return table
+        return Table("")
     bounds = [str(name) for name in group.coords["bound"].values]
-    table.title, table.columns = (
-        "Bounds of the properties (estimates by the response spectrum)",
-        ["", *bounds, "governs"],
-    )
     found = group.attributes.get("governing")
     governing = found if isinstance(found, Mapping) else {}
+    rows: list[Row] = []
     for title, key, unit in _BOUNDS:
-        values = group.variables.get(f"bound_{key}")
-        if values is None:
-            continue
-        largest = values.values.reshape(len(bounds), -1).max(axis=1)
-        cells = ["-" if np.isnan(value) else number(float(value), scale=unit) for value in largest]
-        table.rows.append([title, *cells, str(governing.get(key, ""))])
-    table.notes.append("of quantities over the height the largest")
-    return table
+        if (values := group.variables.get(f"bound_{key}")) is not None:
+            largest = values.values.reshape(len(bounds), -1).max(axis=1)
+            cells = (None if np.isnan(value) else Quantity(float(value), unit, beside=True) for value in largest)
+            row = {"": f"{title} [{unit.name}]" if unit.name else title, "governs": str(governing.get(key, ""))}
+            rows.append(row | dict(zip(bounds, cells, strict=True)))
+    return BOUNDS.of(rows, more=[col(bound, ONE) for bound in bounds])

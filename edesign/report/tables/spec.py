@@ -111,6 +111,7 @@ class TableSpec(Generic[Item]):
         each: title of the one table that files have where each analysis or member has one.
         formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
         headed: whether headers are printed; a table of notes alone has none.
+        optional: whether each column is left out where no row has a value.
         named_by_title: whether files are named by the title, as it tells studies apart.
         named_as: name of the file of tables that share one; "": `name`.
         names_kept: see `Table`.
@@ -127,6 +128,7 @@ class TableSpec(Generic[Item]):
     each: str = ""
     formulas: bool = False
     headed: bool = True
+    optional: bool = False
     named_by_title: bool = False
     named_as: str = ""
     names_kept: bool = False
@@ -164,7 +166,8 @@ class TableSpec(Generic[Item]):
         chosen = list(items)
         shown = chosen[: self.most] if self.most else chosen
         rows = [[column.of(item, number) for number, column in enumerate(made)] for item in shown]
-        kept = [i for i, c in enumerate(made) if not c.optional or any(row[i] is not None for row in rows)]
+        needed = [not (self.optional or column.optional) for column in made]
+        kept = [i for i, always in enumerate(needed) if always or any(row[i] is not None for row in rows)]
         lines = [note.format(**words) for note in self.notes] if rows else []
         if len(shown) < len(chosen):
             counts = {"shown": len(shown), "all": len(chosen), "more": len(chosen) - len(shown)}

@@ -38,14 +38,14 @@ def design() -> Group:
 def test_rounds_say_what_was_judged_and_whether_it_was_met() -> None:
     table = rounds_table(design())
     wanted = ["round", "factor on areas", "damping [%]", "T1 [s]", "all layers [m2]"]
-    assert list(table.columns) == [*wanted, "strain [%]", "in histories [%]", "drift [%]", "met"]
-    assert table.rows[0] == ["1", "1.000", "8.000", "1.000", "1.200", "20.00", "31.00", "1.500", "no"]
-    assert table.rows[1][:2] == ["2 (chosen)", "1.500"] and table.rows[1][6:] == ["24.00", "1.200", "yes"]
+    assert table.headers == [*wanted, "strain [%]", "in histories [%]", "drift [%]", "met"]
+    assert table.texts[0] == ["1", "1.000", "8.000", "1.000", "1.200", "20.00", "31.00", "1.500", "no"]
+    assert table.texts[1][:2] == ["2 (chosen)", "1.500"] and table.texts[1][6:] == ["24.00", "1.200", "yes"]
     assert table.notes == ["limits: drift 1.250 %"]
 
 
 def test_bounds_show_the_largest_over_the_height_and_what_governs() -> None:
-    rows = {row[0]: row[1:] for row in bounds_table(design()).rows}
+    rows = {row[0]: row[1:] for row in bounds_table(design()).texts}
     assert rows["storey drift [%]"] == ["1.400", "1.100", "lower"]
     assert rows["temperature [degC]"] == ["35.00", "-", ""]
 
