@@ -149,13 +149,13 @@ def test_study_of_isolated_and_fixed(tmp_path: Path) -> None:
             name: float(value(opened.group(f"analyses/{name}.MCE.scaled"), "base_shear_max"))
             for name in ("isolated_lower", "isolated", "isolated_upper", "fixed")
         }
-    rows = {row[0]: row[1:] for row in table.rows}
+    rows = {row[0]: row[1:] for row in table.texts}
     assert "isolated, MCE" in rows
     assert not any(name.startswith("fixed") for name in rows)
     u = np.abs([value(group, f"base_displacement_{end}") for end in ("max", "min")])
     shown = {"u [mm]": 1e3 * np.max(u), "N min [kN]": 1e-3 * np.min(value(group, "isolator_axial_force_min"))}
     for column, expected in shown.items():
-        cell = rows["isolated, MCE"][list(table.columns).index(column) - 1]
+        cell = rows["isolated, MCE"][table.headers.index(column) - 1]
         assert float(cell) == pytest.approx(float(expected), rel=5e-4)  # four digits
     of_base = [v for v in verdicts if v.name != "drift"]
     assert {v.variant for v in of_base} == {"isolated", "isolated_lower", "isolated_upper"}

@@ -2,18 +2,107 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.envelopes import peak, residual
+from edesign.assess.envelopes import residual
 from edesign.assess.sets import HistorySet
 from edesign.codes.ec8.isolation import GAMMA_X
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import label, missing_notes
-from edesign.report.tables.table import Table, number
+from edesign.report.response.histories import names_of
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.places import Analysis, Place, at, overall, places
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import KN, M_S2, MM, PERCENT, S
+
+
+class _Statistic(NamedTuple):
+    """The histories of a variant at a level, and which statistic of them a row has."""
+
+    found: HistorySet
+    name: str
+
+
+def _residual(analysis: Analysis) -> float | None:
+    found = residual(analysis.group, "base_displacement")
+    return None if found is None else float(found)
+
+
+def _forces(analysis: Analysis, end: str) -> np.ndarray:
+    """Axial forces of the isolators, of a gravity analysis those at its end."""
+    last = analysis.group.variables["isolator_axial_force_final"]
+    return np.asarray(analysis.group.variables.get(f"isolator_axial_force_{end}", last).values)
+
+
+def _over(measure: Callable[[Analysis], float | None], sign: float = 1.0) -> Callable[[_Statistic], float | None]:
+    """The statistic of a measure over histories; with the sign -1 the largest is that of the negative values."""
+
+    def of(row: _Statistic) -> float | None:
+        found = row.found.statistics(lambda group: measure(Analysis("", group)))
+        if row.name == "mean":
+            return found.mean
+        return found.maximum if sign > 0.0 else found.minimum
+
+    return of
+
+
+ESTIMATE = TableSpec[Place](
+    "isolated_base_design",
+    "{whose}: isolated base, equivalent linear (EN 1998-1, 10.9)",
+    (
+        text("level", "name"),
+        col("d", MM, at("isolation_displacement")),
+        col(f"{GAMMA_X:g} d", MM, lambda level: GAMMA_X * level.known("isolation_displacement")),
+        col("T_eff", S, at("isolation_period")),
+        col("xi_eff", PERCENT, at("isolation_damping")),
+        col("S_e", M_S2, at("isolation_acceleration")),
+        col("F", KN, at("isolation_shear")),
+        col("F/W", PERCENT, lambda level: level.known("isolation_acceleration") / STANDARD_GRAVITY),
+    ),
+    each="Isolated base, equivalent linear (EN 1998-1, 10.9)",
+    formulas=True,
+)
+_NOTE = "N: axial force of the isolators, gravity included, positive in tension"
+ISOLATED_BASE = TableSpec[Analysis](
+    "isolated_base",
+    "Isolated base",
+    (
+        text("analysis", "name"),
+        col("u", MM, overall("base_displacement"), negligible=ROUNDING),
+        col("residual u", MM, _residual, negligible=ROUNDING),
+        col("base a", M_S2, overall("base_acceleration")),
+        col("base shear", KN, overall("base_shear"), negligible=ROUNDING),
+        col("N max", KN, lambda one: _forces(one, "max").max(), negligible=ROUNDING),
+        text("isolator", lambda one: names_of(one.group, "isolator")[_forces(one, "max").argmax()]),
+        col("N min", KN, lambda one: _forces(one, "min").min()),
+        text("isolator", lambda one: names_of(one.group, "isolator")[_forces(one, "min").argmin()]),
+    ),
+    notes=(_NOTE,),
+)
+STATISTICS = TableSpec[_Statistic](
+    "isolated_base_statistics",
+    "Isolated base",
+    (
+        text("variant, level", lambda row: label(row.found)),
+        text("statistic", "name"),
+        count("of", lambda row: f"{len(row.found.completed)}/{len(row.found.histories)}"),
+        col("u", MM, _over(overall("base_displacement")), negligible=ROUNDING),
+        col("residual u", MM, _over(_residual), negligible=ROUNDING),
+        col("base a", M_S2, _over(overall("base_acceleration"))),
+        col("base shear", KN, _over(overall("base_shear")), negligible=ROUNDING),
+        col("N max", KN, _over(lambda one: _forces(one, "max").max()), negligible=ROUNDING),
+        col("N min", KN, _over(lambda one: _forces(one, "min").min(), sign=-1.0)),
+    ),
+    notes=(_NOTE,),
+    keys=2,
+    named_as="isolated_base",
+)
 
 
 def isolation_estimate_table(name: str, group: Group) -> Table:
@@ -23,24 +112,14 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
         name: of the modal analysis.
         group: its results.
     """
-    header = ("level", "d [mm]", f"{GAMMA_X:g} d [mm]", "T_eff [s]", "xi_eff [%]", "S_e [m/s2]", "F [kN]", "F/W [%]")
-    table = Table(f"{name}: isolated base, equivalent linear (EN 1998-1, 10.9)", header, formulas=())
-    table.each = ("Isolated base, equivalent linear (EN 1998-1, 10.9)", name)
-    table.name = "isolated_base_design"
-    if "isolation_displacement" not in group.variables:
-        return table
-    of = {key: group.variables[f"isolation_{key}"].values for key in ("displacement", "period", "damping", "shear")}
-    acceleration = group.variables["isolation_acceleration"].values
-    for i, level in enumerate(group.coords["hazard_level"].values):
-        d, period, damping, shear = (float(of[key][i]) for key in ("displacement", "period", "damping", "shear"))
-        cells = [number(d, scale=1e-3), number(GAMMA_X * d, scale=1e-3), number(period), number(damping, scale=1e-2)]
-        cells += [number(float(acceleration[i])), number(shear, scale=1e3)]
-        table.rows.append([str(level), *cells, number(float(acceleration[i]) / STANDARD_GRAVITY, scale=1e-2)])
-    period = float(str(group.attributes["fixed_base_period_s"]))
-    table.notes.append(f"T_f = {period:.4g} s on a fixed base; a rigid body of {_mass(group)} t above the isolators")
-    missed = group.attributes.get("isolation_not_met")
-    table.notes += [f"not met: {text}" for text in missed] if isinstance(missed, list) else []
-    return table
+    levels, notes = list(places({name: group}, "hazard_level", "isolation_displacement")), []
+    if levels:
+        period, mass = (float(str(group.attributes[key])) for key in ("fixed_base_period_s", "mass_kg"))
+        above = f"a rigid body of {significant(mass / 1e3)} t above the isolators"
+        notes.append(f"T_f = {period:.4g} s on a fixed base; {above}")
+        missed = group.attributes.get("isolation_not_met")
+        notes += [f"not met: {text}" for text in missed] if isinstance(missed, list) else []
+    return ESTIMATE.of(levels, whose=name, notes=notes)
 
 
 def isolation_table(groups: Mapping[str, Group]) -> Table:
@@ -49,29 +128,8 @@ def isolation_table(groups: Mapping[str, Group]) -> Table:
     Args:
         groups: results of analyses by name; those without isolated base, and modes, are left out.
     """
-    header = ("analysis", "u [mm]", "residual u [mm]", "base a [m/s2]", "base shear [kN]")
-    table = Table("Isolated base", (*header, "N max [kN]", "isolator", "N min [kN]", "isolator"), name="isolated_base")
-    for name, group in groups.items():
-        if "isolator_axial_force_final" not in group.variables:
-            continue
-        left = residual(group, "base_displacement")
-        cells = [
-            number(_value(peak(group, "base_displacement")), scale=1e-3, negligible=ROUNDING),
-            number(_value(left), scale=1e-3, negligible=ROUNDING),
-            number(_value(peak(group, "base_acceleration"))),
-            number(_value(peak(group, "base_shear")), scale=1e3, negligible=ROUNDING),
-        ]
-        names = [str(one) for one in group.coords["isolator"].values]
-        last = group.variables["isolator_axial_force_final"]  # of a gravity analysis alone
-        tension, compression = (
-            np.asarray(group.variables.get(f"isolator_axial_force_{which}", last).values) for which in ("max", "min")
-        )
-        most, least = int(np.argmax(tension)), int(np.argmin(compression))
-        cells += [number(float(tension[most]), scale=1e3, negligible=ROUNDING), names[most]]
-        table.rows.append([name, *cells, number(float(compression[least]), scale=1e3), names[least]])
-    if table.rows:
-        table.notes.append("N: axial force of the isolators, gravity included, positive in tension")
-    return table
+    found = (Analysis(name, group) for name, group in groups.items())
+    return ISOLATED_BASE.of(one for one in found if "isolator_axial_force_final" in one.group.variables)
 
 
 def isolation_statistics_table(sets: Sequence[HistorySet]) -> Table:
@@ -80,39 +138,9 @@ def isolation_statistics_table(sets: Sequence[HistorySet]) -> Table:
     Args:
         sets: histories by variant and level; those without isolated base are left out.
     """
-    header = ("variant, level", "statistic", "of", "u [mm]", "residual u [mm]", "base a [m/s2]", "base shear [kN]")
-    table = Table("Isolated base", (*header, "N max [kN]", "N min [kN]"), left=2, name="isolated_base")
-    told = []
+    told, rows = [], []
     for found in sets:
-        groups = {n: group for n, group in found.completed.items() if "isolator_axial_force_max" in group.variables}
-        if not groups:
-            continue
-        told.append(found)
-        columns = [
-            (found.statistics(lambda group: _value(peak(group, "base_displacement"))), 1e-3),
-            (found.statistics(lambda group: _value(residual(group, "base_displacement"))), 1e-3),
-            (found.statistics(lambda group: _value(peak(group, "base_acceleration"))), 1.0),
-            (found.statistics(lambda group: _value(peak(group, "base_shear"))), 1e3),
-            (found.statistics(lambda group: float(np.max(group.variables["isolator_axial_force_max"].values))), 1e3),
-        ]
-        least = found.statistics(lambda group: float(np.min(group.variables["isolator_axial_force_min"].values)))
-        of = f"{len(found.completed)}/{len(found.histories)}"
-        statistics = [
-            ("mean", [(one.mean, scale) for one, scale in columns], least.mean),
-            ("largest", [(one.maximum, scale) for one, scale in columns], least.minimum),
-        ]
-        for name, values, last in statistics[-min(len(groups), 2) :]:
-            cells = [number(one, scale=scale, negligible=ROUNDING) for one, scale in (*values, (last, 1e3))]
-            table.rows.append([label(found), name, of, *cells])
-    if table.rows:
-        table.notes.append("N: axial force of the isolators, gravity included, positive in tension")
-        table.notes += missing_notes(told)
-    return table
-
-
-def _value(found: np.ndarray | None) -> float | None:
-    return None if found is None else float(found)
-
-
-def _mass(group: Group) -> str:
-    return number(float(str(group.attributes["mass_kg"])), scale=1e3)
+        isolated = sum("isolator_axial_force_max" in group.variables for group in found.completed.values())
+        told += [found] if isolated else []
+        rows += [_Statistic(found, name) for name in ("mean", "largest")[-isolated:] if isolated]
+    return STATISTICS.of(rows, notes=missing_notes(told))
