@@ -17,13 +17,7 @@ from edesign.ground_motion.sources import Found
 from edesign.optional_stages import optional
 from edesign.project.notation.quantities import TIME
 from edesign.report.drawing.style import check_figure_name
-from edesign.report.ground_motion.spectrum_table import (
-    draw_spectra,
-    record_notes,
-    spectrum_columns,
-    spectrum_table,
-    write_columns,
-)
+from edesign.report.ground_motion.spectrum_table import draw_spectra, record_notes, spectrum_table, write_table
 from edesign.report.tables.text import print_tables
 
 
@@ -89,11 +83,10 @@ def spectrum(
     records = {name: item.record for name, item in found.items()}
     elastic, design = code_spectra(hazard, level, vertical, q)
     grid = np.geomspace(first, last, points)
-    columns = spectrum_columns(elastic, records, grid, None if design is None else design.acceleration(grid))
-    table = spectrum_table(elastic.label, columns)
+    table = spectrum_table(elastic, records, grid, None if design is None else design.acceleration(grid))
     table.notes = ([] if design is None else [f"Sd: {design.label}"]) + record_notes(found)
     if csv is not None:
-        write_columns(columns, csv)
+        write_table(table, csv)
     print_tables([table])
     if figure is not None:
         with optional("the figure", "the table stands"):

@@ -131,7 +131,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
 
 def _of_project(archive: Archive, groups: dict[str, Group]) -> list[AnyTable]:
     if not groups:  # of `edesign match`, whose verdicts are the criteria of its sets
-        return sorted(tables_of(archive), key=lambda table: table.name != CRITERIA)
+        return sorted(tables_of(archive), key=lambda table: table.name != CRITERIA.name)
     entries = [entry(name, group) for name, group in groups.items()]
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)

@@ -10,26 +10,44 @@ from typing import Any
 from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.ground_motion.catalogue.candidate import Refusal
 from edesign.ground_motion.catalogue.listing import Listed, PlaceOfRecords
-from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import M_S, G, S
 
 _DIGITS = 3
 _FACTS = ("event", "year", "station", "component", "rsn", "magnitude", "distance", "v_s30")
+PLACES = TableSpec[PlaceOfRecords](
+    "recordings_at_hand",
+    "Recordings at hand",
+    (text("name"), text("kind"), text("what", "about", broken=1), count("recordings")),
+    notes=(
+        "recordings: horizontal components",
+        "`edesign records NAME` lists one of them, `edesign records FOLDER` your own files.",
+    ),
+    keys=3,
+)
+RECORDINGS = TableSpec[Listed](
+    "recordings",
+    "{count} horizontal components in {where}",
+    (
+        text("record", lambda one: one.candidate.name),
+        text("format", "file_format"),
+        col("dt", S, "time_step", form="g"),
+        col("t", S, "duration", form=".1f"),
+        col("PGA", G, lambda one: one.measures.pga, _DIGITS),
+        col("PGV", M_S, lambda one: one.measures.pgv, _DIGITS),
+        col("Arias", M_S, lambda one: one.measures.arias, _DIGITS),
+        col("D5-95", S, lambda one: one.measures.duration_5_95, _DIGITS),
+    ),
+    keys=2,
+    named_by_title=True,
+)
+LEFT_OUT = TableSpec[Refusal]("left_out", "Left out", (text("what", "name"), text("why", "reason", broken=1)), keys=2)
 
 
 def places_table(places: Sequence[PlaceOfRecords]) -> Table:
     """Return the packages and suites that projects may name."""
-    table = Table(
-        "Recordings at hand", ("name", "kind", "what", "recordings"), left=3, sentences=2, name="recordings_at_hand"
-    )
-    for place in places:
-        count = "-" if place.recordings is None else str(place.recordings)
-        table.rows.append([place.name, place.kind, place.about, count])
-    table.notes = [
-        "recordings: horizontal components",
-        "`edesign records NAME` lists one of them, `edesign records FOLDER` your own files.",
-    ]
-    return table
+    return PLACES.of(places)
 
 
 def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusal]) -> list[Table]:
@@ -40,31 +58,15 @@ def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusa
         found: the recordings with their measures.
         refused: the files that are no records, with the reason of each.
     """
-    columns = ("record", "format", "dt [s]", "t [s]", "PGA [g]", "PGV [m/s]", "Arias [m/s]", "D5-95 [s]")
-    table = Table(f"{len(found)} horizontal components in {where}", columns, left=2)
-    for one in found:
-        values = ((one.measures.pga, STANDARD_GRAVITY), (one.measures.pgv, 1.0), (one.measures.arias, 1.0))
-        table.rows.append(
-            [
-                one.candidate.name,
-                one.file_format,
-                f"{one.time_step:g}",
-                f"{one.duration:.1f}",
-                *(number(value, _DIGITS, unit) for value, unit in values),
-                number(one.measures.duration_5_95, _DIGITS),
-            ]
-        )
-        table.notes += [f"{one.candidate.name}: {text}" for text in one.doubts]
+    table = RECORDINGS.of(found, count=len(found), where=where)
+    table.notes += [f"{one.candidate.name}: {text}" for one in found for text in one.doubts]
     if found:
         table.notes.append("t: duration; D5-95: significant duration; all as recorded, before any processing")
     else:
-        table.columns = ()
-        table.notes.append("none")
+        table.columns, table.notes = (), ["none"]
     if not refused:
         return [table]
-    left = Table(
-        "Left out", ("what", "why"), [[one.name, one.reason] for one in refused], left=2, sentences=1, name="left_out"
-    )
+    left = LEFT_OUT.of(refused)
     if any("acceleration_unit" in one.reason for one in refused):
         left.notes.append("here `--unit g` tells the unit of all tables; other units: m/s^2, cm/s^2, mm/s^2")
     return [table, left]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import reduce
+from operator import getitem, itemgetter
 from typing import Any
 
 from edesign.archive.dataset import Group
@@ -12,21 +14,143 @@ from edesign.codes.ec8 import SET_RULES
 from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
-from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.tables.table import Table, formatted, marked, number
+from edesign.report.tables.cell import Listed, Quantity, Verdict
+from edesign.report.tables.column import Column, col, text, verdict
+from edesign.report.tables.number import significant
+from edesign.report.tables.places import Analysis
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import M_S, MM, MM_S, ONE, PERCENT, G, M, S, Unit
 from edesign.study.results.kinds import RECORDS
 
-MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the header in SI
-    ("PGA [g]", "pga", STANDARD_GRAVITY),
-    ("PGV [m/s]", "pgv", 1.0),
-    ("PGD [m]", "pgd", 1.0),
-    ("Arias [m/s]", "arias", 1.0),
-    ("D5-95 [s]", "duration_5_95", 1.0),
-)
-CRITERIA = "criteria_of_sets_of_records"
-"""Name of the tables of criteria, in files too."""
 DIGITS = 3
 NEGLIGIBLE = 1e-7  # m, m/s: far below what any recorder resolves
+_MEASURES = (
+    ("PGA", G, "pga"),
+    ("PGV", M_S, "pgv"),
+    ("PGD", M, "pgd"),
+    ("Arias", M_S, "arias"),
+    ("D5-95", S, "duration_5_95"),
+)
+_VERDICTS = {True: Verdict("met", "good"), False: Verdict("NOT MET", "bad"), None: None}
+
+
+def _fact(*keys: str) -> Callable[[Analysis], Any]:
+    """A fact of an archived record, such as `recorded`, `pga`."""
+    return lambda record: reduce(getitem, keys, record.group.attributes)
+
+
+def _change(of: tuple[str, str], key: str) -> Callable[[Analysis], Listed]:
+    """The same before -> after."""
+    return lambda record: Listed(tuple(record.group.attributes[kind][key] for kind in of), " -> ")
+
+
+def _measures(value: Callable[[str], Callable[[Analysis], Any]]) -> tuple[Column[Analysis], ...]:
+    return tuple(col(header, unit, value(key), DIGITS) for header, unit, key in _MEASURES)
+
+
+def _quantity(found: Mapping[str, Any], key: str) -> Quantity:
+    """A number of a criterion with its unit, whole ones without unit as they are."""
+    value, unit = found[key], Unit(found["unit"])
+    whole = value is not None and not unit.name and value == int(value)
+    return Quantity(value, unit, form=".0f" if whole else "")
+
+
+def _whole_scale(record: Analysis) -> float:
+    about = record.group.attributes
+    return float(about["match_scale"] * about["suite_factor"])
+
+
+CHOICE = TableSpec[tuple[str, float]](
+    "chosen_records",
+    "{title}",
+    (text("record", itemgetter(0)), col("factor", ONE, itemgetter(1), form=".3f")),
+    named_by_title=True,
+)
+REFUSED = TableSpec[Mapping[str, str]](
+    "candidates_left_out",
+    "{whose}: candidates left out",
+    (text("candidate", "name"), text("why", "reason", broken=1)),
+    keys=2,
+    each="Candidates left out",
+)
+ORIGINS = TableSpec[Analysis](
+    "records_as_recorded",
+    "Records, as recorded",
+    (
+        text("record", "name"),
+        text("origin", _fact("origin")),
+        *_measures(lambda key: _fact("recorded", key)),
+        col("end v", MM_S, _fact("recorded", "end_velocity"), DIGITS, negligible=NEGLIGIBLE),
+        text("from", _fact("detail")),
+    ),
+    keys=2,
+)
+CHANGES = TableSpec[Analysis](
+    "record_scaling",
+    "Scaled original -> matched",
+    (
+        text("record", "name"),
+        col("scale", ONE, _fact("match_scale"), DIGITS),
+        *_measures(lambda key: _change(("before", "after"), key)),
+        col("end v", MM_S, _fact("after", "end_velocity"), 2, negligible=NEGLIGIBLE),
+        col("end u", MM, _fact("after", "end_displacement"), 2, negligible=NEGLIGIBLE),
+    ),
+)
+PAIR = TableSpec[Mapping[str, Any]](
+    "pair_factors",
+    "{whose}: both components by one factor",
+    (
+        text("pair", "name"),
+        text("spectrum", lambda pair: NAMES[pair["spectrum"]]),
+        col("factor", ONE, "factor", DIGITS),
+        col("misfit rms", PERCENT, lambda pair: pair["misfit"]["rms"], DIGITS),
+        col("largest", PERCENT, lambda pair: pair["misfit"]["largest"], DIGITS),
+        col("at T", S, lambda pair: pair["misfit"]["at_period"], DIGITS),
+    ),
+    keys=2,
+    each="Both components by one factor",
+)
+SCALED = TableSpec[Analysis](
+    "record_misfit",
+    "Scaled records, and their misfit to the target spectrum{band}",
+    (
+        text("record", "name"),
+        col("scale", ONE, _whole_scale, DIGITS),
+        *_measures(lambda key: _fact("after", key)),
+        col("misfit rms", PERCENT, _fact("misfit_after", "rms"), DIGITS),
+        col("largest", PERCENT, _fact("misfit_after", "largest"), DIGITS),
+        col("at T", S, _fact("misfit_after", "at_period"), DIGITS),
+    ),
+)
+MISFIT = TableSpec[Analysis](
+    "record_fit",
+    "Misfit to the target spectrum{band}, and change of the motion",
+    (
+        text("record", "name"),
+        text("method", _fact("match_method")),
+        col("rms", PERCENT, _change(("misfit_before", "misfit_after"), "rms"), DIGITS),
+        col("largest", PERCENT, _change(("misfit_before", "misfit_after"), "largest"), DIGITS),
+        col("at T", S, _fact("misfit_after", "at_period"), DIGITS),
+        col("Arias ratio", ONE, _fact("shape", "arias_ratio"), form=".2f"),
+        col("D5-95 ratio", ONE, _fact("shape", "duration_ratio"), form=".2f"),
+        col("Husid diff.", ONE, _fact("shape", "husid_difference"), form=".2f"),
+        col("corr.", ONE, _fact("shape", "correlation"), form=".2f"),
+    ),
+    keys=2,
+)
+CRITERIA = TableSpec[Mapping[str, Any]](
+    "criteria_of_sets_of_records",
+    "{whose}: {code}",
+    (
+        text("clause"),
+        text("criterion", lambda found: found["text"] + (f" ({found['detail']})" if found["detail"] else ""), broken=1),
+        text("required", lambda found: _quantity(found, "required")),
+        text("found", lambda found: _quantity(found, "value")),
+        verdict("verdict", lambda found: _VERDICTS[found["passed"]]),
+    ),
+    keys=2,
+    each="Criteria of sets of records",
+)
 
 
 def record_tables(archive: str | os.PathLike[str]) -> list[Table]:
@@ -58,7 +182,7 @@ def tables_of(archive: Archive) -> list[Table]:
                 members = {member: groups[f"{prefix}{member}"] for member in archive.names(place)}
                 simulated = [key for key, group in members.items() if group.attributes["origin"] == "stand-in"]
                 choices.append(choice_table(choice, simulated, name))
-                choices += [refused_table(name, choice["refused"])] if choice["refused"] else []
+                choices += [REFUSED.of(choice["refused"], whose=name)] if choice["refused"] else []
             if "pair" in suite.attributes:
                 choices.append(pair_table(name, suite.attributes["pair"]))
             if "criteria" in suite.attributes:
@@ -69,12 +193,10 @@ def tables_of(archive: Archive) -> list[Table]:
         return []
     fitted = {name: group for name, group in groups.items() if "match_method" in group.attributes}
     changed = {name: group for name, group in fitted.items() if group.attributes["match_method"] != "scale"}
-    first = [origins_table(groups)]
-    first[0].notes += warnings
-    of_fit = [changes_table(changed), misfit_table(changed)] if changed else []
-    if len(changed) < len(fitted):
-        of_fit.append(scaled_table({name: group for name, group in fitted.items() if name not in changed}))
-    return [*first, *choices, *of_fit, *tables]
+    scaled = {name: group for name, group in fitted.items() if name not in changed}
+    of_fit = [CHANGES.of(_records(changed)), _of_fit(MISFIT, changed)] if changed else []
+    of_fit += [_of_fit(SCALED, scaled)] if scaled else []
+    return [origins_table(groups, warnings), *choices, *of_fit, *tables]
 
 
 def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str = "") -> Table:
@@ -87,58 +209,18 @@ def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str
     """
     factors = facts["factors"]
     title = f"{name}: the best" if name else "The best"
-    table = Table(f"{title} {len(factors)} of {facts['compared']}", ("record", "factor"))
-    table.rows = [[recording, formatted(factor, ".3f")] for recording, factor in factors.items()]
-    table.notes += choice_lines(facts)
-    table.notes += unusual_scales(factors, set(stand_ins))
-    return table
+    notes = [*choice_lines(facts), *unusual_scales(factors, set(stand_ins))]
+    return CHOICE.of(factors.items(), title=f"{title} {len(factors)} of {facts['compared']}", notes=notes)
 
 
-def refused_table(name: str, refused: Sequence[Mapping[str, str]]) -> Table:
-    """Return the candidates of a choice that were left out, and why.
-
-    Args:
-        name: name of the record of the project.
-        refused: the candidates with the reason of each.
-    """
-    table = Table(f"{name}: candidates left out", ("candidate", "why"), left=2, sentences=1)
-    table.each = ("Candidates left out", name)
-    table.name = "candidates_left_out"
-    table.rows = [[item["name"], item["reason"]] for item in refused]
-    return table
-
-
-def origins_table(groups: Mapping[str, Group]) -> Table:
+def origins_table(groups: Mapping[str, Group], warnings: Sequence[str]) -> Table:
     """Return where each record comes from, and its measures as recorded; reasons of failures stand below."""
-    headers = [header for header, _, _ in MATCH_COLUMNS]
-    table = Table(
-        "Records, as recorded",
-        ("record", "origin", *headers, "end v [mm/s]", "from"),
-        left=2,
-        name="records_as_recorded",
-    )
+    notes = []
     for name, group in groups.items():
         about = group.attributes
-        cells = [number(about["recorded"][key], DIGITS, unit) for _, key, unit in MATCH_COLUMNS]
-        end = number(about["recorded"]["end_velocity"], DIGITS, 1e-3, NEGLIGIBLE)
-        table.rows.append([name, str(about["origin"]), *cells, end, str(about["detail"])])
-        if about["reason"]:
-            table.notes.append(str(about["reason"]))
-        table.notes += [f"{name}: {text}" for text in (*about["doubts"], *about.get("warnings", ()))]
-    return table
-
-
-def changes_table(groups: Mapping[str, Group]) -> Table:
-    """Return the measures of the scaled original and of the matched record, before -> after."""
-    headers = [header for header, _, _ in MATCH_COLUMNS]
-    columns = ("record", "scale", *headers, "end v [mm/s]", "end u [mm]")
-    table = Table("Scaled original -> matched", columns, name="record_scaling")
-    for name, group in groups.items():
-        before, after = group.attributes["before"], group.attributes["after"]
-        cells = [_pair(before[key], after[key], unit) for _, key, unit in MATCH_COLUMNS]
-        ends = [number(after[key], 2, 1e-3, NEGLIGIBLE) for key in ("end_velocity", "end_displacement")]
-        table.rows.append([name, number(group.attributes["match_scale"], DIGITS), *cells, *ends])
-    return table
+        notes += [str(about["reason"])] if about["reason"] else []
+        notes += [f"{name}: {text}" for text in (*about["doubts"], *about.get("warnings", ()))]
+    return ORIGINS.of(_records(groups), notes=[*notes, *warnings])
 
 
 def pair_table(name: str, about: Mapping[str, Any]) -> Table:
@@ -148,62 +230,11 @@ def pair_table(name: str, about: Mapping[str, Any]) -> Table:
         name: name of the pair.
         about: attributes of the archived pair.
     """
-    columns = ("pair", "spectrum", "factor", "misfit rms [%]", "largest [%]", "at T [s]")
-    table = Table(f"{name}: both components by one factor", columns, left=2)
-    table.each = ("Both components by one factor", name)
-    table.name = "pair_factors"
-    misfit = about["misfit"]
-    values = [number(misfit[key], DIGITS, unit) for key, unit in (("rms", 0.01), ("largest", 0.01), ("at_period", 1.0))]
-    table.rows.append([name, NAMES[about["spectrum"]], number(about["factor"], DIGITS), *values])
+    notes = []
     if about["factor"] != about["best_factor"]:
-        best, bound = (number(about[key], DIGITS) for key in ("best_factor", "factor"))
-        table.notes.append(f"the best factor would be {best}; its bound {bound} was used")
-    return table
-
-
-def scaled_table(groups: Mapping[str, Group]) -> Table:
-    """Return the measures of records that were scaled only, and how near their spectra are to the target."""
-    headers = [header for header, _, _ in MATCH_COLUMNS]
-    columns = ("record", "scale", *headers, "misfit rms [%]", "largest [%]", "at T [s]")
-    table = Table(
-        f"Scaled records, and their misfit to the target spectrum{_band(groups)}", columns, name="record_misfit"
-    )
-    for name, group in groups.items():
-        about = group.attributes
-        after, misfit = about["after"], about["misfit_after"]
-        factor = about["match_scale"] * about["suite_factor"]
-        cells = [number(after[key], DIGITS, unit) for _, key, unit in MATCH_COLUMNS]
-        values = [number(misfit[key], DIGITS, unit) for key, unit in (("rms", 0.01), ("largest", 0.01))]
-        table.rows.append([name, number(factor, DIGITS), *cells, *values, number(misfit["at_period"], DIGITS)])
-        table.notes += [f"{name}: {note}" for note in about["match_notes"]]
-    return table
-
-
-def misfit_table(groups: Mapping[str, Group]) -> Table:
-    """Return how near each spectrum is to the target before and after, and how much the motion changed."""
-    columns = (
-        "record",
-        "method",
-        "rms [%]",
-        "largest [%]",
-        "at T [s]",
-        "Arias ratio",
-        "D5-95 ratio",
-        "Husid diff.",
-        "corr.",
-    )
-    table = Table(
-        f"Misfit to the target spectrum{_band(groups)}, and change of the motion", columns, left=2, name="record_fit"
-    )
-    for name, group in groups.items():
-        about = group.attributes
-        before, after, shape = about["misfit_before"], about["misfit_after"], about["shape"]
-        cells = [_pair(before[key], after[key], 0.01) for key in ("rms", "largest")]
-        changes = [shape[key] for key in ("arias_ratio", "duration_ratio", "husid_difference", "correlation")]
-        row = [name, str(about["match_method"]), *cells, number(after["at_period"], DIGITS)]
-        table.rows.append([*row, *(formatted(value, ".2f") for value in changes)])
-        table.notes += [f"{name}: {note}" for note in about["match_notes"]]
-    return table
+        best, bound = (significant(about[key], DIGITS) for key in ("best_factor", "factor"))
+        notes.append(f"the best factor would be {best}; its bound {bound} was used")
+    return PAIR.of([{**about, "name": name}], whose=name, notes=notes)
 
 
 def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
@@ -213,39 +244,22 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         name: name of the suite.
         about: attributes of the archived suite.
     """
-    table = Table(
-        f"{name}: {about.get('criteria_of', SET_RULES.code)}",
-        ("clause", "criterion", "required", "found", "verdict"),
-        left=2,
-        sentences=1,
-        each=("Criteria of sets of records", name),
-        name=CRITERIA,
-    )
-    for found in about["criteria"]:
-        verdict = {True: "met", False: "NOT MET", None: "-"}[found["passed"]]
-        values = [_with_unit(found[key], found["unit"]) for key in ("required", "value")]
-        text = found["text"] + (f" ({found['detail']})" if found["detail"] else "")
-        table.rows.append([found["clause"], text, *values, verdict])
-    factor = about.get("suite_factor", 1.0)
+    factor, notes = about.get("suite_factor", 1.0), []
     if factor != 1.0:
         of_mean = about.get("criteria_of_mean", (SET_RULES.clauses.zero_period, SET_RULES.clauses.mean))
         missed = any(found["passed"] is False for found in about["criteria"] if found["clause"] in of_mean)
         why = "the most allowed, and a criterion is missed" if missed else "so that the mean satisfies the criteria"
-        table.notes.append(f"all records times {factor:.4f}, {why}")
-    return table
+        notes.append(f"all records times {factor:.4f}, {why}")
+    return CRITERIA.of(about["criteria"], whose=name, code=about.get("criteria_of", SET_RULES.code), notes=notes)
 
 
-def _band(groups: Mapping[str, Group]) -> str:
-    """The band of the fit, where it is the same for all."""
+def _records(groups: Mapping[str, Group]) -> list[Analysis]:
+    return [Analysis(name, group) for name, group in groups.items()]
+
+
+def _of_fit(spec: TableSpec[Analysis], groups: Mapping[str, Group]) -> Table:
+    """The table of a fit to the target spectrum, with its band where it is the same for all."""
     bands = {(group.coords["period"].values[0], group.coords["period"].values[-1]) for group in groups.values()}
-    return " from {:.4g} s to {:.4g} s".format(*bands.pop()) if len(bands) == 1 else ""
-
-
-def _pair(before: float, after: float, unit: float) -> str:
-    return f"{number(before, DIGITS, unit)} -> {number(after, DIGITS, unit)}"
-
-
-def _with_unit(value: float | None, unit: str) -> str:
-    if value is None:
-        return "-"
-    return formatted(value, ".0f") if not unit and value == int(value) else marked(number(value, 4), "", unit)
+    band = " from {:.4g} s to {:.4g} s".format(*bands.pop()) if len(bands) == 1 else ""
+    notes = [f"{name}: {note}" for name, group in groups.items() for note in group.attributes["match_notes"]]
+    return spec.of(_records(groups), band=band, notes=notes)

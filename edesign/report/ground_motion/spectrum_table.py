@@ -13,52 +13,51 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.sources import Found
-from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.drawing.style import check_figure_name, save
 from edesign.report.ground_motion.spectra_figure import spectra_figure
-from edesign.report.tables.table import Table, formatted
+from edesign.report.tables.column import Column, col, literal
+from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.unit import M_S, M_S2, G, M, S
 
 DRAWN = 400  # periods of a figure
-Column = tuple[str, np.ndarray]  # header with its unit, values in it
+SPECTRUM = TableSpec[dict[str, float]](
+    "spectrum",
+    "{title}",
+    (
+        col("T", S, form=".4g"),
+        col("Se", G, form=".4g"),
+        col("Se", M_S2, form=".4g"),
+        col("Sv", M_S, form=".4g"),
+        col("SDe", M, form=".4g"),
+        col("Sd", G, form=".4g", optional=True),
+    ),  # and each record
+    keys=0,
+    named_by_title=True,
+)
 
 
-def spectrum_columns(
+def spectrum_table(
     elastic: Spectrum, records: Mapping[str, Record], periods: np.ndarray, design: np.ndarray | None = None
-) -> list[Column]:
-    """Return the columns of a table of spectra.
+) -> Table:
+    """Return the ordinates of a spectrum of the code, and of those of records at its damping.
 
     Args:
         elastic: of the code.
-        records: by name; their pseudo-accelerations at the damping of `elastic` follow.
+        records: by name.
         periods: shape (n,), s.
         design: ordinates of the design spectrum, shape (n,), m/s2.
     """
     acceleration = elastic.acceleration(periods)
     omega = 2.0 * np.pi / periods
-    columns = [
-        ("T [s]", periods),
-        ("Se [g]", acceleration / STANDARD_GRAVITY),
-        ("Se [m/s2]", acceleration),
-        ("Sv [m/s]", acceleration / omega),
-        ("SDe [m]", elastic.displacement(periods)),
-    ]
-    if design is not None:
-        columns.append(("Sd [g]", design / STANDARD_GRAVITY))
+    columns = {"T": periods, "Se": acceleration, "Sv": acceleration / omega, "SDe": elastic.displacement(periods)}
+    columns["Sd"] = np.full(periods.shape, None) if design is None else design
     for name, record in records.items():
-        ordinates = psa(record.acceleration, record.time_step, periods, elastic.damping)
-        columns.append((f"{name} [g]", ordinates / STANDARD_GRAVITY))
-    return columns
-
-
-def spectrum_table(title: str, columns: list[Column]) -> Table:
-    """Return the columns as a table for people.
-
-    Args:
-        title: title of the table.
-        columns: as `spectrum_columns` gives them.
-    """
-    rows = [[formatted(value, ".4g") for value in row] for row in zip(*(values for _, values in columns), strict=True)]
-    return Table(title, [header for header, _ in columns], rows, left=0)
+        columns[f"record {name}"] = psa(record.acceleration, record.time_step, periods, elastic.damping)
+    rows = (dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True))
+    of_records: list[Column[dict[str, float]]] = [
+        col(literal(name), G, f"record {name}", form=".4g") for name in records
+    ]
+    return SPECTRUM.of(rows, more=of_records, title=elastic.label)
 
 
 def record_notes(recordings: Mapping[str, Found]) -> list[str]:
@@ -67,17 +66,18 @@ def record_notes(recordings: Mapping[str, Found]) -> list[str]:
     return notes + [f"{name}: {doubt}" for name, found in recordings.items() for doubt in doubts(found.record)]
 
 
-def write_columns(columns: list[Column], path: Path) -> None:
-    """Write the columns as CSV, all digits.
+def write_table(table: Table, path: Path) -> None:
+    """Write the numbers of a table as CSV, all digits, in the units that are printed.
 
     Args:
-        columns: as `spectrum_columns` gives them.
+        table: as `spectrum_table` gives it.
         path: the file to be written.
 
     Raises:
-        ArchiveError: it cannot be written.
+        ArchiveError: the file cannot be written.
     """
-    write_csv_file([header for header, _ in columns], zip(*(v.tolist() for _, v in columns), strict=True), path)
+    rows = [[column.data(value) for column, value in zip(table.columns, row, strict=True)] for row in table.rows]
+    write_csv_file(table.headers, rows, path)
 
 
 def draw_spectra(
