@@ -201,12 +201,12 @@ def test_tables_and_figures_of_the_archive(done: RunSummary) -> None:
         # of the study nothing is to be told; the columns, which are given by their A and I_y, are slender
         assert all("buckling" in note for note in table.notes)
         fragility, needed = study_tables(opened)[-2:]
-        assert [row[:2] for row in fragility.rows] == [
+        assert [row[:2] for row in fragility.texts] == [
             [variant, limit] for variant in ("bare", "same") for limit in ("LS", "collapse")
         ]
-        assert fragility.columns[-1] == "theta / MCE"
+        assert fragility.headers[-1] == "theta / MCE"
         half_way = 0.5 * sum(float(LEVELS[i][:-1]) for i in (first - 1, first))
-        assert needed.rows[1] == ["bare", "collapse", *3 * [f"{half_way:.3g}".ljust(4, "0")]]
+        assert needed.texts[1] == ["bare", "collapse", *3 * [f"{half_way:.3g}".ljust(4, "0")]]
         drawn = {name: figure for name, _, figure in incremental_figures(opened)}
     assert list(drawn) == ["incremental_ida_interstorey_drift", "fragility_ida"]
     assert drawn["incremental_ida_interstorey_drift"].axes[0].get_title("left") == "bare: 1 of 1 records collapse"

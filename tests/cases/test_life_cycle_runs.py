@@ -53,7 +53,7 @@ def test_a_loss_without_collapses_is_a_lower_bound(tmp_path: Path) -> None:
     assert bare.loss is not None and bare.uncounted == ("collapse",) and set(bare.exceedances) == {"LS"}
     assert bare.loss.annual == pytest.approx(0.3 * bare.exceedances["LS"].rate, rel=1e-12)
     losses = tables["ida: expected loss, of the value of the building"]
-    assert losses.rows[0][1].startswith(">= ") and losses.rows[0][3:] == ["100"]
+    assert losses.texts[0][1].startswith(">= ") and losses.texts[0][3:] == ["100"]
     assert "bare: a lower bound, without a loss of collapse" in " ".join(losses.notes)
 
 
@@ -84,7 +84,7 @@ def test_tables(archive: Path) -> None:
     with open_archive(archive) as opened:
         tables = {table.title: table for table in incremental_tables(opened)}
     rates = tables["ida: exceedance of limits"]
-    assert [row[:2] for row in rates.rows][:2] == [["bare", "LS"], ["bare", "collapse"]]
+    assert [row[:2] for row in rates.texts][:2] == [["bare", "LS"], ["bare", "collapse"]]
     assert any("for modelling is added" in note for note in rates.notes)
     losses = tables["ida: expected loss, of the value of the building"]
     assert [row[0] for row in losses.rows] == ["bare", "same"]

@@ -2,19 +2,95 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.incremental import FRACTILES, Stripes, fractile_curves
 from edesign.assess.limit_fragility import LimitFragility
 from edesign.report.assessment.measure_columns import measure_title
-from edesign.report.capacity.incremental_results import UNITS, IncrementalResults, read_incremental
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.capacity.incremental_results import UNITS, IncrementalResults, LifeCycle, read_incremental
+from edesign.report.tables.cell import Marked, Value, Verdict
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.number import significant
+from edesign.report.tables.spec import Table, TableSpec
 from edesign.report.tables.text import wrapped
+from edesign.report.tables.unit import ONE, PERCENT, YEARS, Unit
 
+_FRACTIONS = [f"{100 * fraction:.0f} %" for fraction in FRACTILES]
+_Row = dict[str, Value]
 OUTSIDE = 0.2
 """Share of a rate that comes from outside of the points of a hazard curve, from which on a note tells it."""
+
+
+def _limit(name: str) -> Value:
+    """A limit; that of collapse stands out as a bad verdict does."""
+    return Verdict(name, "bad") if name == "collapse" else name
+
+
+def _fit(name: str) -> Callable[[LimitFragility], float | None]:
+    return lambda one: None if one.fit is None else getattr(one.fit, name)
+
+
+def _loss(name: str) -> Callable[[LifeCycle], Marked]:
+    """An expected loss, with a sign where that of some limits is not counted."""
+    return lambda one: Marked(getattr(one.loss, name), before=">= " if one.uncounted else "")
+
+
+def _share(limit: str) -> Callable[[LifeCycle], float | None]:
+    return lambda one: None if one.loss is None else one.loss.shares.get(limit)
+
+
+EXCEEDANCE = TableSpec[_Row](
+    "limit_exceedance",
+    "{whose}: exceedance of limits",
+    (
+        text("variant"),
+        text("limit"),
+        col("rate", Unit("1/year"), form=".2e"),
+        col("return period", YEARS, digits=3),
+        col("P in {years} years", PERCENT, "probability", 3),
+    ),
+    keys=2,
+    each="Exceedance of limits",
+)
+LOSS = TableSpec[LifeCycle](
+    "expected_loss",
+    "{whose}: expected loss, of the value of the building",
+    (
+        text("variant"),
+        col("loss a year", PERCENT, _loss("annual"), 3, as_shown=True),
+        col("in {years} years, at present", PERCENT, _loss("present_value"), 3, as_shown=True),
+    ),  # and of which each limit
+    each="Expected loss, of the value of the building",
+)
+FRAGILITY = TableSpec[LimitFragility](
+    "fragility",
+    "{title}",
+    (
+        text("variant"),
+        text("limit", lambda one: _limit(one.limit)),
+        text("fit to", "method"),
+        count("records"),
+        count("analyses", lambda one: one.analyses.sum()),
+        col("theta", "intensity", _fit("theta"), 3),
+        col("s.e.", "its error", _fit("theta_se"), 2),
+        col("beta", ONE, _fit("beta"), 3),
+        col("s.e.", ONE, _fit("beta_se"), 2),
+        col("D", ONE, _fit("largest_difference"), 2),
+        col("p", ONE, _fit("p_value"), 2),
+        col("theta / {level}", ONE, "margin", 3),
+    ),
+    keys=3,
+    named_by_title=True,
+)
+FRACTILES_NEEDED = TableSpec[_Row](
+    "intensity_needed",
+    "{title}",
+    (text("variant"), text("limit"), *(col(fraction, "intensity", digits=3) for fraction in _FRACTIONS)),
+    keys=2,
+    named_by_title=True,
+)
 
 
 def incremental_tables(archive: Archive, groups: Mapping[str, Group] | None = None) -> list[Table]:
@@ -41,30 +117,23 @@ def results_tables(results: IncrementalResults) -> list[Table]:
 
 def exceedance_table(results: IncrementalResults) -> Table:
     """Return the rate at which each limit is exceeded, and its probability in the years of the study."""
-    years = results.life_cycle[0].years
-    columns = ["variant", "limit", "rate [1/year]", "return period [years]", f"P in {number(years, 3)} years [%]"]
-    table = Table(f"{results.name}: exceedance of limits", columns, left=2)
-    table.each = ("Exceedance of limits", results.name)
-    table.name = "limit_exceedance"
+    years, dispersion = results.life_cycle[0].years, results.life_cycle[0].dispersion
+    rows: list[_Row] = []
+    notes = []
     for one in results.life_cycle:
         for limit, found in one.exceedances.items():
-            cells = [
-                formatted(found.rate, ".2e"),
-                number(found.return_period, 3),
-                number(100.0 * found.probability(years), 3),
-            ]
-            table.rows.append([one.variant, limit, *cells])
+            values = {"rate": found.rate, "return period": found.return_period, "probability": found.probability(years)}
+            rows.append({"variant": one.variant, "limit": _limit(limit), **values})
             outside = {"below the first": found.below, "beyond the last": found.beyond}
             for where, share in outside.items():
                 if share > OUTSIDE:
                     message = f"{100.0 * share:.0f} % of the rate come from {where} point of the hazard curve"
-                    table.notes.append(f"{one.variant}, {limit}: {message}")
+                    notes.append(f"{one.variant}, {limit}: {message}")
         if one.reason:
-            table.notes.append(f"{one.variant}: {one.reason}")
-    dispersion = results.life_cycle[0].dispersion
+            notes.append(f"{one.variant}: {one.reason}")
     if dispersion > 0.0:
-        table.notes.append(f"a dispersion of {number(dispersion, 2)} for modelling is added to that of the records")
-    return table
+        notes.append(f"a dispersion of {significant(dispersion, 2)} for modelling is added to that of the records")
+    return EXCEEDANCE.of(rows, notes=notes, whose=results.name, years=significant(years, 3))
 
 
 def loss_tables(results: IncrementalResults) -> list[Table]:
@@ -72,26 +141,17 @@ def loss_tables(results: IncrementalResults) -> list[Table]:
     having = [one for one in results.life_cycle if one.loss is not None]
     if not having:
         return []
-    years = having[0].years
-    limits = list(dict.fromkeys(limit for one in having if one.loss is not None for limit in one.loss.shares))
-    columns = ["variant", "loss a year [%]", f"in {number(years, 3)} years, at present [%]"]
-    columns += [f"of which {limit} [%]" for limit in limits]
-    table = Table(f"{results.name}: expected loss, of the value of the building", columns)
-    table.each = ("Expected loss, of the value of the building", results.name)
-    table.name = "expected_loss"
+    notes = []
     for one in having:
-        loss = one.loss
-        assert loss is not None
-        least = ">= " if one.uncounted else ""
-        cells = [f"{least}{number(100.0 * part, 3)}" for part in (loss.annual, loss.present_value)]
-        shares = (number(100.0 * loss.shares[limit], 3) if limit in loss.shares else "-" for limit in limits)
-        table.rows.append([one.variant, *cells, *shares])
         if one.uncounted:
-            table.notes += wrapped(
+            notes += wrapped(
                 f"{one.variant}: a lower bound, without a loss of {', '.join(one.uncounted)}: too few records reach it "
                 "for a fragility. Give larger intensities."
             )
-    return [table]
+    limits = dict.fromkeys(limit for one in having if one.loss is not None for limit in one.loss.shares)
+    shares = [col(f"of which {limit}", PERCENT, _share(limit), 3) for limit in limits]
+    years = significant(having[0].years, 3)
+    return [LOSS.of(having, more=shares, notes=notes, whose=results.name, years=years)]
 
 
 def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", level: str = "") -> Table:
@@ -102,32 +162,21 @@ def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", 
         unit: of the intensities, a key of UNITS.
         level: name of the hazard level of the margins, "" without margins.
     """
-    shown, scale = UNITS[unit]
     counted = any(one.method == "counts" for one in fragilities)
-    columns = ["variant", "limit", "fit to", "records", "analyses", f"theta [{shown}]", "s.e.", "beta", "s.e.", "D"]
-    columns += [*(["p"] if counted else []), *([f"theta / {level}"] if level else [])]
-    title = f"{fragilities[0].incremental}: fragility" if fragilities else "Fragility"
-    table = Table(title, columns, left=3)
-    for one in fragilities:
-        fit = one.fit
-        cells = [one.variant, one.limit, one.method, whole(one.records), whole(int(one.analyses.sum()))]
-        if fit is None:
-            cells += ["-"] * 5
-        else:
-            cells += [number(fit.theta, 3, scale), number(fit.theta_se, 2, scale), number(fit.beta, 3)]
-            cells += [number(fit.beta_se, 2), number(fit.largest_difference, 2)]
-        cells += [number(fit.p_value if fit is not None else None, 2)] if counted else []
-        table.rows.append(cells + ([number(one.margin, 3)] if level else []))
-    table.notes += [f"{one.variant}, {one.limit}, {one.method}: {one.reason}" for one in fragilities if one.reason]
+    notes = [f"{one.variant}, {one.limit}, {one.method}: {one.reason}" for one in fragilities if one.reason]
     lost = {one.variant: one.missing for one in fragilities if one.missing}
-    table.notes += [f"{name}: {count} analyses without a result are left out" for name, count in lost.items()]
-    table.notes.append("theta: median; beta: dispersion; s.e.: standard errors; D: largest difference from fractions")
+    notes += [f"{name}: {number} analyses without a result are left out" for name, number in lost.items()]
+    notes.append("theta: median; beta: dispersion; s.e.: standard errors; D: largest difference from fractions")
     if level:
-        table.notes.append(f"theta / {level}: margin; of collapse the collapse margin ratio, without spectral shape")
+        notes.append(f"theta / {level}: margin; of collapse the collapse margin ratio, without spectral shape")
     if counted:
-        table.notes.append("p: of the deviance from the observed fractions")
-        table.notes.append("standard errors of counts take all analyses as independent, also those of one record")
-    return table
+        notes.append("p: of the deviance from the observed fractions")
+        notes.append("standard errors of counts take all analyses as independent, also those of one record")
+    title = f"{fragilities[0].incremental}: fragility" if fragilities else "Fragility"
+    without = [*([] if counted else ["p"]), *([] if level else ["theta / {level}"])]
+    shown, scale = UNITS[unit]
+    units = {"intensity": Unit(shown, scale), "its error": Unit("", scale)}
+    return FRAGILITY.of(fragilities, without=without, units=units, notes=notes, title=title, level=level)
 
 
 def fractile_table(stripes: Sequence[Stripes], limits: Mapping[str, float], unit: str = "m/s^2") -> Table:
@@ -138,12 +187,11 @@ def fractile_table(stripes: Sequence[Stripes], limits: Mapping[str, float], unit
         limits: values of the measure in SI by name; infinite for collapse.
         unit: of the intensities, a key of UNITS.
     """
-    shown, scale = UNITS[unit]
     about = f"{stripes[0].incremental}: intensity needed, {measure_title(stripes[0].measure)[0]}" if stripes else ""
-    table = Table(about, ["variant", "limit", *(f"{100 * f:.0f} % [{shown}]" for f in FRACTILES)], left=2)
+    rows: list[_Row] = []
     for one in stripes:
         curves = fractile_curves(one, list(limits.values()))
         for name, column in zip(limits, curves.T, strict=True):
-            cells = [number(float(value), 3, scale) if value == value else "not reached" for value in column]
-            table.rows.append([one.variant, name, *cells])
-    return table
+            needed = (float(value) if value == value else "not reached" for value in column)
+            rows.append({"variant": one.variant, "limit": _limit(name), **dict(zip(_FRACTIONS, needed, strict=True))})
+    return FRACTILES_NEEDED.of(rows, units={"intensity": Unit(*UNITS[unit])}, title=about)

@@ -31,11 +31,11 @@ def test_fragilities_in_g_with_margins_and_reasons() -> None:
     table = fragility_table(fragilities(), "m/s^2", "MCE")
     needed = np.log([0.5, 0.35, 0.25])  # half way to the collapse at 0.6 g; interpolated
     theta, beta = np.exp(needed.mean()), needed.std(ddof=1)
-    first = dict(zip(table.columns, table.rows[0], strict=True))
+    first = dict(zip(table.headers, table.texts[0], strict=True))
     assert (first["variant"], first["limit"], first["records"], first["analyses"]) == ("bare", "LS", "3", "11")
     assert first["theta [g]"] == f"{theta:.3f}" and first["beta"] == f"{beta:.3f}"
     assert first["theta / MCE"] == f"{theta / 0.3:.2f}"
-    assert table.rows[1][5:] == ["-"] * 6
+    assert table.texts[1][5:] == ["-"] * 6
     assert "damped, LS, capacities: no fragility: 0 of 3 records pass the limit; two are needed" in table.notes
     assert "bare: 1 analyses without a result are left out" in table.notes
     assert len(fragility_table(fragilities()).columns) == len(table.columns) - 1
@@ -67,9 +67,9 @@ def test_the_summary_says_who_collapses_and_at_what_median() -> None:
 
 def test_intensities_that_fractions_need() -> None:
     table = fractile_table(STRIPES, {"LS": 0.025, "collapse": COLLAPSE})
-    assert table.rows[0] == ["bare", "LS", "0.250", "0.350", "0.500"]
-    assert table.rows[1] == ["bare", "collapse", "0.500", "0.700", "not reached"]
-    assert table.rows[3] == ["damped", "collapse", *["not reached"] * 3]
+    assert table.texts[0] == ["bare", "LS", "0.250", "0.350", "0.500"]
+    assert table.texts[1] == ["bare", "collapse", "0.500", "0.700", "not reached"]
+    assert table.texts[3] == ["damped", "collapse", *["not reached"] * 3]
 
 
 def test_curves_of_records_and_marks_of_collapse() -> None:
