@@ -14,7 +14,7 @@ from pathlib import Path
 
 from edesign._version import __version__
 from edesign.errors import ArchiveError, InputError
-from edesign.file_kinds import HDF5, head_of
+from edesign.file_kinds.recognise import HDF5, head_of
 from edesign.input_files import note_output, spare_inputs
 
 _WRITTEN = re.compile(r"# Written by edesign \S+ from (\".*\")")  # how YAML files of results begin

@@ -15,7 +15,8 @@ from edesign.archive.opening import Opened, open_file
 from edesign.archive.tree import FORMAT, Damaged
 from edesign.archive.writer import PARTIAL_SUFFIX, partial_path
 from edesign.errors import ArchiveError, EdesignError
-from edesign.file_kinds import ARCHIVE, foreign_kind, kind_of, other_kind
+from edesign.file_kinds.kinds import ARCHIVE
+from edesign.file_kinds.recognise import foreign_kind, kind_of, other_kind
 
 Found = TypeVar("Found")
 NAMED = 5  # damaged groups that a message names

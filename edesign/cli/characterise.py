@@ -18,7 +18,8 @@ from edesign.damper.testing.properties import Properties, checked_range, cycle_p
 from edesign.damper.testing.property_table import from_properties, usable, write_property_table
 from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
-from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
+from edesign.file_kinds.kinds import ARCHIVE, YAML_KINDS
+from edesign.file_kinds.recognise import kind_of, refuse_kind
 from edesign.optional_stages import optional
 from edesign.project.notation.quantities import AREA, LENGTH
 from edesign.project.notation.temperature import parse_temperature

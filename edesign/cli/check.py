@@ -10,7 +10,8 @@ from typing import Annotated, TypeVar
 import typer
 
 from edesign.errors import InputError
-from edesign.file_kinds import BUILDING, PROJECT, STUDY, SUBSTRUCTURE_TESTS, kind_of
+from edesign.file_kinds.kinds import BUILDING, PROJECT, STUDY, SUBSTRUCTURE_TESTS
+from edesign.file_kinds.recognise import kind_of
 from edesign.optional_stages import optional
 from edesign.project.reading.file_bytes import is_there, missing
 from edesign.project.reading.file_model import FileModel

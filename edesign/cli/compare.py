@@ -11,7 +11,8 @@ import typer
 from edesign.archive.files import check_csv_name, check_file
 from edesign.archive.reader import DamagedArchive, read_archive
 from edesign.errors import AnalysisError, InputError
-from edesign.file_kinds import ARCHIVE, REFERENCE, TABLE, YAML_KINDS, kind_of, refuse_kind
+from edesign.file_kinds.kinds import ARCHIVE, REFERENCE, TABLE, YAML_KINDS
+from edesign.file_kinds.recognise import kind_of, refuse_kind
 from edesign.project.study.reference_loader import load_reference
 from edesign.report.comparison.compare import compare as compare_archive
 from edesign.report.comparison.files import comparison_data, write_comparison

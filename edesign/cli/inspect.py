@@ -9,7 +9,8 @@ from typing import Annotated
 import typer
 
 from edesign.errors import InputError
-from edesign.file_kinds import TABLE, kind_of
+from edesign.file_kinds.kinds import TABLE
+from edesign.file_kinds.recognise import kind_of
 from edesign.ground_motion.formats.read import FORMATS, component_labels, format_by_marks
 from edesign.report.inspection.account import quoted
 from edesign.report.inspection.tables import table_account

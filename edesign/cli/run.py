@@ -17,7 +17,8 @@ from edesign.cli.shared.progress import listener
 from edesign.cli.shared.stages import Tell, in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
-from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of, other_kind
+from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS
+from edesign.file_kinds.recognise import kind_of, other_kind
 from edesign.ground_motion.project_records import with_folders
 from edesign.optional_stages import earlier, optional
 from edesign.report.archive.document import default_page_path, write_page

@@ -21,7 +21,8 @@ from edesign.damper.testing.device_cycles import Run, predicted_runs, runs_of
 from edesign.damper.testing.measured_files import read_test
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import EdesignError, InputError
-from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
+from edesign.file_kinds.kinds import ARCHIVE, YAML_KINDS
+from edesign.file_kinds.recognise import kind_of, refuse_kind
 from edesign.optional_stages import earlier, optional
 from edesign.project.document import Document
 from edesign.project.notation.temperature import parse_temperature

@@ -12,7 +12,8 @@ from edesign.archive.files import check_file, check_own_yaml, write_text, write_
 from edesign.building.building_file import load_building
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
-from edesign.file_kinds import BUILDING, STUDY, head_of, kind_of
+from edesign.file_kinds.kinds import BUILDING, STUDY
+from edesign.file_kinds.recognise import head_of, kind_of
 from edesign.input_files import spare_inputs
 from edesign.project.building.building import Building
 from edesign.project.project import Project

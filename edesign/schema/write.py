@@ -9,17 +9,18 @@ from pathlib import Path
 
 from edesign.archive.files import make_folder, write_text
 from edesign.errors import InputError
+from edesign.file_kinds.kinds import FileKind
 from edesign.project.notation.written import Json
 from edesign.schema.build import COMBINED, DIALECT, combined_schema, file_name, schema_of
-from edesign.schema.kinds import KINDS, SchemaKind
+from edesign.schema.kinds import KINDS
 
 
-def schema_text(kind: SchemaKind) -> str:
+def schema_text(kind: FileKind) -> str:
     """Return the JSON Schema of a kind of file as text."""
     return _text(schema_of(kind))
 
 
-def write_schemas(kinds: Sequence[SchemaKind], folder: Path, combined: bool) -> list[Path]:
+def write_schemas(kinds: Sequence[FileKind], folder: Path, combined: bool) -> list[Path]:
     """Write the schemas of some kinds of files.
 
     Args:
@@ -47,7 +48,7 @@ def write_schemas(kinds: Sequence[SchemaKind], folder: Path, combined: bool) -> 
 def kinds_table() -> str:
     """Return a list of the kinds of files that have a schema, for people."""
     width = max(map(len, KINDS))
-    rows = [f"{kind.name:{width}}  {kind.title}; known by {', '.join(kind.keys)}" for kind in KINDS.values()]
+    rows = [f"{kind.schema:{width}}  {kind.titled}; known by {', '.join(kind.keys)}" for kind in KINDS.values()]
     return "\n".join(
         [*rows, "", "`edesign schema KIND` prints the schema of one, `edesign schema -o FOLDER` writes all."]
     )

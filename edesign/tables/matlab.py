@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.file_kinds import head_of
+from edesign.file_kinds.recognise import head_of
 from edesign.project.reading.file_bytes import too_large
 from edesign.project.reading.limits import TABLE_BYTES
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from edesign.errors import InputError
-from edesign.file_kinds import ARCHIVE, PAGE, PDF, PICTURE, YAML_KINDS
+from edesign.file_kinds.kinds import ARCHIVE, PAGE, PDF, PICTURE, YAML_KINDS
 from edesign.project.reading.file_bytes import read_file
 
 Value = str | float | int | bool

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.file_kinds import head_of
+from edesign.file_kinds.recognise import head_of
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.time_steps import check_step

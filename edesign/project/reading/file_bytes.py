@@ -9,19 +9,8 @@ from pathlib import Path
 from typing import BinaryIO, Protocol
 
 from edesign.errors import InputError
-from edesign.file_kinds import (
-    ARCHIVE,
-    HEAD,
-    PAGE,
-    PDF,
-    PICTURE,
-    SAP2000,
-    YAML_KINDS,
-    FileKind,
-    foreign_content,
-    kind_of_content,
-    refuse_kind,
-)
+from edesign.file_kinds.kinds import ARCHIVE, PAGE, PDF, PICTURE, SAP2000, YAML_KINDS, FileKind
+from edesign.file_kinds.recognise import HEAD, foreign_content, kind_of_content, refuse_kind
 from edesign.input_files import note_input
 from edesign.project.reading.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
 from edesign.project.reading.problems import nearest

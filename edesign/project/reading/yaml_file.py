@@ -9,7 +9,8 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from edesign.errors import InputError
-from edesign.file_kinds import ARCHIVE, PACKED, PAGE, PDF, PICTURE, RECORDING, SAP2000, TABLE, WORKBOOK, kind_of_keys
+from edesign.file_kinds.kinds import ARCHIVE, PACKED, PAGE, PDF, PICTURE, RECORDING, SAP2000, TABLE, WORKBOOK
+from edesign.file_kinds.recognise import kind_of_keys
 from edesign.project.reading.explain import explain
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.limits import YAML_ADVICE, YAML_BYTES

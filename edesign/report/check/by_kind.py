@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.file_kinds import (
+from edesign.file_kinds.kinds import (
     ARCHIVE,
     CAMPAIGN_OR_PROGRAMME,
     LAW,
@@ -19,8 +19,8 @@ from edesign.file_kinds import (
     SUITE,
     TABLE,
     FileKind,
-    head_of,
 )
+from edesign.file_kinds.recognise import head_of
 from edesign.ground_motion.catalogue.folder import ENDINGS
 from edesign.ground_motion.formats.read import format_by_marks
 from edesign.report.check.damper_files import law_summary, property_campaign_summary, tests_summary
@@ -40,7 +40,7 @@ YAML_ENDINGS = (".yaml", ".yml")
 """Of files whose faults are told by line and column, whatever a stray character makes of their kind."""
 _HEAD = 4096  # bytes, in which a file that is no text shows it
 
-_SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
+SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
     ARCHIVE: archive_summary,
     TABLE: table_summary,
     SUITE: suite_summary,
@@ -72,8 +72,8 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
         raise InputError(
             f"{path}: this is {STRUCTURE.described}, which has no tests; {STRUCTURE.use}, whose file can be checked"
         )
-    if kind in _SUMMARIES:
-        return _SUMMARIES[kind](path)
+    if kind in SUMMARIES:
+        return SUMMARIES[kind](path)
     if kind is None and path.suffix.lower() == ".json":
         return result_summary(path)
     ending = path.suffix.lower()

@@ -19,7 +19,7 @@ from edesign.core.compensator_source import HEADER, header_text, hexadecimal, in
 from edesign.core.damper import LawValues
 from edesign.core.substructure import SubstructureLoop
 from edesign.errors import ArchiveError, InputError
-from edesign.file_kinds import head_of
+from edesign.file_kinds.recognise import head_of
 from edesign.input_files import spare_inputs
 from edesign.substructure.compensation.compensator_matrices import INPUTS, OUTPUTS, StateSpace, state_space
 from edesign.substructure.rig import rigs

@@ -9,12 +9,26 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edesign import file_kinds, yaml_parser
+from edesign import yaml_parser
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
-from edesign.file_kinds import kind_of, kind_of_content
+from edesign.file_kinds import recognise
+from edesign.file_kinds.kinds import (
+    BUILDING,
+    CHECKED_KINDS,
+    PROJECT,
+    STRUCTURE,
+    STUDY,
+    SUBSTRUCTURE_TESTS,
+    YAML_KINDS,
+    FileKind,
+)
+from edesign.file_kinds.recognise import kind_of, kind_of_content, kind_of_keys
+from edesign.report.check.by_kind import SUMMARIES
+from edesign.schema import kinds as schema_kinds
 
+ROOT = Path(__file__).parents[3]
 SIGNS = (*":?-{}[],#&*!|>'\"%@ \t\n\r", ": ", "? ", "\u2028", "\ufeff", "---\n", "...\n", "edesign: 1\n")
 """Which mean something to YAML."""
 TEXTS = {
@@ -95,6 +109,19 @@ def test_a_kind_is_told_by_content(files: Path, kind: str) -> None:
     assert found is not None and found.described.startswith(NAMES.get(kind, f"a {kind} file"))
 
 
+@pytest.mark.parametrize("kind", [*YAML_KINDS, *CHECKED_KINDS], ids=lambda kind: kind.schema or kind.name)
+def test_no_kind_of_file_is_forgotten(kind: FileKind) -> None:
+    """Each has a model and a guide, and `check` tells of it what is in it; a structure alone is no file of its own."""
+    run = (PROJECT, STUDY, BUILDING, SUBSTRUCTURE_TESTS)
+    told = kind_of_keys(kind.keys)
+    assert told is not None and (told == kind or kind.entries is not None)
+    if kind == STRUCTURE:
+        return
+    assert (told in SUMMARIES) != (told in run)
+    assert schema_kinds.KINDS[kind.schema] == kind and schema_kinds.model_of(kind).model_fields.keys() >= set(kind.keys)
+    assert (ROOT / "docs" / kind.guide).is_file()
+
+
 @pytest.mark.parametrize("text", ["", "- 1\n- 2\n", "title: x\n", "DIN 4150\n", "a: [1,\n 2, 3,\n 4]\n", "\0"])
 def test_nothing_is_said_of_other_files(tmp_path: Path, text: str) -> None:
     (tmp_path / "x").write_text(text, encoding="utf-8")
@@ -113,7 +140,7 @@ def test_the_quick_parser_tells_the_same_kind(text: str, edits: list[tuple[int, 
     quickly = kind_of_content(text.encode())
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(yaml_parser, "_QUICK", None)
-        patch.setattr(file_kinds, "_MAY_HAVE_KEYS", re.compile(""))
+        patch.setattr(recognise, "_MAY_HAVE_KEYS", re.compile(""))
         assert kind_of_content(text.encode()) == quickly
 
 

@@ -16,7 +16,8 @@ from edesign.building.building_file import load_building
 from edesign.building.project_file import load_project
 from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
-from edesign.file_kinds import BUILDING, kind_of
+from edesign.file_kinds.kinds import BUILDING
+from edesign.file_kinds.recognise import kind_of
 from edesign.project.building import Building, parse_building
 from edesign.project.building.names import ColumnLine
 from edesign.project.building.places import parse_column_lines, parse_frames

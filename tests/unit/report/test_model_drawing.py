@@ -18,7 +18,8 @@ from matplotlib.text import Text
 from edesign.building.building_file import load_building
 from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
-from edesign.file_kinds import BUILDING, PROJECT, STUDY, kind_of
+from edesign.file_kinds.kinds import BUILDING, PROJECT, STUDY
+from edesign.file_kinds.recognise import kind_of
 from edesign.project.reading.file_model import FileModel
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.inputs.designed_dampers import designed_dampers

@@ -14,7 +14,7 @@ from pydantic import ValidationError
 
 from edesign.project.reading.yaml_nodes import parse
 from edesign.schema.build import combined_schema, schema_of
-from edesign.schema.kinds import KINDS
+from edesign.schema.kinds import KINDS, model_of
 
 ROOT = Path(__file__).parents[3]
 WITHOUT_KIND = ("templates.yaml", "parameter_sets.yaml", "recommended.yaml", "prose.yaml", "strd.yaml")
@@ -97,7 +97,7 @@ def kind_of(data: Any) -> str | None:
 def model_takes(name: str, data: Any) -> bool:
     """Whether the model of a kind of file takes data, without the checks between its parts."""
     try:
-        KINDS[name].load().model_validate(_tuples(data))
+        model_of(KINDS[name]).model_validate(_tuples(data))
     except ValidationError:
         return False
     return all(data.get(key) is not None for key in KINDS[name].needed)

@@ -11,7 +11,8 @@ from rts_examples import FULL, INLINE, MINIMAL, ONE_STOREY, OTHER_METHODS, rts
 from edesign.cli.main import main
 from edesign.core.compensator import run_compensator
 from edesign.errors import InputError
-from edesign.file_kinds import SUBSTRUCTURE_TESTS, kind_of
+from edesign.file_kinds.kinds import SUBSTRUCTURE_TESTS
+from edesign.file_kinds.recognise import kind_of
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.reading.problems import ProjectError
 from edesign.project.substructure import RtsFileError, load_rts_file, parse_rts_file, read_rig_file

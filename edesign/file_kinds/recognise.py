@@ -4,13 +4,29 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from edesign.errors import InputError
+from edesign.file_kinds.kinds import (
+    ARCHIVE,
+    CHECKED_KINDS,
+    EMPTY,
+    JSON,
+    PACKED,
+    PAGE,
+    PDF,
+    PICTURE,
+    RECORDING,
+    SAP2000,
+    TABLE,
+    TEXT,
+    WORKBOOK,
+    YAML_KINDS,
+    FileKind,
+)
 from edesign.yaml_parser import quick_parser
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
@@ -20,82 +36,12 @@ HEAD = 1 << 16
 _MAY_HAVE_KEYS = re.compile(r"[{?]|:(?!\S)")
 """What every mapping has. The parser takes 0.04 s to find none in the numbers of a record."""
 
-
 _TABLE_OF_SAP2000 = re.compile(rb'^\s*TABLE:\s+"', re.MULTILINE)
 _NUMBER_OF_POINTS = re.compile(rb"\bNPTS\s*=\s*\d")
 """Of the headers of the PEER data base."""
 _JSON = re.compile(rb'\{\s*"[^"\n]*"\s*:|\[\s*\{\s*"')
 """Keys in quotes at the beginning, as programs write them."""
 
-
-@dataclass(frozen=True)
-class FileKind:
-    """A kind of file.
-
-    Attributes:
-        name: with which messages go on after "this is a": "project file".
-        use: what edesign does with it, a clause.
-        keys: of its outermost mapping, which it has all; none: it is no YAML.
-        without: keys that it does not have.
-    """
-
-    name: str
-    use: str
-    keys: frozenset[str] = frozenset()
-    without: frozenset[str] = frozenset()
-
-    @property
-    def described(self) -> str:
-        """Name of the kind with its article and format."""
-        article = "an" if self.name[0] in "aeiou" else "a"
-        return f"{article} {self.name} (YAML)" if self.keys else f"{article} {self.name}"
-
-
-def _kind(name: str, use: str, keys: str, without: str = "") -> FileKind:
-    return FileKind(name, use, frozenset(keys.split()), frozenset(without.split()))
-
-
-ARCHIVE = FileKind("archive of results (HDF5)", "`edesign show` prints what it holds")
-TABLE = FileKind(
-    "table of numbers (CSV)",
-    "`edesign inspect` tells what is in it; `characterise`, `sheet`, `rts identify` and `rts judge` read such",
-)
-PROJECT = _kind("project file", "`edesign run` runs it", "edesign")
-STUDY = _kind("study file", "`edesign run` runs it", "edesign_study")
-BUILDING = _kind("building file", "`edesign run` runs it", "edesign_building")
-SUBSTRUCTURE_TESTS = _kind("substructure test file", "`edesign rts run` runs it", "edesign_rts")
-SUITE = _kind("suite file", "`edesign records`, `match` and `spectrum` read it", "edesign_suite")
-REFERENCE = _kind("reference file", "`edesign compare ARCHIVE` puts an archive beside it", "edesign_reference")
-RIG = _kind("rig file", "a substructure test file names it by `rig: {file: ...}`", "rig", "compensators tests")
-LAW = _kind(
-    "law file",
-    "a project names it by `dampers: {laws: {NAME: {file: ...}}}`, substructure tests by `law_file`",
-    "type parameters",
-)
-STRUCTURE_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "structure channels")
-PROPERTY_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "properties specimen")
-CAMPAIGN_OR_PROGRAMME = _kind(
-    "campaign or programme file",
-    "of a campaign `edesign characterise`, `sheet`, `fit` and `calibrate` take the tests; `test` runs a programme",
-    "tests",
-    "channels compensators rig structure",
-)
-STRUCTURE = _kind(
-    "structure file", "its `structure` goes into a campaign of records", "structure", "channels compensators rig tests"
-)
-NATIONAL = _kind("national data file", "a `hazard` names it by `country: NAME.yaml`", "zones")
-SAP2000 = FileKind("model of SAP2000 (text)", "`edesign translate MODEL.s2k project.yaml` makes a project of it")
-PDF = FileKind("PDF document", "edesign writes such and reads none")
-PICTURE = FileKind("picture", "edesign writes such and reads none")
-PAGE = FileKind("page of HTML", "edesign writes such and reads none; the archive that it shows has the numbers")
-WORKBOOK = FileKind("workbook or another zip file", "save a sheet of numbers as CSV; unpack other files")
-PACKED = FileKind("compressed file", "unpack it")
-JSON = FileKind("file of JSON", "edesign writes such beside its results and reads none")
-EMPTY = FileKind("file without content", "it may not have been written to its end")
-RECORDING = FileKind(
-    "recorded motion", "`edesign inspect`, `spectrum` and `match` read it; a project names it under `records`"
-)
-TEXT = FileKind("file of text", "`edesign check` tells what edesign takes it for")
 _SIGNATURES = (
     (b"%PDF-", PDF),
     (b"\x89PNG", PICTURE),
@@ -107,22 +53,6 @@ _SIGNATURES = (
     (b"\xfd7zXZ", PACKED),
 )
 _TAGS = ((b"<!doctype html", PAGE), (b"<html", PAGE), (b"<svg", PICTURE))
-YAML_KINDS = (
-    PROJECT,
-    STUDY,
-    BUILDING,
-    SUBSTRUCTURE_TESTS,
-    SUITE,
-    REFERENCE,
-    RIG,
-    LAW,
-    STRUCTURE_CAMPAIGN,
-    PROPERTY_CAMPAIGN,
-    CAMPAIGN_OR_PROGRAMME,
-)
-"""Those with a key of their own, then those that are known by several."""
-_FOR_CHECK = (STRUCTURE, NATIONAL)
-"""Which no command takes but `check`; they are known by a key that other files may have as well."""
 
 
 def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
@@ -134,11 +64,11 @@ def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
     found: set[str] = set()
     for key in keys:
         found.add(key)
-        own = next((kind for kind in YAML_KINDS if kind.keys == {key} and not kind.without), None)
+        own = next((kind for kind in YAML_KINDS if kind.keys == (key,) and not kind.without), None)
         if own is not None:
             return own
-    several = (*YAML_KINDS, *_FOR_CHECK)
-    return next((kind for kind in several if kind.keys <= found and not kind.without & found), None)
+    several = (kind for kind in (*YAML_KINDS, *CHECKED_KINDS) if kind.entries is None)
+    return next((kind for kind in several if found.issuperset(kind.keys) and found.isdisjoint(kind.without)), None)
 
 
 def kind_of_content(head: bytes) -> FileKind | None:

@@ -1,0 +1,1 @@
+"""Kinds of files: which there are, and of which one a file is."""
