@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.criterion import ROUNDING, Criterion
+from edesign.codes.rule_check import ROUNDING, Criterion
 from edesign.errors import InputError
 
 if TYPE_CHECKING:

@@ -8,11 +8,11 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 
 from edesign.building.sections.steel_section import steel_section
-from edesign.codes.criterion import Criterion
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
+from edesign.codes.rule_check import Criterion
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -41,7 +41,10 @@ from edesign.space.analysis.vertical_component import vertical_combinations, ver
 from edesign.space.analysis.yielded_braces import with_yielded_braces, yielded_combinations
 from edesign.space.checks.capacity import ROUNDING, Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.checks.column_feet import feet_criteria, hinged_feet
-from edesign.space.checks.criteria import (
+from edesign.space.checks.foundations import Foundations, foundation_factors, foundations, supports
+from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
+from edesign.space.checks.regularity import regularity, shape
+from edesign.space.checks.rules import (
     allowed_class,
     behaviour_criteria,
     bracing_criteria,
@@ -51,9 +54,6 @@ from edesign.space.checks.criteria import (
     modal_criteria,
     storey_criteria,
 )
-from edesign.space.checks.foundations import Foundations, foundation_factors, foundations, supports
-from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
-from edesign.space.checks.regularity import regularity, shape
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.file_places import keys_of_member, telling_member, telling_place
 from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of

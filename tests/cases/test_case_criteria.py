@@ -14,7 +14,7 @@ from scipy.signal import lsim
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.assess.criteria import Verdict
+from edesign.assess.verdicts import Verdict
 from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.report.archive.document import write_page

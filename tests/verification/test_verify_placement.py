@@ -19,7 +19,7 @@ from placement_examples import RECORDS, EveryLayout, Item, sequential_search, sm
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.assess.criteria import judge
+from edesign.assess.verdicts import judge
 from edesign.project.criteria.criteria import MeasureCriterion
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign

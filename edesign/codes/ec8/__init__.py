@@ -1,6 +1,5 @@
 """EN 1998-1:2004, Eurocode 8: the seismic action, what accelerograms must satisfy, analysis and steel frames."""
 
-from edesign.codes.criterion import Criterion
 from edesign.codes.ec8.accelerograms import SET_RULES
 from edesign.codes.ec8.design import DesignSpectrum, vertical_design_spectrum
 from edesign.codes.ec8.displacement import LongPeriodSpectrum
@@ -8,6 +7,7 @@ from edesign.codes.ec8.elastic import ElasticSpectrum, damping_correction
 from edesign.codes.ec8.national import NationalParameters, countries, national_parameters
 from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters
 from edesign.codes.ec8.vertical import VerticalSpectrum
+from edesign.codes.rule_check import Criterion
 
 __all__ = [
     "Criterion",

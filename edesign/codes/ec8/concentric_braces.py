@@ -10,9 +10,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.names import unknown
 from edesign.codes.quantities import check_not_negative, check_positive
+from edesign.codes.rule_check import Criterion, at_most
 
 BraceKind = Literal["x", "diagonal", "v"]
 """Crossing diagonals; diagonals that do not cross; V or inverted V."""

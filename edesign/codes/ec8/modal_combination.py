@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.criterion import Criterion
 from edesign.codes.quantities import check_not_negative, check_positive
+from edesign.codes.rule_check import Criterion
 from edesign.errors import InputError
 
 LEAST_MASS = 0.90

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.criterion import Criterion, at_least, at_most
 from edesign.codes.quantities import check_not_negative, check_positive
+from edesign.codes.rule_check import Criterion, at_least, at_most
 from edesign.errors import InputError
 
 LARGEST_SLENDERNESS = 4.0

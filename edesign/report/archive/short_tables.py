@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.criteria import judge
 from edesign.assess.sets import history_sets
+from edesign.assess.verdicts import judge
 from edesign.errors import EdesignError
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings

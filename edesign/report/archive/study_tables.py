@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.criteria import judge
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import history_sets
+from edesign.assess.verdicts import judge
 from edesign.report.archive_view import all_results, ending, statistics
 from edesign.report.archived import archived_study
 from edesign.report.assessment.change_tables import changes_table

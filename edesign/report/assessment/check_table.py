@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from edesign.assess.criteria import Verdict
+from edesign.assess.verdicts import Verdict
 from edesign.project.criteria.criteria import Criterion, PerformanceCriterion
 from edesign.report.assessment.verdict_tables import answer, measured
 from edesign.report.drawing.captions import record_label

@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
-from edesign.assess.criteria import judge
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import DAMAGED, NOT_RUN, TARGET, HistorySet, history_sets
+from edesign.assess.verdicts import judge
 from edesign.project.criteria.criteria import Criterion, Objectives
 from edesign.project.project import Project
 from edesign.project.study.study import Study

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.archive.reader import Archive
-from edesign.assess.criteria import Verdict, judge
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
+from edesign.assess.verdicts import Verdict, judge
 from edesign.errors import InputError
 from edesign.report.archived import archived_study
 from edesign.report.assessment.tables import read_judged

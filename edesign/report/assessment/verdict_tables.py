@@ -8,15 +8,15 @@ from math import isinf
 from operator import itemgetter
 from typing import NamedTuple
 
-from edesign.assess.criteria import Verdict
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
 from edesign.assess.performance import SetPerformance, Usage, set_performance
 from edesign.assess.requirement import NEGLIGIBLE as NO_VALUE
 from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
-from edesign.codes.criterion import with_standard
+from edesign.assess.verdicts import Verdict
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
 from edesign.codes.fema356.objectives import OBJECTIVES, Objective
+from edesign.codes.rule_check import with_standard
 from edesign.ground_motion.hazard import objective_level, rules_in_force
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.criteria.criteria import Objectives

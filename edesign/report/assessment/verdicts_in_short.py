@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from edesign.assess.criteria import Verdict
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
+from edesign.assess.verdicts import Verdict
 from edesign.project.actions.hazard_base import Hazard
 from edesign.report.assessment.verdict_tables import RATIO, answer, few_notes, measured, motion_of
 from edesign.report.tables import cell

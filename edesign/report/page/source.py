@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.criteria import Verdict, judge
 from edesign.assess.quantities import HISTORY_OF
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
+from edesign.assess.verdicts import Verdict, judge
 from edesign.errors import EdesignError
 from edesign.optional_stages import optional
 from edesign.project.building.building import Building

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.en1990.combinations import Combination
+from edesign.codes.rule_check import Criterion, at_most
 from edesign.core.space import PROPERTIES
 from edesign.project.building.design import BeamDeflections
 from edesign.space.analysis.response import StaticResponse

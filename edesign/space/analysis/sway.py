@@ -15,10 +15,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.codes.criterion import Criterion, at_least
 from edesign.codes.ec3.imperfections import AMPLIFICATION, FIRST_ORDER, initial_sway, sway_amplification
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
+from edesign.codes.rule_check import Criterion, at_least
 from edesign.core.space import SpaceModel
 from edesign.core.space_buckling import SETTLED, BucklingShapes, buckling_shapes
 from edesign.core.space_modes import SpaceModes

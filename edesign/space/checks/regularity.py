@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.ec8.lateral_force import lateral_forces
 from edesign.codes.ec8.regularity import (
     eccentricity_and_radius,
@@ -23,6 +22,7 @@ from edesign.codes.ec8.regularity import (
     slenderness,
     torsional_radius,
 )
+from edesign.codes.rule_check import Criterion, at_most
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
 from edesign.space.structure.design_block import Regular, design_of

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.ec3.cross_section import moment_resistance
 from edesign.codes.ec8.moment_frames import (
     web_panel_area_with_doubler,
@@ -15,6 +14,7 @@ from edesign.codes.ec8.moment_frames import (
     web_panel_shear,
     web_panel_slenderness,
 )
+from edesign.codes.rule_check import Criterion, at_most
 from edesign.project.building.building import Steel
 from edesign.space.checks.capacity import bend_about_y, by_section
 from edesign.space.structure.frame import Axis, SpaceFrame

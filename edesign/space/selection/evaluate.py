@@ -9,15 +9,15 @@ from functools import partial
 
 import numpy as np
 
-from edesign.codes.criterion import Criterion
 from edesign.codes.ec3.imperfections import AMPLIFICATION
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.codes.rule_check import Criterion
 from edesign.project.building.building import Building
 from edesign.space.analysis.deflections import LIMITED
 from edesign.space.analysis.sway import STABLE
-from edesign.space.checks.criteria import brace_slenderness
+from edesign.space.checks.rules import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group

@@ -12,8 +12,8 @@ from edesign.codes.ec8.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDE
 from edesign.errors import InputError
 from edesign.project.building.design import DEFAULT_PRICE
 from edesign.project.reading.problems import keys_text, listed
-from edesign.space.checks.criteria import allowed_class, dissipative_class, pattern_of, slenderness_of_one_metre
 from edesign.space.checks.member_checks import LARGEST_CLASS
+from edesign.space.checks.rules import allowed_class, dissipative_class, pattern_of, slenderness_of_one_metre
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.structure.design_block import design_of
 from edesign.space.structure.frame import AXES

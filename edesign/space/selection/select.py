@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.criterion import Criterion
+from edesign.codes.rule_check import Criterion
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building

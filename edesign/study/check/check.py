@@ -26,7 +26,7 @@ from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.intensity import check_hazard_curves
 from edesign.study.analysis.modal import mode_count
 from edesign.study.analysis.structure import frame_alone, make_frame, make_structure
-from edesign.study.check.criteria import check_criteria_inputs
+from edesign.study.check.criteria_inputs import check_criteria_inputs
 from edesign.study.check.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
 from edesign.study.design.design import check_sizing
 from edesign.study.motions.applied import check_motion

@@ -22,7 +22,7 @@ from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.check.check import check_inputs, check_study_inputs
-from edesign.study.check.criteria import too_few_motions
+from edesign.study.check.criteria_inputs import too_few_motions
 from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.criteria import Verdict
+from edesign.assess.verdicts import Verdict
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.verification import AnyVerify
 from edesign.study.design.loop import RoundOutcome, RoundVerdict

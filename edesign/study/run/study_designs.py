@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from edesign.archive.dataset import Group
-from edesign.assess.criteria import Verdict, judge
+from edesign.assess.verdicts import Verdict, judge
 from edesign.errors import AnalysisError, EdesignError
 from edesign.one_thread import one_thread
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
@@ -16,7 +16,7 @@ from edesign.project.dampers.verification import AnyVerify
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.analysis.modal import mode_count
-from edesign.study.check.criteria import kept_for_verification, too_few_motions
+from edesign.study.check.criteria_inputs import kept_for_verification, too_few_motions
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.placement.placement import run_placement
 from edesign.study.plan.plan import Task, labels

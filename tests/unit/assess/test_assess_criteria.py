@@ -9,12 +9,12 @@ import pytest
 from unit.assess.assessed import frame, history, part
 
 from edesign.archive.dataset import Group, Variable
-from edesign.assess.criteria import Verdict, judge
 from edesign.assess.judgement import within
 from edesign.assess.members import VariantMembers, frame_members
 from edesign.assess.performance import BEYOND, drift_performance, member_performance, set_performance
 from edesign.assess.requirement import requirement_of
 from edesign.assess.sets import HistorySet, history_sets
+from edesign.assess.verdicts import Verdict, judge
 from edesign.project.reading.yaml_file import check_model
 from edesign.project.study.study import Study
 from edesign.report.assessment.verdict_tables import performance_tables

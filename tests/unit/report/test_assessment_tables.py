@@ -9,8 +9,8 @@ from unit.assess.assessed import FRAME, frame, history, part
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
-from edesign.assess.criteria import Verdict
 from edesign.assess.sets import history_sets
+from edesign.assess.verdicts import Verdict
 from edesign.project import parse_project
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.tables import assessment_tables, tables_of_histories

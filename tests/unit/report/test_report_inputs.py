@@ -9,7 +9,7 @@ import pytest
 from unit.report.figure_archive import small_archive
 
 from edesign.archive.reader import open_archive
-from edesign.assess.criteria import Verdict
+from edesign.assess.verdicts import Verdict
 from edesign.project import load_project
 from edesign.project.criteria.criteria import MeasureCriterion, PerformanceCriterion
 from edesign.project.notation.names import damper_place

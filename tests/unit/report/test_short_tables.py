@@ -13,8 +13,8 @@ from unit.assess.assessed import FRAME, frame, history, part
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.assess.criteria import Verdict, judge
 from edesign.assess.sets import history_sets
+from edesign.assess.verdicts import Verdict, judge
 from edesign.report.archive.tables import SCREEN, short_tables
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.measure_tables import DIFFERENCE, statistics_tables

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from building_examples import SMALL, building, changed, design_of, moment_frames
 
-from edesign.codes.criterion import Criterion
+from edesign.codes.rule_check import Criterion
 from edesign.space.checks.regularity import floor_stiffness
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.structure.geometry import space_frame

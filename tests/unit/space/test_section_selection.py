@@ -22,7 +22,7 @@ from edesign.project.reading.problems import FileProblems
 from edesign.report.building.basis_tables import selection_table
 from edesign.report.building.results import BuildingResults
 from edesign.space.check import check_building
-from edesign.space.checks.criteria import brace_slenderness
+from edesign.space.checks.rules import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of

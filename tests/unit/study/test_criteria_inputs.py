@@ -13,7 +13,7 @@ from edesign.project.dampers.verification import Verify
 from edesign.project.study.study_loader import parse_study
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.check import check_study_inputs
-from edesign.study.check.criteria import kept_for_verification, too_few_motions
+from edesign.study.check.criteria_inputs import kept_for_verification, too_few_motions
 from edesign.study.plan.study_plan import make_study_plan
 
 CASES = Path(__file__).parents[2] / "cases"

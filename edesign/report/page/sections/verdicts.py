@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.assess.criteria import Verdict, judge
 from edesign.assess.members import VariantMembers
+from edesign.assess.verdicts import Verdict, judge
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, remarks_table

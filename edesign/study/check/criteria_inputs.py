@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Mapping
 
 from edesign.assess.statistics import CODES, code_statistic, statistic
-from edesign.codes.criterion import with_standard
 from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.rule_check import with_standard
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import action_of, objective_level, rules_in_force
 from edesign.ground_motion.sources import Found
