@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.rule_check import ROUNDING, Criterion
+from edesign.codes.rule_check import ROUNDING, RuleCheck
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ class SetCheck:
         worst_ratio: that ratio.
     """
 
-    criteria: tuple[Criterion, ...]
+    criteria: tuple[RuleCheck, ...]
     worst_period: float | None
     worst_ratio: float | None
 
@@ -66,7 +66,7 @@ class SetCheck:
         return None if self.worst_ratio is None else True
 
     @property
-    def failed(self) -> tuple[Criterion, ...]:
+    def failed(self) -> tuple[RuleCheck, ...]:
         """The criteria that fail."""
         return tuple(criterion for criterion in self.criteria if criterion.passed is False)
 
@@ -254,54 +254,54 @@ class SetRules:
         low, high = int(np.argmin(ratio)), int(np.argmax(ratio))
         return float(T[inside][low]), float(ratio[low]), float(T[inside][high]), float(ratio[high])
 
-    def _number(self, count: int) -> Criterion:
+    def _number(self, count: int) -> RuleCheck:
         enough = bool(count >= self.least_number)
-        return Criterion(self.clauses.number, "number of accelerograms", self.least_number, float(count), "", enough)
+        return RuleCheck(self.clauses.number, "number of accelerograms", self.least_number, float(count), "", enough)
 
-    def _zero_period(self, mean: float, a_g_S: float) -> Criterion:
+    def _zero_period(self, mean: float, a_g_S: float) -> RuleCheck:
         text = "mean zero-period spectral acceleration at least a_g S"
         passed = mean >= a_g_S * (1.0 - ROUNDING)
-        return Criterion(self.clauses.zero_period, text, a_g_S, mean, "m/s2", passed)
+        return RuleCheck(self.clauses.zero_period, text, a_g_S, mean, "m/s2", passed)
 
-    def _least(self, extremes: tuple[float, float, float, float] | None, T_1: float | None, missing: str) -> Criterion:
+    def _least(self, extremes: tuple[float, float, float, float] | None, T_1: float | None, missing: str) -> RuleCheck:
         text, limit = "lowest ratio of mean 5 % spectrum to elastic spectrum", self.least_ratio
         if extremes is None or T_1 is None:
             return self._open(text, limit, missing)
         at, lowest = extremes[:2]
         passed = lowest >= limit * (1.0 - ROUNDING)
         detail = f"at T = {at:.3g} s" + (f"; {self.note}" if self.note else "")
-        return Criterion(self.clauses.mean, self._over_band(text, T_1), limit, lowest, "", passed, detail)
+        return RuleCheck(self.clauses.mean, self._over_band(text, T_1), limit, lowest, "", passed, detail)
 
     def _greatest(
         self, extremes: tuple[float, float, float, float] | None, T_1: float | None, limit: float, missing: str
-    ) -> Criterion:
+    ) -> RuleCheck:
         text = "greatest ratio of mean 5 % spectrum to elastic spectrum"
         if extremes is None or T_1 is None:
             return self._open(text, limit, missing)
         at, greatest = extremes[2:]
         passed = greatest <= limit * (1.0 + ROUNDING)
-        return Criterion(
+        return RuleCheck(
             self.clauses.mean, self._over_band(text, T_1), limit, greatest, "", passed, f"at T = {at:.3g} s"
         )
 
-    def _open(self, text: str, limit: float, missing: str) -> Criterion:
-        return Criterion(self.clauses.mean, f"{text} from {self.band_text}", limit, None, "", None, missing)
+    def _open(self, text: str, limit: float, missing: str) -> RuleCheck:
+        return RuleCheck(self.clauses.mean, f"{text} from {self.band_text}", limit, None, "", None, missing)
 
     def _over_band(self, text: str, T_1: float) -> str:
         low, high = self.period_band(T_1)
         return f"{text} from {low:.3g} s to {high:.3g} s ({self.band_text})"
 
-    def _stationary(self, durations: Sequence[float]) -> Criterion:
+    def _stationary(self, durations: Sequence[float]) -> RuleCheck:
         clause, text = self.clauses.stationary, "shortest stationary part of artificial accelerograms"
         if len(durations) == 0:
-            return Criterion(clause, text, STATIONARY_DURATION, None, "s", None, "not applicable: none is artificial")
+            return RuleCheck(clause, text, STATIONARY_DURATION, None, "s", None, "not applicable: none is artificial")
         shortest = min(durations)
         passed = bool(shortest >= STATIONARY_DURATION * (1.0 - ROUNDING))
         detail = "unless site-specific data say otherwise"
-        return Criterion(clause, text, STATIONARY_DURATION, shortest, "s", passed, detail)
+        return RuleCheck(clause, text, STATIONARY_DURATION, shortest, "s", passed, detail)
 
-    def _use_of_results(self, count: int) -> Criterion:
+    def _use_of_results(self, count: int) -> RuleCheck:
         enough = count >= self.number_for_mean
         detail = "the mean of the responses may be used" if enough else self.fewer
         text = "number of histories for which the mean response counts"
-        return Criterion(self.clauses.use, text, self.number_for_mean, float(count), "", None, detail)
+        return RuleCheck(self.clauses.use, text, self.number_for_mean, float(count), "", None, detail)

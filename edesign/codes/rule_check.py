@@ -21,7 +21,7 @@ def with_standard(clause: str) -> str:
 
 
 @dataclass(frozen=True)
-class Criterion:
+class RuleCheck:
     """One rule and what was found.
 
     Attributes:
@@ -69,7 +69,7 @@ class Criterion:
         return self.required / self.value if self.value > 0.0 else float("inf")
 
 
-def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
+def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> RuleCheck:
     """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits.
 
     Args:
@@ -77,14 +77,14 @@ def at_most(clause: str, text: str, limit: float, value: float, detail: str = ""
         limit: largest value.
         detail: place or remark.
     """
-    return Criterion(clause, text, limit, value, "", bool(value <= limit * (1.0 + ROUNDING)), detail)
+    return RuleCheck(clause, text, limit, value, "", bool(value <= limit * (1.0 + ROUNDING)), detail)
 
 
-def at_least(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
+def at_least(clause: str, text: str, limit: float, value: float, detail: str = "") -> RuleCheck:
     """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits.
 
     Args:
         text: what is required.
         detail: place or remark.
     """
-    return Criterion(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail, least=True)
+    return RuleCheck(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail, least=True)

@@ -12,7 +12,7 @@ from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
-from edesign.codes.rule_check import Criterion
+from edesign.codes.rule_check import RuleCheck
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -108,7 +108,7 @@ class ElasticDesign:
     foundations: Foundations
     members: MemberResults
     deflections: Deflections
-    criteria: tuple[Criterion, ...]
+    criteria: tuple[RuleCheck, ...]
     notes: tuple[str, ...]
 
     @property

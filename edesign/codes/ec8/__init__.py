@@ -7,10 +7,10 @@ from edesign.codes.ec8.elastic import ElasticSpectrum, damping_correction
 from edesign.codes.ec8.national import NationalParameters, countries, national_parameters
 from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters
 from edesign.codes.ec8.vertical import VerticalSpectrum
-from edesign.codes.rule_check import Criterion
+from edesign.codes.rule_check import RuleCheck
 
 __all__ = [
-    "Criterion",
+    "RuleCheck",
     "DesignSpectrum",
     "ElasticSpectrum",
     "HorizontalParameters",

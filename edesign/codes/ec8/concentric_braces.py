@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from edesign.codes.names import unknown
 from edesign.codes.quantities import check_not_negative, check_positive
-from edesign.codes.rule_check import Criterion, at_most
+from edesign.codes.rule_check import RuleCheck, at_most
 
 BraceKind = Literal["x", "diagonal", "v"]
 """Crossing diagonals; diagonals that do not cross; V or inverted V."""
@@ -28,7 +28,7 @@ HOMOGENEITY = 0.25
 """(max Omega_i - Omega) / Omega. Source: EN 1998-1:2004, 6.7.3(8)."""
 
 
-def asymmetry(A_plus: float, A_minus: float, storey: int) -> Criterion:
+def asymmetry(A_plus: float, A_minus: float, storey: int) -> RuleCheck:
     """Check that a braced frame behaves alike in both senses of a direction: |A+ - A-| / (A+ + A-) <= 0.05.
 
     Args:
@@ -53,7 +53,7 @@ def asymmetry(A_plus: float, A_minus: float, storey: int) -> Criterion:
     return at_most("6.7.1(3)", text, ASYMMETRY, value, f"storey {storey}")
 
 
-def slenderness(value: float, kind: str, storeys: int, member: str = "") -> Criterion:
+def slenderness(value: float, kind: str, storeys: int, member: str = "") -> RuleCheck:
     """Check the non-dimensional slenderness of a diagonal.
 
     Args:
@@ -72,14 +72,14 @@ def slenderness(value: float, kind: str, storeys: int, member: str = "") -> Crit
     low, high = SLENDERNESS[kind]
     clause = SLENDERNESS_CLAUSES[kind]
     if storeys <= FEW_STOREYS:
-        return Criterion("6.7.3(4)", "slenderness of a diagonal", None, value, "", None, member)
+        return RuleCheck("6.7.3(4)", "slenderness of a diagonal", None, value, "", None, member)
     if value <= low:
         text = f"slenderness of a diagonal, above {low:g} so that its buckling does not overload the column"
-        return Criterion(clause, text, low, value, "", False, member)
+        return RuleCheck(clause, text, low, value, "", False, member)
     return at_most(clause, "slenderness of a diagonal", high, value, member)
 
 
-def homogeneity(ratios: ArrayLike, where: str = "") -> Criterion:
+def homogeneity(ratios: ArrayLike, where: str = "") -> RuleCheck:
     """Check that the overstrength of diagonals exceeds the least one by at most 25 %.
 
     Args:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes.quantities import check_not_negative, check_positive
-from edesign.codes.rule_check import Criterion
+from edesign.codes.rule_check import RuleCheck
 from edesign.errors import InputError
 
 LEAST_MASS = 0.90
@@ -33,7 +33,7 @@ def needed_modes(mass_ratio: ArrayLike) -> int | None:
     return int(enough[0]) + 1 if enough.size else None
 
 
-def check_modes(mass_ratio: ArrayLike, taken: int, direction: str = "") -> Criterion:
+def check_modes(mass_ratio: ArrayLike, taken: int, direction: str = "") -> RuleCheck:
     """Check the modes taken in one direction: 90 % of the mass, or every mode above 5 %.
 
     Modes that were never computed cannot have more mass than is missing in total, so with at most 5 % missing the
@@ -70,7 +70,7 @@ def check_modes(mass_ratio: ArrayLike, taken: int, direction: str = "") -> Crite
             f"{needed} modes are needed" if needed else f"more modes than the {ratios.size} that are known are needed"
         )
     text = f"effective modal mass{where}: 90 %, or every mode above 5 %"
-    return Criterion("4.3.3.3.1(3)", text, LEAST_MASS, total, "", passed, detail)
+    return RuleCheck("4.3.3.3.1(3)", text, LEAST_MASS, total, "", passed, detail)
 
 
 def close_modes(periods: ArrayLike) -> tuple[tuple[int, int], ...]:

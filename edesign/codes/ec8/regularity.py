@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes.quantities import check_not_negative, check_positive
-from edesign.codes.rule_check import Criterion, at_least, at_most
+from edesign.codes.rule_check import RuleCheck, at_least, at_most
 from edesign.errors import InputError
 
 LARGEST_SLENDERNESS = 4.0
@@ -47,7 +47,7 @@ NTC_2018 = ChangeLimits(0.25, 0.30, 0.10)
 """Source: Norme tecniche per le costruzioni, DM 17 January 2018 (Italy), 7.2.1."""
 
 
-def slenderness(L_x: float, L_y: float) -> Criterion:
+def slenderness(L_x: float, L_y: float) -> RuleCheck:
     """Check L_max / L_min <= 4 of the plan.
 
     Args:
@@ -67,7 +67,7 @@ def slenderness(L_x: float, L_y: float) -> Criterion:
     return at_most("4.2.3.2(5)", "slenderness of the plan, L_max / L_min", LARGEST_SLENDERNESS, ratio)
 
 
-def recess(missing_area: float, floor_area: float) -> Criterion:
+def recess(missing_area: float, floor_area: float) -> RuleCheck:
     """Check that re-entrant corners take at most 5 % of the floor.
 
     Args:
@@ -99,7 +99,7 @@ def torsional_radius(K_theta: ArrayLike, K: ArrayLike) -> np.ndarray:
 
 def eccentricity_and_radius(
     e_0: ArrayLike, r: ArrayLike, l_s: ArrayLike, direction: str
-) -> tuple[Criterion, Criterion]:
+) -> tuple[RuleCheck, RuleCheck]:
     """Check e_0 <= 0.30 r and r >= l_s at all floors for one direction of analysis; the worst floor counts.
 
     Args:
@@ -126,7 +126,7 @@ def eccentricity_and_radius(
     )
 
 
-def gradual_mass(mass: ArrayLike, limits: ChangeLimits | None = None) -> Criterion:
+def gradual_mass(mass: ArrayLike, limits: ChangeLimits | None = None) -> RuleCheck:
     """Check that the masses of the floors stay constant or change gradually.
 
     Args:
@@ -141,7 +141,7 @@ def gradual_mass(mass: ArrayLike, limits: ChangeLimits | None = None) -> Criteri
     return _gradual("change of mass", limits.mass if limits else None, value, worst)
 
 
-def gradual_stiffness(stiffness: ArrayLike, limits: ChangeLimits | None = None) -> tuple[Criterion, Criterion]:
+def gradual_stiffness(stiffness: ArrayLike, limits: ChangeLimits | None = None) -> tuple[RuleCheck, RuleCheck]:
     """Check that the lateral stiffness of the storeys stays constant or changes gradually.
 
     Args:
@@ -164,7 +164,7 @@ def gradual_stiffness(stiffness: ArrayLike, limits: ChangeLimits | None = None) 
     )
 
 
-def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[Criterion, ...]:
+def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[RuleCheck, ...]:
     """Check the setbacks of the building in one horizontal direction.
 
     Args:
@@ -189,10 +189,10 @@ def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[Criter
     steps = np.array([np.diff(faces[0]), -np.diff(faces[1])])  # (2, n - 1), positive inwards
     inwards = np.maximum(steps, 0.0)
     relative = inwards.sum(axis=0) / width[:-1]
-    found: list[Criterion] = []
+    found: list[RuleCheck] = []
     if (steps < -_SAME * width[:-1]).any():
         text = "a storey stands out over the one below: 4.2.3.3(5) does not cover it"
-        found.append(Criterion("4.2.3.3(5)", text, None, None, "", None))
+        found.append(RuleCheck("4.2.3.3(5)", text, None, None, "", None))
     where = np.flatnonzero(relative > _SAME)
     if not where.size:
         return tuple(found)
@@ -232,9 +232,9 @@ def _changes(values: ArrayLike) -> np.ndarray:
     return np.diff(array) / array[:-1]
 
 
-def _gradual(what: str, limit: float | None, value: float, storey: int) -> Criterion:
+def _gradual(what: str, limit: float | None, value: float, storey: int) -> RuleCheck:
     detail = f"from storey {storey + 1} to {storey + 2}" if value else "no change"
     text = f"largest {what} from storey to storey upwards"
     if limit is None:
-        return Criterion("4.2.3.3(3)", text, None, value, "", None, detail)
+        return RuleCheck("4.2.3.3(3)", text, None, value, "", None, detail)
     return at_most("4.2.3.3(3)", text, limit, value, detail)

@@ -59,9 +59,9 @@ class Acceptance(Model):
         return tuple(dict.fromkeys(f"{STANDARDS[one.standard]}, {one.clause}" for one in found))
 
     @property
-    def criteria(self) -> tuple[Criterion, ...]:
+    def criteria(self) -> tuple[AcceptanceCriterion, ...]:
         """Criteria that are applied, in the order of the standards."""
-        makers: dict[Standard, Callable[[Acceptance], list[Criterion]]] = {
+        makers: dict[Standard, Callable[[Acceptance], list[AcceptanceCriterion]]] = {
             "asce_7": _asce,
             "en_15129": _en,
             "ntc_2018": _ntc,
@@ -95,7 +95,7 @@ AT_EXTREMES = (
 
 
 @dataclass(frozen=True)
-class Criterion:
+class AcceptanceCriterion:
     """A limit on a quantity.
 
     Attributes:
@@ -130,60 +130,69 @@ class Judged:
     """
 
     run: Run
-    criterion: Criterion
+    criterion: AcceptanceCriterion
     cycle: int | None
     value: float
     met: bool | None
     why: str = ""
 
 
-def _asce(asked: Acceptance) -> list[Criterion]:
+def _asce(asked: Acceptance) -> list[AcceptanceCriterion]:
     """Device adequacy of ASCE/SEI 7-16: 18.6.1.4 of dampers, 17.8.4 of isolators."""
     limit = asked.from_mean
     if asked.device == "elastomeric_isolator":
         return [
-            Criterion("asce_7", "17.8.4", STIFFNESS, "first", asked.from_first),
-            Criterion("asce_7", "17.8.4", DAMPING, "first", asked.from_first, fall_only=True),
+            AcceptanceCriterion("asce_7", "17.8.4", STIFFNESS, "first", asked.from_first),
+            AcceptanceCriterion("asce_7", "17.8.4", DAMPING, "first", asked.from_first, fall_only=True),
         ]
     quantities = {
         "viscous": (*AT_ZERO, ENERGY),
         "viscoelastic": (STIFFNESS, *AT_ZERO, ENERGY),
         "hysteretic": (*AT_ZERO, *AT_EXTREMES, ENERGY),
     }[asked.device]
-    return [Criterion("asce_7", "18.6.1.4", quantity, "mean", limit) for quantity in quantities]
+    return [AcceptanceCriterion("asce_7", "18.6.1.4", quantity, "mean", limit) for quantity in quantities]
 
 
-def _en(asked: Acceptance) -> list[Criterion]:
+def _en(asked: Acceptance) -> list[AcceptanceCriterion]:
     """EN 15129: clause 6 of displacement dependent devices, 7 of velocity dependent ones, 8.2 of isolators."""
     isolator = asked.device == "elastomeric_isolator"
     design = asked.from_design or (0.20 if isolator else 0.15)
     if asked.device == "viscous":
-        return [Criterion("en_15129", "7", one, "design", design, (LEAST_CYCLES,) * 2) for one in (*PEAKS, ENERGY)]
+        return [
+            AcceptanceCriterion("en_15129", "7", one, "design", design, (LEAST_CYCLES,) * 2) for one in (*PEAKS, ENERGY)
+        ]
     clause = "8.2" if isolator else "6"
-    told = [Criterion("en_15129", clause, one, "design", design, (LEAST_CYCLES,) * 2) for one in (STIFFNESS, DAMPING)]
+    told = [
+        AcceptanceCriterion("en_15129", clause, one, "design", design, (LEAST_CYCLES,) * 2)
+        for one in (STIFFNESS, DAMPING)
+    ]
     if isolator:
         repeated = [
-            Criterion("en_15129", clause, one, "least", asked.least_share, (2, 10)) for one in (STIFFNESS, DAMPING)
+            AcceptanceCriterion("en_15129", clause, one, "least", asked.least_share, (2, 10))
+            for one in (STIFFNESS, DAMPING)
         ]
     else:
         repeated = [
-            Criterion("en_15129", clause, one, "third", asked.from_third, (2, 10**6)) for one in (STIFFNESS, DAMPING)
+            AcceptanceCriterion("en_15129", clause, one, "third", asked.from_third, (2, 10**6))
+            for one in (STIFFNESS, DAMPING)
         ]
     return [*repeated, *told]
 
 
-def _ntc(asked: Acceptance) -> list[Criterion]:
+def _ntc(asked: Acceptance) -> list[AcceptanceCriterion]:
     """Device by NTC 2018: 11.9.4 of linear devices, 11.9.5 of others, 11.9.6 of viscous ones, 11.9.7 of isolators.
 
     Source: D.M. 17 January 2018, Eq. 11.9.3 to 11.9.7 and Tab. 11.9.I to 11.9.IV, column of the supply.
     """
     third, design = asked.from_third, asked.from_design
 
-    def repeated(clause: str, *quantities: Quantity) -> list[Criterion]:
-        return [Criterion("ntc_2018", clause, one, "third", third, (2, 10**6)) for one in quantities]
+    def repeated(clause: str, *quantities: Quantity) -> list[AcceptanceCriterion]:
+        return [AcceptanceCriterion("ntc_2018", clause, one, "third", third, (2, 10**6)) for one in quantities]
 
-    def designed(clause: str, quantity: Quantity, limit: float, fall_only: bool = False) -> Criterion:
-        return Criterion("ntc_2018", clause, quantity, "design", design or limit, (LEAST_CYCLES,) * 2, fall_only)
+    def designed(clause: str, quantity: Quantity, limit: float, fall_only: bool = False) -> AcceptanceCriterion:
+        return AcceptanceCriterion(
+            "ntc_2018", clause, quantity, "design", design or limit, (LEAST_CYCLES,) * 2, fall_only
+        )
 
     if asked.device == "viscous":
         told = [designed("11.9.6", one, 0.15) for one in PEAKS]
@@ -211,7 +220,7 @@ def judge(runs: Sequence[Run], designs: Sequence[Run | None], asked: Acceptance)
     )
 
 
-def _judged(run: Run, design: Run | None, criterion: Criterion) -> Judged:
+def _judged(run: Run, design: Run | None, criterion: AcceptanceCriterion) -> Judged:
     first, last = criterion.cycles
     values = criterion.quantity.of(run)
     part = values[first - 1 : last]

@@ -15,20 +15,20 @@ from edesign.report.tables.spec import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import HZ, MM, MM2, MS, ONE, PERCENT, J, Unit
 from edesign.substructure.indicators import Tracking, definitions
-from edesign.substructure.judgement.judge import Criterion, JudgedResponse, Judgement
+from edesign.substructure.judgement.judge import JudgedResponse, Judgement, QualityCriterion
 
 _UNITS = {"s": MS, "m": MM, "m2": MM2, "Hz": HZ, "J": J, "1": Unit("-")}
 _SHARES = ("nrms", "nrms_root", "maximum_error", "peak_error_mean", "peak_error_largest", "relative_energy_error")
 _UNTOLD = "not told"
 
 
-def _value(one: Criterion) -> Value:
+def _value(one: QualityCriterion) -> Value:
     if one.at_least:
         return "no limit" if math.isinf(one.value) else Quantity(one.value, ONE, 3)
     return Quantity(one.value, PERCENT, 3)
 
 
-def _limit(one: Criterion) -> Value:
+def _limit(one: QualityCriterion) -> Value:
     if one.at_least:
         return Marked(Quantity(one.limit, ONE, form="g"), before="at least ")
     return Quantity(one.limit, PERCENT, form="g")
@@ -52,7 +52,7 @@ RESPONSE = TableSpec[Row](
     (text("quantity"), col("value", ONE), text("unit")),
     named_by_title=True,
 )
-CRITERIA = TableSpec[Criterion](
+CRITERIA = TableSpec[QualityCriterion](
     "criteria_of_tests",
     "Criteria",
     (

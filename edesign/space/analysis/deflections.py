@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.en1990.combinations import Combination
-from edesign.codes.rule_check import Criterion, at_most
+from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.core.space import PROPERTIES
 from edesign.project.building.design import BeamDeflections
 from edesign.space.analysis.response import StaticResponse
@@ -120,7 +120,7 @@ class DeflectionAnalysis:
         return Deflections(self.members, self.span, total.max(axis=0), live.max(axis=0), total.argmax(axis=0))
 
 
-def deflection_criteria(deflections: Deflections, limits: BeamDeflections, names: Sequence[str]) -> list[Criterion]:
+def deflection_criteria(deflections: Deflections, limits: BeamDeflections, names: Sequence[str]) -> list[RuleCheck]:
     """Return whether beams deflect no more than the file allows; nothing where it sets no limit.
 
     Args:

@@ -18,7 +18,7 @@ import numpy as np
 from edesign.codes.ec3.imperfections import AMPLIFICATION, FIRST_ORDER, initial_sway, sway_amplification
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
-from edesign.codes.rule_check import Criterion, at_least
+from edesign.codes.rule_check import RuleCheck, at_least
 from edesign.core.space import SpaceModel
 from edesign.core.space_buckling import SETTLED, BucklingShapes, buckling_shapes
 from edesign.core.space_modes import SpaceModes
@@ -249,7 +249,7 @@ def _of_all(factor: np.ndarray, share: np.ndarray, number: int) -> float:
     return 1.0 + 1.0 / float(_parts(factor, share, number).sum())
 
 
-def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criterion]:
+def sway_criteria(stability: SwayStability, imperfections: bool) -> list[RuleCheck]:
     """Return whether amplified effects of first order are enough: alpha_cr of each direction is at least 3.
 
     Shapes that twist have a criterion of their own where they are the first. Without imperfections the values inform
@@ -273,7 +273,7 @@ def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criteri
             text = f"alpha_cr, {name}; below 10 sway effects are amplified, below 3 analysis of second order"
             found.append(at_least(STABLE, text, AMPLIFICATION, value, detail))
         else:
-            found.append(Criterion(STABLE, f"alpha_cr, {name}; without imperfections", None, value, "", None, detail))
+            found.append(RuleCheck(STABLE, f"alpha_cr, {name}; without imperfections", None, value, "", None, detail))
     return found
 
 

@@ -11,7 +11,7 @@ from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
-from edesign.codes.rule_check import Criterion, at_most
+from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.project.building.building import Steel
 from edesign.space.analysis.effects import Effects, largest
 from edesign.space.checks.capacity import bend_about_y, by_section
@@ -45,7 +45,7 @@ def feet_criteria(
     axis: Axis,
     highest: int,
     gamma_M0: float,
-) -> Iterator[Criterion]:
+) -> Iterator[RuleCheck]:
     """Yield the rules for hinges at the feet of columns: class of the section, and shear with M_pl,Rd at the foot.
 
     The moment at the foot is M_pl,Rd, that at the head what the amplified combinations give; V_Ed is their sum over

@@ -22,7 +22,7 @@ from edesign.codes.ec8.regularity import (
     slenderness,
     torsional_radius,
 )
-from edesign.codes.rule_check import Criterion, at_most
+from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
 from edesign.space.structure.design_block import Regular, design_of
@@ -54,8 +54,8 @@ class FloorStiffness:
 class Shape:
     """The rules for the shape of a building, in plan and in elevation; sections do not change them."""
 
-    plan: tuple[Criterion, ...]
-    elevation: tuple[Criterion, ...]
+    plan: tuple[RuleCheck, ...]
+    elevation: tuple[RuleCheck, ...]
 
 
 def shape(building: Building, frame: SpaceFrame) -> Shape:
@@ -65,7 +65,7 @@ def shape(building: Building, frame: SpaceFrame) -> Shape:
 
 def regularity(
     building: Building, frame: SpaceFrame, model: SpaceModel, of_shape: Shape
-) -> tuple[Regular, list[Criterion]]:
+) -> tuple[Regular, list[RuleCheck]]:
     """Return whether a building counts as regular, and the rules that say so.
 
     It is what its file says, or else what is found. A rule that does not hold fails where the file claims that it
@@ -90,7 +90,7 @@ def regularity(
     return regular, [*_told(plan, asked[0] is True), *_told(elevation, asked[1] is True), *_gradual(frame, of)]
 
 
-def _told(rules: Iterable[Criterion], claimed: bool) -> list[Criterion]:
+def _told(rules: Iterable[RuleCheck], claimed: bool) -> list[RuleCheck]:
     """Return rules as they are where the file claims that they hold; otherwise none of them fails."""
     if claimed:
         return list(rules)
@@ -102,7 +102,7 @@ def _told(rules: Iterable[Criterion], claimed: bool) -> list[Criterion]:
     ]
 
 
-def _gradual(frame: SpaceFrame, of: FloorStiffness | None) -> list[Criterion]:
+def _gradual(frame: SpaceFrame, of: FloorStiffness | None) -> list[RuleCheck]:
     """Return the changes of mass and stiffness from storey to storey, for information."""
     mass = _floor_masses(frame)
     found = [gradual_mass(mass)] if (mass > 0.0).all() else []
@@ -113,7 +113,7 @@ def _gradual(frame: SpaceFrame, of: FloorStiffness | None) -> list[Criterion]:
     return found
 
 
-def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[Criterion]:
+def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[RuleCheck]:
     extent = [np.ptp(frame.coordinates[frame.level_of_nodes <= 1, axis]) for axis in (0, 1)]
     lines = [np.concatenate([[0.0], np.cumsum(building.widths(axis))]).tolist() for axis in AXES]
     each = []
@@ -123,7 +123,7 @@ def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[Criterion]:
     return [slenderness(*extent), max(each, key=lambda rule: rule.value or 0.0)]
 
 
-def _shape_of_elevation(frame: SpaceFrame) -> list[Criterion]:
+def _shape_of_elevation(frame: SpaceFrame) -> list[RuleCheck]:
     found = []
     for number, axis in enumerate(AXES):
         places = [frame.coordinates[frame.level_of_nodes == floor, number] for floor in range(1, frame.n_floors + 1)]
@@ -132,11 +132,11 @@ def _shape_of_elevation(frame: SpaceFrame) -> list[Criterion]:
     return [*found, *_interrupted(frame)]
 
 
-def _torsion(of: FloorStiffness | None) -> list[Criterion]:
+def _torsion(of: FloorStiffness | None) -> list[RuleCheck]:
     """Return the rules for eccentricity and torsional radius, or that they cannot be found."""
     if of is None:
         text = "centre of stiffness and torsional radius: not all floors are rigid and have mass"
-        return [Criterion("4.2.3.2(4)", text, None, None, "", None)]
+        return [RuleCheck("4.2.3.2(4)", text, None, None, "", None)]
     each = [eccentricity_and_radius(of.e_0[n], of.r[n], of.l_s, axis) for n, axis in enumerate(AXES)]
     return [rule for pair in each for rule in pair]
 
@@ -188,7 +188,7 @@ def floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness:
     )
 
 
-def _interrupted(frame: SpaceFrame) -> list[Criterion]:
+def _interrupted(frame: SpaceFrame) -> list[RuleCheck]:
     """Return whether bracings and columns go down to the foundation without interruption (4.2.3.3(2))."""
     storeys: dict[str, set[int]] = {}
     for member in frame.members:

@@ -18,7 +18,7 @@ from edesign.codes.ec8.moment_frames import rotation_capacity
 from edesign.codes.ec8.regularity import IRREGULAR_Q
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
-from edesign.codes.rule_check import Criterion, at_least, at_most
+from edesign.codes.rule_check import RuleCheck, at_least, at_most
 from edesign.core.space_modes import SpaceModes
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
@@ -53,7 +53,7 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
     )
 
 
-def modal_criteria(modes: SpaceModes) -> list[Criterion]:
+def modal_criteria(modes: SpaceModes) -> list[RuleCheck]:
     """Return whether the modes taken have enough mass in both directions.
 
     Args:
@@ -72,7 +72,7 @@ def behaviour_criteria(
     axis: Axis,
     dissipative: np.ndarray,
     regular: Regular,
-) -> list[Criterion]:
+) -> list[RuleCheck]:
     """Return whether q, and the class of the dissipative sections in one direction, are allowed.
 
     Args:
@@ -132,7 +132,7 @@ def dissipative_class(section: str, fy: float, bent: bool) -> SectionClass:
     return section_class(steel_section(section), fy, 0.0 if bent else -1.0, about_y=bent)
 
 
-def storey_criteria(storeys: Storeys) -> Iterator[Criterion]:
+def storey_criteria(storeys: Storeys) -> Iterator[RuleCheck]:
     """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts.
 
     Args:
@@ -157,7 +157,7 @@ def storey_criteria(storeys: Storeys) -> Iterator[Criterion]:
         )
 
 
-def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[Criterion]:
+def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[RuleCheck]:
     """Return whether columns are stronger than beams at the joints of one direction; the worst joint counts.
 
     Args:
@@ -172,7 +172,7 @@ def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[Criterion]:
     return [at_least("4.4.2.3(4)", text, LEAST_RATIO, worst.ratio, worst.node)]
 
 
-def connection_criteria(design: Design, axis: Axis, q: float) -> list[Criterion]:
+def connection_criteria(design: Design, axis: Axis, q: float) -> list[RuleCheck]:
     """Return the rotation that beam to column connections of a moment frame must reach, for information.
 
     Args:
@@ -187,7 +187,7 @@ def connection_criteria(design: Design, axis: Axis, q: float) -> list[Criterion]
     """
     rotation = rotation_capacity(design.ductility_class, q)
     text = f"rotation capacity of beam to column connections, direction {axis}, rad"
-    return [Criterion("6.6.4(3)", text, None, rotation, "rad", None, "to be shown by tests")] if rotation else []
+    return [RuleCheck("6.6.4(3)", text, None, rotation, "rad", None, "to be shown by tests")] if rotation else []
 
 
 def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray) -> np.ndarray:
@@ -226,7 +226,7 @@ def pattern_of(member: Member) -> str:
     return _PATTERNS.get(member.bracing, "diagonal")
 
 
-def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overstrength) -> list[Criterion]:
+def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overstrength) -> list[RuleCheck]:
     """Return the rules for diagonals of one direction: slenderness, homogeneous overstrength, symmetry.
 
     Args:

@@ -14,7 +14,7 @@ from edesign.codes.ec8.moment_frames import (
     web_panel_shear,
     web_panel_slenderness,
 )
-from edesign.codes.rule_check import Criterion, at_most
+from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.project.building.building import Steel
 from edesign.space.checks.capacity import bend_about_y, by_section
 from edesign.space.structure.frame import Axis, SpaceFrame
@@ -122,7 +122,7 @@ def web_panels(
     ]
 
 
-def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_plates: bool) -> list[Criterion]:
+def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_plates: bool) -> list[RuleCheck]:
     """Return whether the web panels of one direction resist the hinges of their beams; the worst joint counts.
 
     Args:
@@ -132,7 +132,7 @@ def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_pla
     """
     text = f"V_wp,Ed / V_wp,Rd of web panels, direction {axis}"
     if not panels:
-        return [Criterion("6.6.3(6)", text, None, None, "", None, "columns bent about their weak axis, or hollow")]
+        return [RuleCheck("6.6.3(6)", text, None, None, "", None, "columns bent about their weak axis, or hollow")]
     worst = max(panels, key=lambda panel: panel.utilisation(doubler_plates))
     plates = [panel.doubler for panel in panels if panel.doubler > 0.0]
     detail = worst.node

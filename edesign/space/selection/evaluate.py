@@ -13,7 +13,7 @@ from edesign.codes.ec3.imperfections import AMPLIFICATION
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
-from edesign.codes.rule_check import Criterion
+from edesign.codes.rule_check import RuleCheck
 from edesign.project.building.building import Building
 from edesign.space.analysis.deflections import LIMITED
 from edesign.space.analysis.sway import STABLE
@@ -158,7 +158,7 @@ class Evaluator:
         np.maximum.at(found, self._group_of_members, of_members)
         return found
 
-    def broken(self, design: ElasticDesign) -> list[Criterion]:
+    def broken(self, design: ElasticDesign) -> list[RuleCheck]:
         """Return the rules for the building that a design does not meet and that the selection looks at."""
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 

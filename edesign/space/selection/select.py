@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.rule_check import Criterion
+from edesign.codes.rule_check import RuleCheck
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
@@ -94,7 +94,7 @@ class Selection:
     evaluations: int
     certified: bool
     starts: int
-    not_met: tuple[Criterion, ...]
+    not_met: tuple[RuleCheck, ...]
 
 
 def select_sections(building: Building, tell: Listener = lambda line: None, workers: int = 1) -> Selection:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.codes.ec8 import Criterion
+from edesign.codes.ec8 import RuleCheck
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
 from edesign.ground_motion.component_pairs import NAMES, PairFit
@@ -56,7 +56,7 @@ def project_record_groups(
             continue
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
         target = target_spectrum(project, name) if project.hazard and spec.fitted else None
-        verdicts: tuple[Criterion, ...] = ()
+        verdicts: tuple[RuleCheck, ...] = ()
         if isinstance(spec, PairRecord):
             recordings = {motion.name: motion.found for motion in members}
             yield from suite_groups(
@@ -75,7 +75,7 @@ def criteria(
     target: Spectrum,
     fundamental_period: float | None,
     variant_periods: Mapping[str, float] | None = None,
-) -> tuple[Criterion, ...]:
+) -> tuple[RuleCheck, ...]:
     """Return the verdicts of the code's criteria on a set of recordings that were fitted.
 
     Args:
@@ -105,7 +105,7 @@ def criteria(
     return tuple(verdicts)
 
 
-def _checked(matches: Sequence[Match], target: Spectrum, fundamental_period: float | None) -> tuple[Criterion, ...]:
+def _checked(matches: Sequence[Match], target: Spectrum, fundamental_period: float | None) -> tuple[RuleCheck, ...]:
     rules = target.set_rules.of(matched=matches[0].method != "scale")
     records = [match.matched for match in matches]
     periods = rules.check_periods(fundamental_period) if fundamental_period is not None else PERIODS
@@ -144,7 +144,7 @@ def suite_groups(
     name: str,
     motions: Sequence[Motion],
     target: Spectrum | None = None,
-    verdicts: Sequence[Criterion] = (),
+    verdicts: Sequence[RuleCheck] = (),
     order: int = 0,
     warnings: Sequence[str] = (),
     choice: Mapping[str, Any] | None = None,

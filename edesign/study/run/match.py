@@ -14,7 +14,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
-from edesign.codes.ec8 import Criterion
+from edesign.codes.ec8 import RuleCheck
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import AnalysisError, Interrupted
@@ -46,7 +46,7 @@ class MatchSummary:
 
     archive: Path
     motions: dict[str, Motion]
-    criteria: tuple[Criterion, ...]
+    criteria: tuple[RuleCheck, ...]
     seconds: float
 
     @property
@@ -139,7 +139,7 @@ def match_records(
             if not fitted:
                 reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
                 raise AnalysisError(f"none of the recordings can be fitted:{reasons}")
-            verdicts: tuple[Criterion, ...] = ()
+            verdicts: tuple[RuleCheck, ...] = ()
             factors = {motion.name: motion.scale for motion in fitted}
             stand_ins = {motion.name for motion in fitted if motion.found.origin == "stand-in"}
             warnings: list[str] = []

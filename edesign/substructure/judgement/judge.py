@@ -81,7 +81,7 @@ class JudgedResponse:
 
 
 @dataclass(frozen=True)
-class Criterion:
+class QualityCriterion:
     """Criterion that a good test keeps.
 
     Attributes:
@@ -127,7 +127,7 @@ class Judgement:
     samples: int
     tracking: Tracking
     response: JudgedResponse | None
-    criteria: tuple[Criterion, ...]
+    criteria: tuple[QualityCriterion, ...]
     notes: tuple[str, ...]
 
     @property
@@ -326,12 +326,14 @@ def _law_force(damper: TestedDamper, time: np.ndarray, displacement: np.ndarray)
     return SizedDamper(damper.values, damper.scales).force(time, u, v)
 
 
-def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
+def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[QualityCriterion, ...]:
     return (
-        Criterion("target under the measured force", response.reproduced, REPRODUCED),
-        Criterion("error of the response", response.response_error, file.criteria.response_error),
-        Criterion("delay factor", response.delay_factor, file.criteria.delay_margin, at_least=True),
-        Criterion("largest deformation that the record lasts for, over that of the test", response.covered, 1.0, True),
+        QualityCriterion("target under the measured force", response.reproduced, REPRODUCED),
+        QualityCriterion("error of the response", response.response_error, file.criteria.response_error),
+        QualityCriterion("delay factor", response.delay_factor, file.criteria.delay_margin, at_least=True),
+        QualityCriterion(
+            "largest deformation that the record lasts for, over that of the test", response.covered, 1.0, True
+        ),
     )
 
 

@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 from edesign.codes.asce7.ground_motions import set_rules
-from edesign.codes.ec8 import SET_RULES, Criterion
+from edesign.codes.ec8 import SET_RULES, RuleCheck
 from edesign.codes.motion_sets import SetCheck, SetRules
 from edesign.codes.ntc2018.accelerograms import SERVICEABILITY, ULTIMATE
 from edesign.errors import InputError
@@ -128,7 +128,7 @@ def test_seven_records_allow_the_mean() -> None:
 
 
 def test_a_rule_that_only_informs_hides_no_failure() -> None:
-    result = SetCheck((Criterion("x", "x", 1.0, 0.5, "", False), Criterion("y", "y", 1, 1, "", None)), 1.0, 1.0)
+    result = SetCheck((RuleCheck("x", "x", 1.0, 0.5, "", False), RuleCheck("y", "y", 1, 1, "", None)), 1.0, 1.0)
     assert not result.passed
 
 

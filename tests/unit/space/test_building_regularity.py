@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from building_examples import SMALL, building, changed, design_of, moment_frames
 
-from edesign.codes.rule_check import Criterion
+from edesign.codes.rule_check import RuleCheck
 from edesign.space.checks.regularity import floor_stiffness
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.structure.geometry import space_frame
@@ -27,7 +27,7 @@ BUILDING = changed(
 ALIKE = BUILDING.replace("section: IPE600", "section: IPE240")
 
 
-def rules(found: ElasticDesign, clause: str) -> list[Criterion]:
+def rules(found: ElasticDesign, clause: str) -> list[RuleCheck]:
     return [rule for rule in found.criteria if rule.clause == clause]
 
 
