@@ -10,10 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import final, peak, residual
-from edesign.project.criteria.measures import MEASURE_KINDS
-
-MEASURES = tuple(MEASURE_KINDS)
-"""Names of all response measures; the unit ends the name, ratios have none."""
+from edesign.project.criteria.measures import MEASURES
 
 Where = Literal["roof", "first storey", "anywhere"]
 
@@ -38,7 +35,7 @@ class Located:
 
 
 @dataclass(frozen=True)
-class _Source:
+class Source:
     """Where a measure is taken from: the extremes or the residual of a quantity, and at which of its components."""
 
     quantity: str
@@ -46,40 +43,26 @@ class _Source:
     at: Where = "anywhere"
 
 
-_SOURCES = {
-    "roof_displacement_m": _Source("floor_displacement", at="roof"),
-    "residual_roof_displacement_m": _Source("roof_displacement", residual),
-    "final_roof_displacement_m": _Source("floor_displacement", final, "roof"),
-    "roof_drift": _Source("floor_displacement", at="roof"),
-    "interstorey_drift": _Source("storey_drift"),
-    "residual_interstorey_drift": _Source("storey_drift", residual),
-    "final_interstorey_drift": _Source("storey_drift", final),
-    "base_shear_N": _Source("base_shear"),
-    "column_base_shear_N": _Source("storey_shear", at="first storey"),
-    "roof_acceleration_m_s2": _Source("floor_acceleration", at="roof"),
-    "relative_roof_acceleration_m_s2": _Source("floor_relative_acceleration", at="roof"),
-    "beam_plastic_rotation_rad": _Source("beam_plastic_rotation"),
-    "column_plastic_rotation_rad": _Source("column_plastic_rotation"),
-    "column_axial_force_N": _Source("column_axial_force"),
-    "brace_ductility": _Source("brace_ductility"),
-    "brace_damage": _Source("brace_damage"),
-    "damper_strain": _Source("damper_strain"),
-    "damper_deformation_m": _Source("damper_deformation"),
-    "damper_force_N": _Source("damper_force"),
-}
-
-_DIMENSIONS = {  # of the components of a measure that may be selected by storey or by name
-    "interstorey_drift": "storey",
-    "residual_interstorey_drift": "storey",
-    "final_interstorey_drift": "storey",
-    "beam_plastic_rotation_rad": "beam",
-    "column_plastic_rotation_rad": "column",
-    "column_axial_force_N": "column",
-    "brace_ductility": "buckling_brace",
-    "brace_damage": "buckling_brace",
-    "damper_strain": "damper",
-    "damper_deformation_m": "damper",
-    "damper_force_N": "damper",
+SOURCES = {
+    "roof_displacement_m": Source("floor_displacement", at="roof"),
+    "residual_roof_displacement_m": Source("roof_displacement", residual),
+    "final_roof_displacement_m": Source("floor_displacement", final, "roof"),
+    "roof_drift": Source("floor_displacement", at="roof"),
+    "interstorey_drift": Source("storey_drift"),
+    "residual_interstorey_drift": Source("storey_drift", residual),
+    "final_interstorey_drift": Source("storey_drift", final),
+    "base_shear_N": Source("base_shear"),
+    "column_base_shear_N": Source("storey_shear", at="first storey"),
+    "roof_acceleration_m_s2": Source("floor_acceleration", at="roof"),
+    "relative_roof_acceleration_m_s2": Source("floor_relative_acceleration", at="roof"),
+    "beam_plastic_rotation_rad": Source("beam_plastic_rotation"),
+    "column_plastic_rotation_rad": Source("column_plastic_rotation"),
+    "column_axial_force_N": Source("column_axial_force"),
+    "brace_ductility": Source("brace_ductility"),
+    "brace_damage": Source("brace_damage"),
+    "damper_strain": Source("damper_strain"),
+    "damper_deformation_m": Source("damper_deformation"),
+    "damper_force_N": Source("damper_force"),
 }
 
 
@@ -125,21 +108,27 @@ def located_measure(
     """
     each = _components(group, measure)
     at: Collection[int] = _eligible(measure, each)
-    dimension = _DIMENSIONS.get(measure)
+    dimension = _dimension(measure)
     if dimension is not None:
         at = _selected(group, dimension, at, storeys, members)
     if not at:
         return None
     worst = max(at, key=each.__getitem__)
     if dimension is None:
-        return Located(each[worst], None if _SOURCES[measure].at == "anywhere" else worst + 1)
+        return Located(each[worst], None if SOURCES[measure].at == "anywhere" else worst + 1)
     name = "" if dimension == "storey" else _label(group, dimension, worst)
     return Located(each[worst], _storey(group, dimension, worst) or None, name)
 
 
+def _dimension(measure: str) -> str | None:
+    """What the archive calls the places that a measure may be chosen among; None: it is one of the whole frame."""
+    place = MEASURES[measure].place
+    return "buckling_brace" if place == "brace" else place
+
+
 def _components(group: Group, measure: str) -> list[float]:
     """The values of all floors, storeys or members, of these the larger of both ends; [] where there are none."""
-    source = _SOURCES[measure]
+    source = SOURCES[measure]
     values = source.of(group, source.quantity)
     if values is None or values.size == 0:
         return []
@@ -156,7 +145,7 @@ def _eligible(measure: str, each: Sequence[float]) -> range:
     """Which of all components a measure is the largest of; floors and storeys are stored from the bottom to the top."""
     places = range(len(each))
     chosen: dict[Where, range] = {"roof": places[-1:], "first storey": places[:1]}
-    return chosen.get(_SOURCES[measure].at, places)
+    return chosen.get(SOURCES[measure].at, places)
 
 
 def _selected(
@@ -199,3 +188,17 @@ def storey_of(label: str) -> int:
 def _label(group: Group, dimension: str, at: int) -> str:
     """The name of a component; "" where the group does not name them."""
     return str(group.coords[dimension].values[at]) if dimension in group.coords else ""
+
+
+def lacking_measure(group: Group, measure: str) -> str:
+    """Return why a measure does not apply to a completed analysis, "" where it does.
+
+    Args:
+        group: of the analysis in the archive.
+        measure: a name of MEASURES.
+    """
+    if MEASURES[measure].place == "damper" and "damper" not in group.coords:
+        return "there are no dampers"
+    if measure == "damper_strain" and "damper_strain_max" not in group.variables:
+        return "no damper has layers"
+    return ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,33 +16,22 @@ from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
 from edesign.project.project import Project
 
-HISTORY_OF = {"floor_spectral_acceleration": "floor_acceleration", "damper_velocity": "damper_deformation"}
-"""Variables over time that a quantity is computed from."""
-OF_CORES = ("core_strain", "core_ductility", "cumulative_ductility")
-"""Quantities of buckling-restrained braces alone."""
-SUMS = ("damper_work", "cumulative_ductility")
-"""Quantities whose value at the end counts."""
-
 
 def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -> Located | None:
     """Compute the quantity of a criterion in one analysis, and say where it occurs.
 
     Args:
-        group: results of the analysis, as archived, with the histories that `HISTORY_OF` names.
+        group: results of the analysis, as archived, with the histories that the quantity needs.
         asked: the criterion.
         project: of the frame.
 
     Returns:
         The largest value over the chosen places; None where it does not apply, see `lacking`.
     """
-    if asked.quantity == "energy_share":
-        share = energy_share(group, str(asked.term))
-        return None if share is None else Located(share)
     place = QUANTITIES[asked.quantity].place
     if place == "frame":
-        left = asked.quantity.startswith("residual_")
-        extreme = residual(group, asked.quantity.removeprefix("residual_")) if left else peak(group, asked.quantity)
-        return None if extreme is None else Located(float(extreme))
+        of_frame = _source(asked).of(group, asked)
+        return None if of_frame is None else Located(float(of_frame))
     chosen = _chosen(group, asked, project)
     each = _values(group, asked, chosen) if chosen else None
     if each is None:
@@ -69,7 +59,7 @@ def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
         project: the validated project.
     """
     quantity = QUANTITIES[asked.quantity]
-    if asked.of_dampers and "damper" not in group.coords:
+    if asked.traits.of_dampers and "damper" not in group.coords:
         return "there are no dampers"
     if quantity.isolated and not group.attributes.get("isolated"):
         return "the base is not isolated"
@@ -77,11 +67,8 @@ def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
         return f"there are no {quantity.place}s"
     if quantity.place != "frame" and not _chosen(group, asked, project):
         return f"there is no {quantity.place} in the places chosen"
-    if asked.quantity == "damper_strain" and "damper_strain_max" not in group.variables:
-        return "no damper has layers"
-    if asked.quantity in OF_CORES and "core_strain_max" not in group.variables:
-        return "no damper is a buckling-restrained brace"
-    return ""
+    variable, why = _source(asked).needs
+    return why if variable and variable not in group.variables else ""
 
 
 def missing_history(group: Group, asked: QuantityCriterion) -> str:
@@ -93,11 +80,10 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
         group: of the analysis in the archive.
         asked: criterion with the quantity.
     """
-    needed = HISTORY_OF.get(asked.quantity)
-    if needed is not None:
+    needed = asked.traits.over_time
+    if needed:
         return "" if needed in group.variables else needed
-    kept = QUANTITIES[asked.quantity].kept
-    return asked.quantity if kept is not None and f"{asked.quantity}_max" not in group.variables else ""
+    return asked.quantity if asked.traits.kept is not None and f"{asked.quantity}_max" not in group.variables else ""
 
 
 def _chosen(group: Group, asked: QuantityCriterion, project: Project) -> list[int]:
@@ -123,34 +109,44 @@ def _chosen(group: Group, asked: QuantityCriterion, project: Project) -> list[in
 
 def _values(group: Group, asked: QuantityCriterion, chosen: list[int]) -> np.ndarray | None:
     """The value at each of the chosen places, of members the larger of both ends."""
-    found: np.ndarray | None
-    if asked.quantity in _COMPUTED:
-        name = HISTORY_OF[asked.quantity]
-        if name not in group.variables:
-            return None
-        over_time = np.asarray(group.variables[name].values, dtype=float)[:, chosen]
-        time = np.asarray(group.coords["time"].values, dtype=float)
-        return _COMPUTED[asked.quantity](time, over_time, asked)
-    if asked.quantity.startswith("residual_"):
-        found = residual(group, asked.quantity.removeprefix("residual_"))
-    elif asked.quantity in SUMS:
-        final = group.variables.get(f"{asked.quantity}_final")
-        found = None if final is None else np.asarray(final.values, dtype=float)
-    elif asked.side is not None:
-        found = _one_side(group, asked)
-    else:
-        found = peak(group, asked.quantity)
-    return None if found is None else found.reshape(len(found), -1).max(axis=1)[chosen]
+    source, name = _source(asked), asked.traits.over_time
+    if source.over_time is None:
+        found = source.of(group, asked)
+        return None if found is None else found.reshape(len(found), -1).max(axis=1)[chosen]
+    if name not in group.variables:
+        return None
+    over_time = np.asarray(group.variables[name].values, dtype=float)[:, chosen]
+    return source.over_time(np.asarray(group.coords["time"].values, dtype=float), over_time, asked)
 
 
-def _one_side(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
-    """Tension or compression alone, 0 where there is none; supports pull the frame down where it would lift."""
+def _extreme(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+    """The largest absolute value over time, or tension or compression alone.
+
+    Of a side it is 0 where there is none; supports pull the frame down where it would lift.
+    """
+    if asked.side is None:
+        return peak(group, asked.quantity)
     upper = (asked.side == "tension") != (QUANTITIES[asked.quantity].place == "support")
     variable = group.variables.get(f"{asked.quantity}_{'max' if upper else 'min'}")
     if variable is None:
         return None
     values = np.asarray(variable.values, dtype=float)
     return np.maximum(values if upper else -values, 0.0)
+
+
+def _residual(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+    return residual(group, asked.quantity.removeprefix("residual_"))
+
+
+def _sum(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+    """The value at the end."""
+    final = group.variables.get(f"{asked.quantity}_final")
+    return None if final is None else np.asarray(final.values, dtype=float)
+
+
+def _energy_share(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+    share = energy_share(group, str(asked.term))
+    return None if share is None else np.asarray(share)
 
 
 def floor_spectral_acceleration(time: np.ndarray, floors: np.ndarray, asked: QuantityCriterion) -> np.ndarray:
@@ -202,10 +198,41 @@ def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(CubicSpline(time, deformations).derivative()(time)).max(axis=0))
 
 
-_COMPUTED: dict[str, Callable[[np.ndarray, np.ndarray, QuantityCriterion], np.ndarray]] = {
-    "floor_spectral_acceleration": floor_spectral_acceleration,
-    "damper_velocity": damper_velocity,
+@dataclass(frozen=True)
+class Source:
+    """How a quantity is taken of an analysis.
+
+    Attributes:
+        of: its values at all of its places, of a frame one.
+        over_time: its values out of the time, (nt,) s, and of the variable over time of its places, (nt, n).
+        needs: a variable without which it does not apply, and why.
+    """
+
+    of: Callable[[Group, QuantityCriterion], np.ndarray | None] = _extreme
+    over_time: Callable[[np.ndarray, np.ndarray, QuantityCriterion], np.ndarray] | None = None
+    needs: tuple[str, str] = ("", "")
+
+
+_LAYERS = ("damper_strain_max", "no damper has layers")
+_CORES = ("core_strain_max", "no damper is a buckling-restrained brace")
+SOURCES = {
+    "residual_floor_displacement": Source(_residual),
+    "residual_storey_drift": Source(_residual),
+    "residual_base_displacement": Source(_residual),
+    "floor_spectral_acceleration": Source(over_time=floor_spectral_acceleration),
+    "damper_velocity": Source(over_time=damper_velocity),
+    "damper_strain": Source(needs=_LAYERS),
+    "core_strain": Source(needs=_CORES),
+    "core_ductility": Source(needs=_CORES),
+    "cumulative_ductility": Source(_sum, needs=_CORES),
+    "damper_work": Source(_sum),
+    "energy_share": Source(_energy_share),
 }
+"""Of those that are more than an extreme over time which is always there."""
+
+
+def _source(asked: QuantityCriterion) -> Source:
+    return SOURCES.get(asked.quantity, Source())
 
 
 def _known(value: float | None) -> float:

@@ -5,26 +5,27 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 from edesign.archive.dataset import Group
-from edesign.assess.measures import Located, located_measure, storey_of
+from edesign.assess.measures import Located, lacking_measure, located_measure, storey_of
 from edesign.assess.members import FrameMember, Kind
-from edesign.assess.performance import By, usage
+from edesign.assess.performance import usage
 from edesign.assess.quantities import lacking, located_quantity, missing_history
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.criteria.criteria import (
     Criterion,
     HingeCriterion,
+    LimitCriterion,
     MeasureCriterion,
     PerformanceCriterion,
     QuantityCriterion,
 )
 from edesign.project.criteria.criterion_quantities import QUANTITIES, SELECTIONS
-from edesign.project.criteria.measures import MEASURE_KINDS, short_name
+from edesign.project.criteria.measures import short_name
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
 
-BENDING_OF_BEAMS = ("member_bending_moment", "member_shear_force", "beam_plastic_rotation")
 KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
 UNITS = {
     "m": ("mm", 1e-3),
@@ -76,30 +77,21 @@ class Requirement:
 
 
 def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
-    """Make a criterion of a study ready for judging histories.
+    """Make a criterion ready for judging histories.
 
     Args:
-        criterion: of the study.
+        criterion: of a study, or what an objective asks for.
         members: of the frame, by name; needed for performance levels only.
         project: the validated project.
     """
-    found = _of_its_kind(criterion, members, project)
-    if not isinstance(criterion, PerformanceCriterion) and _limits_beams(criterion):
-        storeys, names = _numbers(criterion.storeys, project), getattr(criterion, "members", ())
-        found = replace(found, bends=partial(_chosen, storeys=storeys, members=names))
+    found = MAKERS[type(criterion)](criterion, members, project)
+    if criterion.traits.bends_beams:
+        storeys = _numbers(criterion.storeys, project)
+        found = replace(found, bends=partial(_chosen, storeys=storeys, members=criterion.traits.members))
     if criterion.share is None:
         return found
     words = f"{found.words}, in at least {100.0 * criterion.share:g} % of the motions"
     return replace(found, share=criterion.share, words=words, statistic="share")
-
-
-def _limits_beams(criterion: MeasureCriterion | HingeCriterion | QuantityCriterion) -> bool:
-    """Say whether beams are among what a criterion limits the moments, shears or rotations of."""
-    if isinstance(criterion, HingeCriterion):
-        return "beam" in KINDS[criterion.of]
-    if isinstance(criterion, MeasureCriterion):
-        return criterion.measure.startswith("beam_")
-    return criterion.quantity in BENDING_OF_BEAMS
 
 
 def _chosen(name: str, storeys: tuple[int, ...] | None, members: tuple[str, ...]) -> bool:
@@ -107,32 +99,40 @@ def _chosen(name: str, storeys: tuple[int, ...] | None, members: tuple[str, ...]
     return (storeys is None or storey_of(name) in storeys) and (not members or name in members)
 
 
-def _of_its_kind(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
-    storeys = _numbers(criterion.storeys, project)
-    if isinstance(criterion, PerformanceCriterion):
-        c = criterion
-        return performance_requirement(c.name, c.performance, c.by, c.of, c.statistic, storeys, members)
-    if isinstance(criterion, QuantityCriterion):
-        return _of_quantity(criterion, project)
-    names = criterion.members or None
+def _of_measure(criterion: MeasureCriterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+    place = partial(
+        _worst,
+        measures=[criterion.measure],
+        storeys=_numbers(criterion.storeys, project),
+        members=criterion.members or None,
+    )
     where = _where(criterion.storeys, criterion.members)
-    if isinstance(criterion, HingeCriterion):
-        measures = [f"{kind}_plastic_rotation_rad" for kind in KINDS[criterion.of]]
-        place = partial(_worst, measures=measures, storeys=storeys, members=names)
-        of = "members" if criterion.of == "all" else criterion.of
-        words = f"no plastic hinges in {of}: at most {criterion.rotation:g} rad{where}"
-        return Requirement(criterion.name, words, criterion.statistic, place, criterion.rotation, None, "rad")
-    unit = MEASURE_KINDS[criterion.measure].unit
-    place = partial(_worst, measures=[criterion.measure], storeys=storeys, members=names)
-    words = f"{short_name(criterion.measure).replace('_', ' ')} {_range(criterion, unit)}{where}"
-    lacks = partial(_lacks_measure, measure=criterion.measure)
-    of_dampers, limits = criterion.of_dampers, (criterion.most, criterion.least, unit)
-    return Requirement(criterion.name, words, criterion.statistic, place, *limits, of_dampers=of_dampers, lacks=lacks)
+    return Requirement(
+        criterion.name,
+        f"{short_name(criterion.measure).replace('_', ' ')} {_range(criterion)}{where}",
+        criterion.statistic,
+        place,
+        criterion.most,
+        criterion.least,
+        criterion.kind.unit,
+        of_dampers=criterion.traits.of_dampers,
+        lacks=partial(lacking_measure, measure=criterion.measure),
+    )
 
 
-def _of_quantity(criterion: QuantityCriterion, project: Project) -> Requirement:
+def _of_hinges(criterion: HingeCriterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+    measures = [f"{kind}_plastic_rotation_rad" for kind in KINDS[criterion.of]]
+    storeys, names = _numbers(criterion.storeys, project), criterion.members or None
+    place = partial(_worst, measures=measures, storeys=storeys, members=names)
+    of = "members" if criterion.of == "all" else criterion.of
+    where = _where(criterion.storeys, criterion.members)
+    words = f"no plastic hinges in {of}: at most {criterion.rotation:g} rad{where}"
+    return Requirement(criterion.name, words, criterion.statistic, place, criterion.rotation, None, "rad")
+
+
+def _of_quantity(criterion: QuantityCriterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
     quantity = QUANTITIES[criterion.quantity]
-    words = f"{criterion.quantity.replace('_', ' ')}{_of_what(criterion)} {_range(criterion, quantity.kind.unit)}"
+    words = f"{criterion.quantity.replace('_', ' ')}{_of_what(criterion)} {_range(criterion)}"
     for key in SELECTIONS[quantity.place]:
         chosen = getattr(criterion, key)
         text = ", ".join(chosen) if isinstance(chosen, tuple) else "" if chosen.is_all else str(chosen)
@@ -145,7 +145,7 @@ def _of_quantity(criterion: QuantityCriterion, project: Project) -> Requirement:
         criterion.most,
         criterion.least,
         quantity.kind.unit,
-        of_dampers=criterion.of_dampers,
+        of_dampers=criterion.traits.of_dampers,
         lacks=partial(lacking, asked=criterion, project=project),
         missing=partial(missing_history, asked=criterion),
     )
@@ -162,35 +162,10 @@ def _of_what(criterion: QuantityCriterion) -> str:
     return f" of {criterion.term.replace('_', '-')}" if criterion.term is not None else ""
 
 
-def _lacks_measure(group: Group, measure: str) -> str:
-    if measure.startswith("damper_"):
-        if "damper" not in group.coords:
-            return "there are no dampers"
-        if measure == "damper_strain" and "damper_strain_max" not in group.variables:
-            return "no damper has layers"
-    return ""
-
-
-def performance_requirement(
-    name: str,
-    level: str,
-    by: By,
-    of: str,
-    statistic: str,
-    storeys: tuple[int, ...] | None,
-    members: Mapping[str, FrameMember],
+def _of_performance(
+    criterion: PerformanceCriterion, members: Mapping[str, FrameMember], project: Project
 ) -> Requirement:
-    """Make ready the requirement that histories meet a performance level.
-
-    Args:
-        name: of the criterion.
-        level: IO, LS or CP.
-        by: "drift", "members" or "both".
-        of: kind of members that count, a key of `KINDS`.
-        statistic: over the histories.
-        storeys: that count; None: all.
-        members: of the frame, by name.
-    """
+    storeys, level, by, of = _numbers(criterion.storeys, project), criterion.performance, criterion.by, criterion.of
 
     def place(group: Group) -> Located | None:
         found = usage(group, members, level, by, KINDS[of], storeys)
@@ -199,10 +174,16 @@ def performance_requirement(
     ways = {"drift": "drift", "members": "plastic rotation", "both": "drift and plastic rotation"}
     whose = f" of {of}" if by != "drift" and of != "all" else ""
     words = f"{PERFORMANCE_LEVELS[level]} by {ways[by]}{whose}"
-    found = Requirement(name, words, statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
-    if by == "drift" or "beam" not in KINDS[of]:
-        return found
-    return replace(found, bends=partial(_chosen, storeys=storeys, members=()))
+    return Requirement(criterion.name, words, criterion.statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
+
+
+MAKERS: dict[type, Callable[[Any, Mapping[str, FrameMember], Project], Requirement]] = {
+    MeasureCriterion: _of_measure,
+    QuantityCriterion: _of_quantity,
+    HingeCriterion: _of_hinges,
+    PerformanceCriterion: _of_performance,
+}
+"""What makes each kind of criterion ready: of the criterion, the members of its frame by name, and the project."""
 
 
 def shown(value: float, unit: str) -> str:
@@ -243,7 +224,8 @@ def _where(storeys: NumberSelection, members: tuple[str, ...]) -> str:
     return text + (f", members {', '.join(members)}" if members else "")
 
 
-def _range(criterion: MeasureCriterion | QuantityCriterion, unit: str) -> str:
+def _range(criterion: LimitCriterion) -> str:
+    unit = criterion.kind.unit
     if criterion.most is None:
         assert criterion.least is not None
         return f"at least {shown(criterion.least, unit)}"

@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from edesign.archive.dataset import Group
-from edesign.assess.measures import MEASURES, response_measures
+from edesign.assess.measures import response_measures
 from edesign.assess.statistics import Statistics, statistics
 from edesign.ground_motion.processing.steps import REVERSED
 from edesign.project.analysis.pushover import METHODS, Method
+from edesign.project.criteria.measures import MEASURES
 from edesign.project.study.study import warm_variant
 
 NOT_RUN = "not run"

@@ -11,8 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.judgement import share_met, statistic_of, within
 from edesign.assess.measures import Located
 from edesign.assess.members import VariantMembers
-from edesign.assess.performance import By
-from edesign.assess.requirement import NEGLIGIBLE, Requirement, performance_requirement, requirement_of
+from edesign.assess.requirement import NEGLIGIBLE, Requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
 from edesign.building.masses import STILL_BEAMS
@@ -134,7 +133,7 @@ def judge(
         study: says what should have run, and which variants have no dampers; None: what is named should have run.
     """
     sets = (*history_sets(histories), *target_sets(histories))
-    by_members = bool(objectives) or any(isinstance(c, PerformanceCriterion) for c in criteria)
+    by_members = bool(objectives) or any(c.traits.by_members for c in criteria)
     members = VariantMembers(project, study)
     verdicts = []
     for criterion in criteria:
@@ -145,12 +144,12 @@ def judge(
     for letter in objectives:
         objective = OBJECTIVES[letter]
         level = objective_level(letter, project.hazard)
-        ways: tuple[By, ...] = ("drift", "members")
-        for by in ways:
-            name = f"objective {letter}, by {by}"
+        for by in ("drift", "members"):
+            given = {"name": f"objective {letter}, by {by}", "performance": objective.level, "by": by}
+            asks = PerformanceCriterion.model_validate(given)
             for found in _chosen(sets, (), (level or "no such level",), study):
                 of_variant = members(found.variant)
-                asked = performance_requirement(name, objective.level, by, "all", "mean", None, of_variant)
+                asked = requirement_of(asks, of_variant, members.project(found.variant))
                 verdicts.append(_verdict(asked, found, study))
     return tuple(verdicts)
 

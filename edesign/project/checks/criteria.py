@@ -12,17 +12,23 @@ from edesign.project.checks.names import check_names
 from edesign.project.checks.selections import Selections
 from edesign.project.criteria.criteria import (
     Criterion,
-    HingeCriterion,
+    LimitCriterion,
     MeasureCriterion,
+    MembersOf,
     Objectives,
     QuantityCriterion,
 )
-from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
-from edesign.project.criteria.measures import MEASURE_KINDS
+from edesign.project.criteria.criterion_quantities import keys_of
+from edesign.project.criteria.measures import MEASURES
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, keys_text
 
-_PREFIXES = {"beam": "B_", "column": "C_", "brace": "D_"}
+_PREFIXES: dict[MembersOf, tuple[str, ...]] = {
+    "beam": ("B_",),
+    "column": ("C_",),
+    "brace": ("D_",),
+    "column or beam": ("B_", "C_"),
+}
 
 
 def check_criteria(
@@ -57,12 +63,16 @@ def check_criteria(
         Selections(project.frame, problems).storeys(at, criterion.storeys)
         if criterion.share is not None and "statistic" in criterion.model_fields_set:
             problems.at_key((*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both")
-        if isinstance(criterion, (MeasureCriterion, QuantityCriterion)):
+        if isinstance(criterion, LimitCriterion):
             _limits(problems, at, criterion)
         if isinstance(criterion, QuantityCriterion):
             check_quantity(at, criterion, project, problems, kept, dampers)
-        if isinstance(criterion, (MeasureCriterion, HingeCriterion)):
-            _members(problems, at, criterion, project)
+        if isinstance(criterion, MeasureCriterion) and not _measured(problems, at, criterion, project):
+            continue
+        traits = criterion.traits
+        if traits.members_of is not None:
+            named = [name for name in project.frame.members if name.startswith(_PREFIXES[traits.members_of])]
+            check_members((*at, "members"), traits.members, named, traits.members_of, problems)
     _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
     for i, letter in enumerate(objectives):
         at = (*keys, "objectives", i)
@@ -70,7 +80,7 @@ def check_criteria(
             problems.at_value(at, f"`{letter}` comes twice")
 
 
-def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion | QuantityCriterion) -> None:
+def _limits(problems: Problems, at: Keys, criterion: LimitCriterion) -> None:
     if criterion.most is None and criterion.least is None:
         problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit")
     elif criterion.most is not None and criterion.least is not None and criterion.least > criterion.most:
@@ -78,35 +88,26 @@ def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion | Quantity
         problems.at_value((*at, "least"), message)
 
 
-def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCriterion, project: Project) -> None:
-    """Selections that mean nothing for a measure, and members that the frame has not."""
-    if isinstance(criterion, MeasureCriterion):
-        kind = criterion.measure.partition("_")[0]
-        whole = "drift" in criterion.measure and criterion.measure != "roof_drift"
-        if kind not in ("beam", "column", "brace", "damper") or criterion.measure == "column_base_shear_N":
-            if criterion.members:
-                problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from")
-            if not criterion.storeys.is_all and not whole:
-                problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame")
-            return
-    else:
-        kind = {"columns": "column", "beams": "beam", "all": ""}[criterion.of]
-    buckling = any(run.buckling is not None for run in project.frame.braces)
-    if isinstance(criterion, MeasureCriterion) and kind == "brace" and not buckling:
+def _measured(problems: Problems, at: Keys, criterion: MeasureCriterion, project: Project) -> bool:
+    """Whether the frame has a measure at all; selections that mean nothing for it are told."""
+    place = MEASURES[criterion.measure].place
+    if place is None or place == "storey":
+        if criterion.members:
+            problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from")
+        if not criterion.storeys.is_all and place is None:
+            problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame")
+    elif place == "brace" and all(run.buckling is None for run in project.frame.braces):
         message = f"`{criterion.measure}` is one of braces with `buckling`, and this frame has none"
         problems.at_value((*at, "measure"), message)
-        return
-    if kind == "damper":
-        return  # its names are given when the variant is built
-    allowed = [name for name in project.frame.members if name.startswith(_PREFIXES.get(kind, ("B_", "C_")))]
-    check_members((*at, "members"), criterion.members, allowed, kind or "column or beam", problems)
+        return False
+    return True
 
 
 def _contradictions(
     problems: Problems, keys: Keys, criteria: Sequence[Criterion], variants: tuple[str, ...], levels: tuple[str, ...]
 ) -> None:
     """Two ranges of one statistic of one measure, over the same place, that have nothing in common."""
-    measured = [(i, c) for i, c in enumerate(criteria) if isinstance(c, (MeasureCriterion, QuantityCriterion))]
+    measured = [(i, c) for i, c in enumerate(criteria) if isinstance(c, LimitCriterion)]
     for position, (i, later) in enumerate(measured):
         for j, earlier in measured[:position]:
             if not _same(earlier, later):
@@ -123,28 +124,20 @@ def _contradictions(
             if both and low > high and alone <= 0.0:
                 line = problems.node((*keys, "criteria", j)).mark.line
                 place = keys_text((*keys, "criteria", j))
-                what, unit = _subject(later)
                 message = (
                     f"`{later.name}` contradicts `{earlier.name}` ({place}, line {line}): for {both[0]} "
-                    f"the {later.statistic} of `{what}` cannot be at least {low:g} and at most "
-                    f"{high:g} {unit.replace('1', '')}".rstrip()
+                    f"the {later.statistic} of `{later.subject}` cannot be at least {low:g} and at most "
+                    f"{high:g} {later.kind.unit.replace('1', '')}".rstrip()
                 )
                 problems.at_value((*keys, "criteria", i), message)
 
 
-def _subject(criterion: MeasureCriterion | QuantityCriterion) -> tuple[str, str]:
-    """What is limited, and its SI unit."""
-    if isinstance(criterion, MeasureCriterion):
-        return criterion.measure, MEASURE_KINDS[criterion.measure].unit
-    return criterion.quantity, QUANTITIES[criterion.quantity].kind.unit
-
-
-def _same(one: MeasureCriterion | QuantityCriterion, other: MeasureCriterion | QuantityCriterion) -> bool:
-    if _subject(one) != _subject(other) or type(one) is not type(other):
+def _same(one: LimitCriterion, other: LimitCriterion) -> bool:
+    if one.subject != other.subject or type(one) is not type(other):
         return False
     keys = ("storeys", "members") if isinstance(one, MeasureCriterion) else keys_of(one.quantity)
     return all(getattr(one, key) == getattr(other, key) for key in ("statistic", "share", *keys))
 
 
-def _most(criterion: MeasureCriterion | QuantityCriterion) -> float:
+def _most(criterion: LimitCriterion) -> float:
     return math.inf if criterion.most is None else criterion.most

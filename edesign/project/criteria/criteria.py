@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 from pydantic import (
@@ -15,9 +16,11 @@ from pydantic import (
     field_validator,
 )
 
+from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
-from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, add_limits, parse_limit
+from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, add_limits, parse_limit
 from edesign.project.document import LONGEST
+from edesign.project.notation.quantities import Kind
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.notation.several import several
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio, Rotation
@@ -27,6 +30,7 @@ from edesign.project.reading.problems import as_seen, unknown_name
 
 PerformanceLevel = Literal["IO", "LS", "CP"]
 MemberKinds = Literal["columns", "beams", "all"]
+MembersOf = Literal["column", "beam", "brace", "column or beam"]
 Objective = Literal["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"]
 CriterionName = Annotated[str, Field(min_length=1, max_length=120)]
 
@@ -46,7 +50,7 @@ def _some_names(value: Any) -> Any:
 
 
 def _measure(value: Any) -> Any:
-    if isinstance(value, str) and value in MEASURE_KINDS:
+    if isinstance(value, str) and value in MEASURES:
         return value
     if isinstance(value, str) and value in SHORT_NAMES:
         return SHORT_NAMES[value]
@@ -78,11 +82,41 @@ def _statistic(value: Any) -> Any:
     return f"{float(match[1]):g}%"
 
 
+_ONE_OF: dict[MemberKinds, MembersOf] = {"columns": "column", "beams": "beam", "all": "column or beam"}
 Names = Annotated[tuple[str, ...], Written(_some_names, one_or_list)]
+
+
+@dataclass(frozen=True)
+class Traits:
+    """What is to be known of a criterion of any kind before it is judged.
+
+    Attributes:
+        of_dampers: it means nothing of a frame without dampers.
+        bends_beams: it limits how beams bend.
+        members: that it chooses by name; (): all, or there are none to choose from.
+        members_of: what these have to be; None: that is checked elsewhere.
+        by_members: limits of each member are needed to judge it.
+        kept: the histories that must be kept for it (`outputs: histories`); None: all that it needs is archived.
+        over_time: the variable over time that it is computed from, "" if extremes are enough.
+        from_below: it has a least value alone.
+        standard: where its limit comes from if `source` does not say it.
+    """
+
+    of_dampers: bool = False
+    bends_beams: bool = False
+    members: tuple[str, ...] = ()
+    members_of: MembersOf | None = None
+    by_members: bool = False
+    kept: HistoryKind | None = None
+    over_time: str = ""
+    from_below: bool = False
+    standard: str = ""
 
 
 class _Criterion(Model):
     """What all criteria share: a name, the histories they look at, and the statistic over the records.
+
+    Its `traits` say what others have to know of a criterion without asking of which kind it is.
 
     Attributes:
         name: unique name of the criterion.
@@ -105,12 +139,13 @@ class _Criterion(Model):
     storeys: Numbers = ALL_NUMBERS
 
     @property
-    def of_dampers(self) -> bool:
-        """Whether it means nothing of a frame without dampers."""
-        return False
+    def traits(self) -> Traits:
+        """What is to be known of it."""
+        return Traits()
 
 
-_NAMED_KINDS = {**MEASURE_KINDS, **{short: MEASURE_KINDS[name] for short, name in SHORT_NAMES.items()}}
+_KINDS = {name: of.kind for name, of in MEASURES.items()}
+_KINDS |= {short: _KINDS[name] for short, name in SHORT_NAMES.items()}
 _Limit = Annotated[float, WithJsonSchema({"title": "limit with its unit", "type": ["number", "string"]})]
 
 
@@ -124,23 +159,40 @@ class MeasureCriterion(_Criterion):
         members: members or dampers that count, or `all`.
     """
 
-    model_config = ConfigDict(json_schema_extra=lambda schema: add_limits(schema, "measure", _NAMED_KINDS))
+    model_config = ConfigDict(json_schema_extra=lambda schema: add_limits(schema, "measure", _KINDS))
 
-    measure: Annotated[str, Written(_measure, given({"enum": sorted({*SHORT_NAMES, *MEASURE_KINDS})}))]
+    measure: Annotated[str, Written(_measure, given({"enum": sorted({*SHORT_NAMES, *MEASURES})}))]
     most: _Limit | None = None
     least: _Limit | None = None
     members: Names = ()
 
     @property
-    def of_dampers(self) -> bool:
-        """Whether it means nothing of a frame without dampers."""
-        return self.measure.startswith("damper_")
+    def subject(self) -> str:
+        """What is limited."""
+        return self.measure
+
+    @property
+    def kind(self) -> Kind:
+        """What its limits are."""
+        return MEASURES[self.measure].kind
+
+    @property
+    def traits(self) -> Traits:
+        """What is to be known of it."""
+        place = MEASURES[self.measure].place
+        return Traits(
+            of_dampers=place == "damper",
+            bends_beams=place == "beam",
+            members=self.members,
+            members_of=place if place == "column" or place == "beam" or place == "brace" else None,
+            from_below=self.most is None,
+        )
 
     @field_validator("most", "least", mode="before")
     @classmethod
     def _value(cls, value: Any, info: ValidationInfo) -> Any:
         measure = info.data.get("measure")
-        return None if measure is None else parse_limit(MEASURE_KINDS[measure], value)
+        return None if measure is None else parse_limit(MEASURES[measure].kind, value)
 
 
 class QuantityCriterion(_Criterion):
@@ -181,10 +233,27 @@ class QuantityCriterion(_Criterion):
     term: EnergyTerm | None = None
 
     @property
-    def of_dampers(self) -> bool:
-        """Whether it means nothing of a frame without dampers."""
-        place = QUANTITIES[self.quantity].place
-        return place == "damper" or self.term == "dampers" or self.quantity == "storey_damper_force"
+    def subject(self) -> str:
+        """What is limited."""
+        return self.quantity
+
+    @property
+    def kind(self) -> Kind:
+        """What its limits are."""
+        return QUANTITIES[self.quantity].kind
+
+    @property
+    def traits(self) -> Traits:
+        """What is to be known of it."""
+        quantity = QUANTITIES[self.quantity]
+        return Traits(
+            of_dampers=quantity.place == "damper" or quantity.of_dampers or self.term == "dampers",
+            bends_beams=quantity.bends,
+            members=self.members,
+            kept=quantity.kept,
+            over_time=quantity.over_time,
+            from_below=self.most is None,
+        )
 
     @field_validator("most", "least", mode="before")
     @classmethod
@@ -208,6 +277,11 @@ class HingeCriterion(_Criterion):
     members: Names = ()
     rotation: Rotation = 0.001
 
+    @property
+    def traits(self) -> Traits:
+        """What is to be known of it."""
+        return Traits(bends_beams=self.of != "columns", members=self.members, members_of=_ONE_OF[self.of])
+
 
 class PerformanceCriterion(_Criterion):
     """A structural performance level of FEMA 356, by drifts, by plastic rotations of members, or by both.
@@ -221,6 +295,17 @@ class PerformanceCriterion(_Criterion):
     performance: PerformanceLevel
     by: Literal["drift", "members", "both"] = "both"
     of: MemberKinds = "all"
+
+    @property
+    def traits(self) -> Traits:
+        """What is to be known of it."""
+        tables = {"drift": "Table C1-3", "members": "Table 5-6", "both": "Tables C1-3 and 5-6"}
+        bends = self.by != "drift" and self.of != "columns"
+        return Traits(bends_beams=bends, by_members=True, standard=f"FEMA 356, {tables[self.by]}")
+
+
+LimitCriterion = MeasureCriterion | QuantityCriterion
+"""Limits, `most` and `least`, of what is measured."""
 
 
 def _which(value: Any) -> str:

@@ -39,7 +39,10 @@ class ArchivedQuantity:
         sides: whether tension and compression may be told apart; of a reaction, tension is uplift.
         own: keys of a criterion that it has beside the selection of places.
         kept: the histories that must be kept for it (`outputs: histories`); None: it is always archived.
+        over_time: the variable over time that it is computed from, "" if the archive has its extremes.
         isolated: whether only an isolated base has it.
+        of_dampers: whether only frames with dampers have it.
+        bends: whether it tells how beams bend.
     """
 
     kind: Kind
@@ -48,7 +51,10 @@ class ArchivedQuantity:
     sides: bool = False
     own: tuple[str, ...] = ()
     kept: HistoryKind | None = None
+    over_time: str = ""
     isolated: bool = False
+    of_dampers: bool = False
+    bends: bool = False
 
 
 QUANTITIES: dict[str, ArchivedQuantity] = {
@@ -62,23 +68,28 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         "largest total acceleration of an oscillator of `frequency` and `damping` on the floor",
         own=("frequency", "damping"),
         kept="floors",
+        over_time="floor_acceleration",
     ),
     "storey_drift": ArchivedQuantity(RATIO, "storey", "drift ratio of the worst column line"),
     "residual_storey_drift": ArchivedQuantity(
         RATIO, "storey", "mean over the last fundamental period and over the column lines"
     ),
     "storey_shear": ArchivedQuantity(FORCE, "storey", "of the columns and braces, without dampers"),
-    "storey_damper_force": ArchivedQuantity(FORCE, "storey", "horizontal, of the dampers of the storey together"),
+    "storey_damper_force": ArchivedQuantity(
+        FORCE, "storey", "horizontal, of the dampers of the storey together", of_dampers=True
+    ),
     "column_axial_force": ArchivedQuantity(FORCE, "column", "gravity included", sides=True),
     "column_plastic_rotation": ArchivedQuantity(ROTATION, "column", "of the worse end"),
-    "beam_plastic_rotation": ArchivedQuantity(ROTATION, "beam", "of the worse end"),
+    "beam_plastic_rotation": ArchivedQuantity(ROTATION, "beam", "of the worse end", bends=True),
     "brace_axial_force": ArchivedQuantity(FORCE, "brace", "gravity included", sides=True),
     "member_axial_force": ArchivedQuantity(FORCE, "member", "of columns and beams, of the worse end"),
-    "member_shear_force": ArchivedQuantity(FORCE, "member", "of columns and beams, of the worse end"),
-    "member_bending_moment": ArchivedQuantity(MOMENT, "member", "of columns and beams, of the worse end"),
+    "member_shear_force": ArchivedQuantity(FORCE, "member", "of columns and beams, of the worse end", bends=True),
+    "member_bending_moment": ArchivedQuantity(MOMENT, "member", "of columns and beams, of the worse end", bends=True),
     "damper_force": ArchivedQuantity(FORCE, "damper", "of all that stand at its place"),
     "damper_deformation": ArchivedQuantity(LENGTH, "damper", "its stroke, without its brace"),
-    "damper_velocity": ArchivedQuantity(VELOCITY, "damper", "of its deformation, without its brace", kept="dampers"),
+    "damper_velocity": ArchivedQuantity(
+        VELOCITY, "damper", "of its deformation, without its brace", kept="dampers", over_time="damper_deformation"
+    ),
     "damper_strain": ArchivedQuantity(RATIO, "damper", "shear strain of its layers"),
     "core_strain": ArchivedQuantity(RATIO, "damper", "of the steel core of a buckling-restrained brace", sides=True),
     "core_ductility": ArchivedQuantity(

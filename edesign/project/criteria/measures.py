@@ -1,9 +1,10 @@
-"""Names and units of the response measures that criteria may limit."""
+"""The response measures that criteria may limit: what each is, and of what."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Literal
 
 from edesign.project.notation.quantities import ACCELERATION, FORCE, LENGTH, ROTATION, Kind
 from edesign.project.notation.units import parse_quantity, parse_ratio
@@ -13,38 +14,52 @@ RATIO = Kind("ratio", "1", "1.3 %")
 MULTIPLE = Kind("multiple", "", "12")
 """A ratio of which one is little, and which is not printed in per cent."""
 
-MEASURE_KINDS = {
-    "roof_displacement_m": LENGTH,
-    "residual_roof_displacement_m": LENGTH,
-    "final_roof_displacement_m": LENGTH,
-    "roof_drift": RATIO,
-    "interstorey_drift": RATIO,
-    "residual_interstorey_drift": RATIO,
-    "final_interstorey_drift": RATIO,
-    "base_shear_N": FORCE,
-    "column_base_shear_N": FORCE,
-    "roof_acceleration_m_s2": ACCELERATION,
-    "relative_roof_acceleration_m_s2": ACCELERATION,
-    "beam_plastic_rotation_rad": ROTATION,
-    "column_plastic_rotation_rad": ROTATION,
-    "column_axial_force_N": FORCE,
-    "brace_ductility": RATIO,
-    "brace_damage": RATIO,
-    "damper_strain": RATIO,
-    "damper_deformation_m": LENGTH,
-    "damper_force_N": FORCE,
+
+@dataclass(frozen=True)
+class Measure:
+    """A response measure that a criterion may limit.
+
+    Attributes:
+        kind: what its values are.
+        place: what it is the largest of, and what a criterion may choose among; None: it is one of the whole frame.
+    """
+
+    kind: Kind
+    place: Literal["storey", "column", "beam", "brace", "damper"] | None = None
+
+
+MEASURES: dict[str, Measure] = {
+    "roof_displacement_m": Measure(LENGTH),
+    "residual_roof_displacement_m": Measure(LENGTH),
+    "final_roof_displacement_m": Measure(LENGTH),
+    "roof_drift": Measure(RATIO),
+    "interstorey_drift": Measure(RATIO, "storey"),
+    "residual_interstorey_drift": Measure(RATIO, "storey"),
+    "final_interstorey_drift": Measure(RATIO, "storey"),
+    "base_shear_N": Measure(FORCE),
+    "column_base_shear_N": Measure(FORCE),
+    "roof_acceleration_m_s2": Measure(ACCELERATION),
+    "relative_roof_acceleration_m_s2": Measure(ACCELERATION),
+    "beam_plastic_rotation_rad": Measure(ROTATION, "beam"),
+    "column_plastic_rotation_rad": Measure(ROTATION, "column"),
+    "column_axial_force_N": Measure(FORCE, "column"),
+    "brace_ductility": Measure(RATIO, "brace"),
+    "brace_damage": Measure(RATIO, "brace"),
+    "damper_strain": Measure(RATIO, "damper"),
+    "damper_deformation_m": Measure(LENGTH, "damper"),
+    "damper_force_N": Measure(FORCE, "damper"),
 }
-"""The quantity that each response measure is of; the unit ends the name, ratios have none."""
+"""By name; the unit ends the name, ratios have none."""
 
 _ENDINGS = {"m": "_m", "N": "_N", "m/s^2": "_m_s2", "rad": "_rad", "1": ""}
 
 
 def short_name(measure: str) -> str:
     """Return the name of a measure without the unit at its end: base_shear_N -> base_shear."""
-    return measure.removesuffix(_ENDINGS[MEASURE_KINDS[measure].unit])
+    return measure.removesuffix(_ENDINGS[MEASURES[measure].kind.unit])
 
 
-SHORT_NAMES = {short_name(measure): measure for measure in MEASURE_KINDS}
+SHORT_NAMES = {short_name(measure): measure for measure in MEASURES}
 """Measures by their names without units."""
 
 
@@ -52,7 +67,7 @@ def parse_limit(kind: Kind, value: Any) -> float:
     """Read a limit of a measure or of an archived quantity with its unit.
 
     Args:
-        kind: of `MEASURE_KINDS`, or of an archived quantity.
+        kind: of a measure, or of an archived quantity.
         value: text such as `1.3 %`, `35 mm`, `0.002 rad`.
 
     Returns:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pydantic_core import PydanticCustomError
 
-from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES
+from edesign.project.criteria.measures import MEASURES, SHORT_NAMES
 from edesign.project.notation.printed_unit import unit_factor
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.study.reference import Cell, Reference, ResponseRow, ResponseTable, VariableTable
@@ -57,7 +57,7 @@ def _check_responses(table: ResponseTable, i: int, problems: Problems) -> None:
     for j, row in enumerate(table.rows):
         keys: Keys = ("tables", i, "rows", j)
         try:
-            unit_factor(row.unit, MEASURE_KINDS[SHORT_NAMES[row.measure]].unit)
+            unit_factor(row.unit, MEASURES[SHORT_NAMES[row.measure]].kind.unit)
         except PydanticCustomError as error:
             problems.at_value((*keys, "unit"), error.message())
         _check_statistic(table, row, keys, problems)

@@ -169,7 +169,7 @@ def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> 
 def _of_more_than_dampers(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:
     """A placement needs a criterion of the frame: those of dampers alone are best met without any."""
     asked = [criterion for criterion in study.criteria if criterion.name in verify.criteria]
-    if isinstance(verify, PlacementVerify) and asked and all(criterion.of_dampers for criterion in asked):
+    if isinstance(verify, PlacementVerify) and asked and all(criterion.traits.of_dampers for criterion in asked):
         message = f"{listed(verify.criteria)} judge dampers alone, and nothing asks for any; add one of the frame"
         problems.at_value((*keys, "criteria"), message)
 

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, Tag
 
 from edesign.project.actions.hazard_base import LevelName
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, limit_schema, parse_limit
+from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, limit_schema, parse_limit
 from edesign.project.notation.several import Names, ShortName
 from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
 from edesign.project.notation.written import SHARED, Inner, Json, Written
@@ -41,14 +41,14 @@ def _limit(value: Any) -> Any:
     ((name, given),) = value.items()
     if name not in SHORT_NAMES:
         raise refuse(unknown_name("response measure", str(name), SHORT_NAMES))
-    limit = parse_limit(MEASURE_KINDS[SHORT_NAMES[name]], given)
+    limit = parse_limit(MEASURES[SHORT_NAMES[name]].kind, given)
     if limit == 0.0:
         raise refuse(f"`{given}` must be greater than zero")
     return Limit(measure=SHORT_NAMES[name], value=limit)
 
 
 def _limit_schema(_inner: Inner) -> Json:
-    kinds = {name: limit_schema(MEASURE_KINDS[SHORT_NAMES[name]]) for name in sorted(SHORT_NAMES)}
+    kinds = {name: limit_schema(MEASURES[SHORT_NAMES[name]].kind) for name in sorted(SHORT_NAMES)}
     alone = {"minProperties": 1, "maxProperties": 1}
     said = {"title": "Limit", SHARED: "response measure with its limit"}
     return {**said, "type": "object", "properties": kinds, "additionalProperties": False, **alone}

@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from edesign.assess.verdicts import Verdict
-from edesign.project.criteria.criteria import Criterion, PerformanceCriterion
+from edesign.project.criteria.criteria import Criterion
 from edesign.report.assessment.verdict_tables import answer, measured
 from edesign.report.drawing.captions import record_label
 from edesign.report.tables.cell import Marked, Value
 from edesign.report.tables.column import col, text, verdict
 from edesign.report.tables.spec import Table, TableSpec
 from edesign.report.tables.unit import ONE
-
-FEMA = {"drift": "FEMA 356, Table C1-3", "members": "FEMA 356, Table 5-6", "both": "FEMA 356, Tables C1-3 and 5-6"}
 
 
 class _Check(NamedTuple):
@@ -81,8 +79,4 @@ def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> T
 
 def source_of(criterion: Criterion) -> str:
     """Return where the limit of a criterion comes from, "" if that is not said."""
-    if criterion.source is not None:
-        return criterion.source
-    if isinstance(criterion, PerformanceCriterion):
-        return FEMA[criterion.by]
-    return ""
+    return criterion.traits.standard if criterion.source is None else criterion.source

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
-from edesign.project.criteria.measures import MEASURE_KINDS, short_name
+from edesign.project.criteria.measures import MEASURES, short_name
 from edesign.report.tables.column import text
 from edesign.report.tables.spec import Table, TableSpec
 
@@ -29,7 +29,7 @@ QUANTITIES_OF_CRITERIA = TableSpec[str](
 MEASURES_OF_CRITERIA = TableSpec[str](
     "measures_of_criteria",
     "Measures of criteria",
-    (text("measure", short_name), text("unit", lambda name: _said(MEASURE_KINDS[name].unit))),
+    (text("measure", short_name), text("unit", lambda name: _said(MEASURES[name].kind.unit))),
     keys=2,
 )
 
@@ -41,4 +41,4 @@ def quantities_table() -> Table:
 
 def measures_table() -> Table:
     """Return all response measures that a criterion may limit; they are of the whole frame unless places are chosen."""
-    return MEASURES_OF_CRITERIA.of(MEASURE_KINDS)
+    return MEASURES_OF_CRITERIA.of(MEASURES)

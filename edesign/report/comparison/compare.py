@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.assess.statistics import STATISTICS, statistics
-from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES
+from edesign.project.criteria.measures import MEASURES, SHORT_NAMES
 from edesign.project.notation.printed_unit import unit_factor
 from edesign.project.records.records import record_of
 from edesign.project.study.reference import Cell, Reference, ResponseRow, ResponseTable, Statistic
@@ -83,7 +83,7 @@ def _compare_cell(
         value, missing = _mean_profile(row.measure, histories)
     else:
         value, missing = _statistic(wanted(row), statistic, histories)
-    factor = unit_factor(row.unit, MEASURE_KINDS[SHORT_NAMES[row.measure]].unit)
+    factor = unit_factor(row.unit, MEASURES[SHORT_NAMES[row.measure]].kind.unit)
     reason = "" if histories else f"no history of `{variant}` at `{level}`"
     return ComparedCell(
         quantity=row.label,

@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.quantities import HISTORY_OF
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
 from edesign.assess.verdicts import Verdict, judge
 from edesign.errors import EdesignError
 from edesign.optional_stages import optional
 from edesign.project.building.building import Building
-from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archive_view import entry, planned, results
@@ -111,9 +109,7 @@ class Source:
     def judged_histories(self) -> dict[str, Group]:
         """Histories and states at target displacements that criteria judge, by name, with the variables they need."""
         sets = (*self.sets, *self.targets)
-        over_time = self.study is not None and any(
-            isinstance(one, QuantityCriterion) and one.quantity in HISTORY_OF for one in self.study.criteria
-        )
+        over_time = self.study is not None and any(one.traits.over_time for one in self.study.criteria)
         if over_time:
             return read_judged(self.archive)
         return {name: group for found in sets for name, group in found.histories.items()}

@@ -16,7 +16,7 @@ from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
 from edesign.project.checks.designs import design_warnings
 from edesign.project.checks.placement import placement_warnings
-from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
+from edesign.project.criteria.criteria import LimitCriterion
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.sections import ElasticSection
@@ -262,12 +262,7 @@ def drift_limits(study: Study) -> list[str]:
     Args:
         study: the validated study.
     """
-    allowed = [
-        (c.name, c.most)
-        for c in study.criteria
-        if isinstance(c, MeasureCriterion | QuantityCriterion)
-        and "drift" in (c.measure if isinstance(c, MeasureCriterion) else c.quantity)
-    ]
+    allowed = [(c.name, c.most) for c in study.criteria if isinstance(c, LimitCriterion) and "drift" in c.subject]
     return [
         f"criterion `{name}`: `most` allows drifts of {100.0 * most:g} %, which no frame survives; "
         f"{most:g} per cent is written `{most:g} %`"

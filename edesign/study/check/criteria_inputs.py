@@ -14,8 +14,7 @@ from edesign.ground_motion.sources import Found
 from edesign.project.actions.hazard import EC8Hazard, UserHazard
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.outputs import HistoryKind, Outputs
-from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
-from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.verification import AnyVerify
 from edesign.project.study.study import Study, warm_variant
 from edesign.study.plan.study_plan import make_study_plan, verification_records
@@ -98,7 +97,7 @@ def too_few_motions(study: Study, name: str) -> list[str]:
         for asked in study.criteria
         if asked.name in verify.criteria
         and asked.share is None
-        and not (isinstance(asked, MeasureCriterion | QuantityCriterion) and asked.most is None)
+        and not asked.traits.from_below
         and statistic(code_statistic(asked.statistic, count), ranks) != count - 1.0
     ]
 
@@ -122,9 +121,9 @@ def kept_for_verification(study: Study, verify: AnyVerify) -> Outputs:
     """
     kept: list[HistoryKind] = []
     for criterion in study.criteria:
-        if isinstance(criterion, QuantityCriterion) and criterion.name in verify.criteria:
-            kind = QUANTITIES[criterion.quantity].kept
-            kept += [kind] if kind is not None and kind not in kept else []
+        kind = criterion.traits.kept
+        if kind is not None and criterion.name in verify.criteria and kind not in kept:
+            kept.append(kind)
     return Outputs(histories=tuple(kept))
 
 

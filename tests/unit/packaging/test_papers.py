@@ -11,9 +11,16 @@ import pytest
 import yaml
 
 import edesign
+from edesign.assess import measures, quantities
+from edesign.assess.requirement import MAKERS
 from edesign.calibration.dampers.effects import TABLES
+from edesign.file_kinds.kinds import YAML_KINDS
 from edesign.ground_motion.formats.read import FORMATS, NAMING
+from edesign.project.criteria.criteria import Criterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.criteria.measures import MEASURES
 from edesign.project.records.records import FileFormat
+from edesign.report.check.by_kind import SUMMARIES
 
 ROOT = Path(__file__).parents[3]
 PAPERS = (
@@ -74,6 +81,22 @@ def test_contributing_names_what_a_newcomer_must_change() -> None:
     paper = text("CONTRIBUTING.md")
     assert TABLES and all(f"`{name}`" in paper for name in ("TABLES", "NAMING", "FileFormat"))
     assert NAMING.keys() <= FORMATS.keys() == set(get_args(FileFormat))
+
+
+def test_the_recipes_of_a_criterion_and_a_kind_of_file_name_what_is_there() -> None:
+    """Every quantity, measure and class of criteria of the project is measured in `assess`, and no other."""
+    recipe = re.search(r"\*\*A criterion of a study\.\*\*.*?\n\n", text("CONTRIBUTING.md"), re.DOTALL)
+    assert recipe is not None and recipe[0].count("\n") <= 9  # eight lines and an empty one
+    names = ("QUANTITIES", "Source", "Measure", "traits", "Criterion", "MAKERS")
+    assert [name for name in names if f"`{name}`" not in recipe[0]] == []
+    assert measures.SOURCES.keys() == MEASURES.keys()
+    assert quantities.SOURCES.keys() <= QUANTITIES.keys()
+    computed = {name for name, source in quantities.SOURCES.items() if source.over_time is not None}
+    assert computed == {name for name, quantity in QUANTITIES.items() if quantity.over_time}
+    of_each_kind, _ = get_args(Criterion)
+    assert {get_args(kind)[0] for kind in get_args(of_each_kind)} == set(MAKERS)
+    assert {"FileKind", "YAML_KINDS", "SUMMARIES"} <= set(re.findall(r"`(\w+)`", text("CONTRIBUTING.md")))
+    assert YAML_KINDS and SUMMARIES
 
 
 def test_contributing_lists_the_layers_that_are_checked() -> None:
