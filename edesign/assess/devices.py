@@ -41,7 +41,6 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
 
     Args:
         design: designs/NAME of an archive, of viscous or hysteretic dampers.
-        found: the histories.
         property_factor: of the variant, on all forces.
 
     Source: cumulated plastic deformation: Akiyama (1985), Earthquake-Resistant Limit-State Design for Buildings;

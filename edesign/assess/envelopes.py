@@ -13,7 +13,6 @@ def peak(group: Group, quantity: str) -> np.ndarray | None:
     They are stored as `<quantity>_max` and `<quantity>_min`.
 
     Args:
-        group: results of one analysis.
         quantity: such as "floor_displacement"; its components are floors, storeys or members.
 
     Returns:
@@ -33,7 +32,6 @@ def residual(group: Group, quantity: str) -> np.ndarray | None:
     They are stored as `residual_<quantity>`.
 
     Args:
-        group: results of one analysis.
         quantity: "roof_displacement" or "storey_drift".
 
     Returns:
@@ -49,7 +47,6 @@ def final(group: Group, quantity: str) -> np.ndarray | None:
     They are stored as `<quantity>_final`.
 
     Args:
-        group: results of one analysis.
         quantity: "floor_displacement" or "storey_drift".
 
     Returns:

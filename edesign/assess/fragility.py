@@ -156,7 +156,6 @@ def collapse_margin_ratio(theta: float, level_intensity: float) -> float:
     """Return the median intensity of collapse divided by that of a hazard level.
 
     Args:
-        theta: median intensity of collapse.
         level_intensity: intensity of the hazard level, in the same unit.
 
     Returns:

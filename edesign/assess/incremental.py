@@ -49,7 +49,6 @@ def collect_stripes(
 
     Args:
         groups: results by name of the analysis, as archived; those of other studies and variants do not count.
-        incremental: name of the study.
         variant: of the frame.
         measures: names of response measures.
 
@@ -117,9 +116,6 @@ def last_intensities(stripes: Stripes) -> np.ndarray:
     """Return the highest intensity at which each record has a result, (r,); NaN where it has none.
 
     A capacity that is not reached is only known to lie beyond it.
-
-    Args:
-        stripes: of r records.
     """
     there = ~np.isnan(stripes.values)
     return np.where(there.any(axis=1), np.where(there, stripes.intensity, -np.inf).max(axis=1), np.nan)
@@ -129,7 +125,6 @@ def fractile_curves(stripes: Stripes, values: ArrayLike, fractions: Sequence[flo
     """Return the intensities that fractions of the records need to reach values of the measure.
 
     Args:
-        stripes: of a measure.
         values: (m,) of the measure.
         fractions: of the records, counted.
 

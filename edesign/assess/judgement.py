@@ -39,7 +39,6 @@ def within(
     Args:
         name: of the statistic, see `statistic`.
         values: by history; None: failed, or not run.
-        not_run: names of those that have not run.
         most: upper limit in the unit of the values; None: `least` is the limit.
         least: lower limit in the unit of the values.
 
@@ -84,7 +83,6 @@ def share_met(
     Args:
         share: of the histories that must meet the limit, 0 to 1.
         values: by history; None: failed, or not run.
-        not_run: names of those that have not run.
         most: upper limit in the unit of the values.
         least: lower limit in the unit of the values.
 

@@ -87,7 +87,6 @@ def exceedance(fragility: Fragility, curve: HazardCurve, dispersion: float = 0.0
 
     Args:
         fragility: of the limit.
-        curve: in the unit of the fragility.
         dispersion: of modelling, added to that of the records by the root of the sum of squares.
 
     Raises:

@@ -57,7 +57,6 @@ def limit_fragility(
 
     Args:
         stripes: of the measure that is limited; of any for collapse.
-        limit: name of the limit.
         value: of the measure in SI; COLLAPSE for collapse.
         method: "counts" takes the analyses as independent, as those of different records at each intensity are;
             "capacities" takes the records as independent, as those are that are scaled to all intensities.

@@ -125,9 +125,6 @@ def frame_members(project: Project) -> dict[str, FrameMember]:
     The project's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
     nodes in and out of the plane of the frame (K = 1: P-Delta is part of the analysis). Left out are braces, members
     that stay elastic, sections that are no I section, and columns that bend about their weak axis.
-
-    Args:
-        project: the validated project.
     """
     found = {}
     frame = project.frame
@@ -158,7 +155,6 @@ def member_usages(
     the largest rotation is not archived, and would be the smaller.
 
     Args:
-        group: results of the history.
         members: as `frame_members` gives them.
         level: IO, LS or CP.
         kinds: which members count.

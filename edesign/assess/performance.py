@@ -80,7 +80,6 @@ def drift_performance(group: Group, level: str, storeys: Collection[int] | None 
     A state at a target displacement has none, and is judged by its transient drift alone.
 
     Args:
-        group: results of the history.
         level: IO, LS or CP.
         storeys: only these; None: all.
     """
@@ -146,7 +145,6 @@ def usage(
         members: of the frame, by name.
         level: IO, LS or CP.
         by: "drift", "members" or "both".
-        kinds: of the members that count.
         storeys: that count; None: all.
     """
     found = []
@@ -165,7 +163,6 @@ def set_performance(
 
     Args:
         histories: of one variant at one hazard level.
-        members: of the frame.
         statistic: a name of `STATISTICS`; FEMA 356 (3.3.2.2.4) takes the mean of seven or more histories and the
             maximum of fewer.
     """

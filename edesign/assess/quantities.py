@@ -22,7 +22,6 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
 
     Args:
         group: results of the analysis, as archived, with the histories that the quantity needs.
-        asked: the criterion.
         project: of the frame.
 
     Returns:
@@ -55,8 +54,6 @@ def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
 
     Args:
         group: of the analysis in the archive.
-        asked: criterion with the quantity.
-        project: the validated project.
     """
     quantity = QUANTITIES[asked.quantity]
     if asked.traits.of_dampers and "damper" not in group.coords:
@@ -78,7 +75,6 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
 
     Args:
         group: of the analysis in the archive.
-        asked: criterion with the quantity.
     """
     needed = asked.traits.over_time
     if needed:
@@ -173,7 +169,6 @@ def damper_velocity(time: np.ndarray, deformations: np.ndarray, asked: QuantityC
     Args:
         time: (n,) s.
         deformations: (n, dampers) m.
-        asked: the criterion.
 
     Returns:
         One value a damper, m/s.

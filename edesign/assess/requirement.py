@@ -82,7 +82,6 @@ def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], pro
     Args:
         criterion: of a study, or what an objective asks for.
         members: of the frame, by name; needed for performance levels only.
-        project: the validated project.
     """
     found = MAKERS[type(criterion)](criterion, members, project)
     if criterion.traits.bends_beams:

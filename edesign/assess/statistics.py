@@ -99,7 +99,6 @@ def code_statistic(name: str, count: int) -> str:
 
     Args:
         name: "ec8", "asce7", or a statistic.
-        count: number of motions.
     """
     if name == "ec8":
         return "mean" if count >= CODES[name].set_rules.number_for_mean else "maximum"
@@ -124,9 +123,6 @@ def counted_percentile(values: list[float], fraction: float) -> float:
 
 def dispersion(values: list[float]) -> float | None:
     """Return the sample standard deviation of the natural logarithms, None if there is none (see `Statistics`).
-
-    Args:
-        values: in any unit.
 
     Returns:
         Dimensionless, or None.

@@ -125,11 +125,9 @@ def judge(
     patterns and directions (EN 1998-1:2004, 4.3.3.4.2.2(1) asks for several).
 
     Args:
-        criteria: of the study.
         objectives: letters of Table 5.4.
         histories: results by name, with the attributes kind, variant, level and status; one that was planned and has
             not run has the status "not run".
-        project: of the frame and the hazard levels.
         study: says what should have run, and which variants have no dampers; None: what is named should have run.
     """
     sets = (*history_sets(histories), *target_sets(histories))

@@ -56,11 +56,7 @@ _TAGS = ((b"<!doctype html", PAGE), (b"<html", PAGE), (b"<svg", PICTURE))
 
 
 def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
-    """Return the kind of a YAML file by the keys of its outermost mapping; None: none that is known.
-
-    Args:
-        keys: of the outermost mapping.
-    """
+    """Return the kind of a YAML file by the keys of its outermost mapping; None: none that is known."""
     found: set[str] = set()
     for key in keys:
         found.add(key)
@@ -72,11 +68,7 @@ def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
 
 
 def kind_of_content(head: bytes) -> FileKind | None:
-    """Return the kind of a file by its first bytes, `HEAD` of them at most; None: none that is known.
-
-    Args:
-        head: first bytes of the file.
-    """
+    """Return the kind of a file by its first bytes, `HEAD` of them at most; None: none that is known."""
     if head.startswith(HDF5):
         return ARCHIVE
     if b"\0" in head:
@@ -86,11 +78,7 @@ def kind_of_content(head: bytes) -> FileKind | None:
 
 
 def foreign_kind(path: Path | str) -> FileKind | None:
-    """Return what a file is that no command of edesign takes in this place, by its first bytes; None: nothing known.
-
-    Args:
-        path: of the file.
-    """
+    """Return what a file is that no command of edesign takes in this place, by its first bytes; None: nothing known."""
     head = head_of(path)
     if head is None:
         return None
@@ -99,11 +87,7 @@ def foreign_kind(path: Path | str) -> FileKind | None:
 
 
 def foreign_content(head: bytes) -> FileKind | None:
-    """Return what a file is that is none of edesign, by its first bytes; None: nothing that is known.
-
-    Args:
-        head: first bytes of the file.
-    """
+    """Return what a file is that is none of edesign, by its first bytes; None: nothing that is known."""
     if not head.strip():
         return EMPTY
     found = next((kind for mark, kind in _SIGNATURES if head.startswith(mark)), None)
@@ -120,21 +104,13 @@ def foreign_content(head: bytes) -> FileKind | None:
 
 
 def kind_of(path: Path | str) -> FileKind | None:
-    """Return the kind of a file; None: none that is known, or the file cannot be read.
-
-    Args:
-        path: of the file.
-    """
+    """Return the kind of a file; None: none that is known, or the file cannot be read."""
     head = head_of(path)
     return None if head is None else kind_of_content(head)
 
 
 def head_of(path: Path | str) -> bytes | None:
-    """Return the first `HEAD` bytes of a file; None: it cannot be read, or is no regular file, which its reader tells.
-
-    Args:
-        path: of the file.
-    """
+    """Return the first `HEAD` bytes of a file; None: it cannot be read, or is no regular file; its reader says so."""
     try:
         if not Path(path).is_file():  # a pipe may give nothing, a device may have no end
             return None
@@ -148,8 +124,6 @@ def refuse_kind(path: Path | str, found: FileKind | None, what: str, *refused: F
     """Refuse a file that is of one of some kinds.
 
     Args:
-        path: of the file.
-        found: its kind.
         what: is needed in its place, for messages.
         *refused: kinds that it cannot be.
         refused: kinds that it cannot be.
@@ -165,8 +139,6 @@ def other_kind(path: Path | str, found: FileKind, what: str) -> str:
     """Return the message that a file is of another kind than is needed.
 
     Args:
-        path: of the file.
-        found: its kind.
         what: is needed in its place.
     """
     article = "an" if what[0] in "aeiou" else "a"

@@ -23,7 +23,6 @@ def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:
     """Return the attributes of the records, or suites with their records, below a place of an archive.
 
     Args:
-        archive: the open archive.
         place: path of the group that holds records.
     """
     entries = []
@@ -45,10 +44,6 @@ def planned(archive: Archive) -> list[str]:
 
 def find(archive: Archive, name: str) -> str:
     """Return the name of an analysis if the archive's plan has it.
-
-    Args:
-        archive: the open archive.
-        name: name of the analysis.
 
     Raises:
         InputError: it has not.
@@ -82,10 +77,6 @@ def results(archive: Archive, name: str) -> Group:
     """Return the results of an analysis, a group with the status "not run" or "damaged" where there is nothing else.
 
     Its variables are read when they are asked for, so the archive must stay open; see `Archive.view`.
-
-    Args:
-        archive: the open archive.
-        name: name of the analysis.
     """
     path = f"{ANALYSES}/{name}"
     if why := archive.lost(path):
@@ -102,7 +93,6 @@ def entry(name: str, group: Group) -> dict[str, Any]:
     """Return the summary of one analysis.
 
     Args:
-        name: of the analysis.
         group: its results, as archived.
     """
     attributes = group.attributes

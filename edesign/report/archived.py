@@ -56,7 +56,6 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
     """Return a project by its archived text, which takes the files of laws and hazard from the archive as well.
 
     Args:
-        texts: of the archive.
         path: of the project, for messages.
 
     Raises:
@@ -75,7 +74,6 @@ def _take_hazard_texts(holder: FileModel, hazard: Hazard | None, texts: Mapping[
     """Let a project or building read the files that its hazard names from the archived texts.
 
     Args:
-        holder: the project or building.
         hazard: the hazard; None: there is none.
         texts: texts of the root of the archive, by name.
     """
@@ -88,7 +86,6 @@ def take_text(holder: FileModel, file: str, text: str | None) -> None:
 
     Args:
         holder: the file of the user.
-        file: name of the other file in it.
         text: the archived text; None: the archive has none, and the disk is read.
     """
     if text is not None:

@@ -82,5 +82,13 @@ class OpenArchive(Archive):
 
 
 def open_archive(path: str | os.PathLike[str], damaged: bool = False) -> OpenArchive:
-    """Open an archive for reading; arguments and errors as `edesign.archive.reader.open_archive`."""
+    """Open an archive for reading, with its results as tables, data frames and data sets.
+
+    Args:
+        path: `NAME.h5` or `NAME.h5.partial`.
+        damaged: open a damaged archive too, without what cannot be read of it; see `Archive.damage`.
+
+    Raises:
+        ArchiveError: missing, unreadable, damaged, or not an archive of edesign.
+    """
     return OpenArchive(path, damaged)

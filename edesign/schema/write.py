@@ -24,7 +24,6 @@ def write_schemas(kinds: Sequence[FileKind], folder: Path, combined: bool) -> li
     """Write the schemas of some kinds of files.
 
     Args:
-        kinds: of the files.
         folder: where KIND.schema.json are written; is made if it is not there.
         combined: whether to write edesign.schema.json too, which finds out the kind of a file.
 

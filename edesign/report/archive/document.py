@@ -57,7 +57,6 @@ def write_html(page: Page, path: Path) -> Path:
     """Write a report as one HTML page without other files.
 
     Args:
-        page: of any report.
         path: the file, whole or not at all.
 
     Returns:
@@ -76,7 +75,6 @@ def check_page_path(path: Path, suffixes: Sequence[str] = PAGE_SUFFIXES, what: s
     """Check that a report can be written, never over an archive or a file of the user.
 
     Args:
-        path: the report.
         suffixes: how its name may end.
         what: the report is, for the message.
 

@@ -45,7 +45,6 @@ def analyses_summary(archive: Archive, names: Sequence[str], whole: bool) -> tup
 
     Args:
         archive: of a project or study.
-        names: of the analyses.
         whole: whether these are all.
     """
     found: dict[str, Any] = {"analyses": [entry(name, results(archive, name)) for name in names]}

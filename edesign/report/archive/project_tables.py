@@ -44,7 +44,6 @@ def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) 
     """Return the doubts about the input and about results of the given analyses, as a table without columns.
 
     Args:
-        archive: the open archive.
         groups: results of analyses by name, whose warnings the table has too; None: none.
     """
     return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})], name="warnings")

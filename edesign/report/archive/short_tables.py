@@ -70,7 +70,6 @@ def short_project_tables(archive: Archive, top: Table) -> list[AnyTable]:
     """Return the main tables of a project: periods, means of the main measures; of matched records their criteria.
 
     Args:
-        archive: the open archive.
         top: the heading, which says then how many analyses were completed.
 
     Raises:
@@ -86,7 +85,6 @@ def short_study_tables(archive: Archive, top: Table) -> list[AnyTable]:
     Of a damaged study whose text cannot be read, they are the tables of its analyses.
 
     Args:
-        archive: the open archive.
         top: the heading, which says then how many analyses were completed.
 
     Raises:

@@ -58,7 +58,6 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[AnyTab
 
     Args:
         archive: path, or open archive, complete or partial.
-        name: name of the analysis.
 
     Raises:
         ArchiveError: the archive cannot be read.

@@ -84,7 +84,6 @@ def sweeps(study: Study, sets: Sequence[HistorySet]) -> list[Sweep]:
     """Return the sweeps of a study that have histories, in the order of the file.
 
     Args:
-        study: the study.
         sets: the histories by variant and level.
     """
     there = {(found.variant, found.level): found for found in sets}
@@ -102,12 +101,7 @@ def sweeps(study: Study, sets: Sequence[HistorySet]) -> list[Sweep]:
 
 
 def bounded(study: Study, sets: Sequence[HistorySet]) -> list[Bounded]:
-    """Return the variants with bounds whose histories are there on both sides, level by level.
-
-    Args:
-        study: the study.
-        sets: the histories by variant and level.
-    """
+    """Return the variants with bounds whose histories are there on both sides, level by level."""
     there = {(found.variant, found.level): found for found in sets}
     made = []
     for of, variant in study.variants.items():
@@ -126,7 +120,6 @@ def not_swept(study: Study, sets: Sequence[HistorySet]) -> list[HistorySet]:
     """Return the sets without those of `vary`, which have tables of their own.
 
     Args:
-        study: the study.
         sets: the histories by variant and level.
     """
     return [found for found in sets if found.variant not in study.derived or study.derived[found.variant].bound]

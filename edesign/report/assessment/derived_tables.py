@@ -55,7 +55,6 @@ def derived_tables(study: Study, sets: Sequence[HistorySet]) -> list[Table]:
     """Return a table of each sweep and of each variant with bounds, level by level.
 
     Args:
-        study: the study.
         sets: the histories by variant and level.
     """
     tables = [sweep_table(sweep) for sweep in sweeps(study, sets)]

@@ -63,8 +63,6 @@ def tables_of_histories(
     """Return the tables of histories that are at hand; see `assessment_tables`.
 
     Args:
-        histories: results of the histories by name.
-        project: the project.
         criteria: the criteria of the study.
         objectives: the performance objectives of the study.
         study: the study; None: the archive is of a project.
@@ -112,7 +110,6 @@ def read_judged(archive: Archive, groups: Mapping[str, Group] | None = None) -> 
     """Return all that criteria judge, by name: histories, see `read_histories`, and states at target displacements.
 
     Args:
-        archive: the open archive.
         groups: results of analyses by name, if they are read already; None: they are read.
     """
     groups = all_results(archive) if groups is None else groups

@@ -50,10 +50,6 @@ def verdict_entry(verdict: Verdict) -> dict[str, Cell]:
 def write_verdicts(archive: Archive, path: Path) -> None:
     """Write the verdicts on the criteria of a study as CSV.
 
-    Args:
-        archive: the open archive.
-        path: the file to be written.
-
     Raises:
         InputError: the archive has no criteria.
         ArchiveError: the file cannot be written.

@@ -49,7 +49,6 @@ def beyond_or(ratio: float, value: Value) -> Value:
     """Return demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay.
 
     Args:
-        ratio: demand over capacity.
         value: the ratio as it is shown.
     """
     return value if ratio < BEYOND or isinf(ratio) else Rounded(f"> {BEYOND}", ratio)
@@ -307,7 +306,6 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
     Args:
         verdicts: the verdicts of `judge` on the objectives.
         objectives: the performance objectives of the study.
-        project: the project.
     """
     judged = [
         _Judged(OBJECTIVES[letter], found, objective_level(letter, project.hazard))

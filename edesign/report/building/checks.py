@@ -94,7 +94,6 @@ def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
     """Return a check of a member with each step of its calculation.
 
     Args:
-        results: the results of the building.
         member: number of the member in the archive, from 0.
         check: number of the check in the archive, from 0.
 
@@ -163,10 +162,6 @@ def written_data(found: WrittenCheck) -> list[dict[str, object]]:
 def _member_number(results: BuildingResults, name: str) -> int:
     """Return the number of a member, from 0.
 
-    Args:
-        results: the results of the building.
-        name: name of the member.
-
     Raises:
         InputError: there is no such member.
     """
@@ -180,7 +175,6 @@ def governing(results: BuildingResults, member: int) -> int:
     """Return the number of the check of a member that is used most, from 0.
 
     Args:
-        results: the results of the building.
         member: number of the member, from 0.
     """
     return int(np.nan_to_num(results.values("members", "utilisation")[member], nan=-1.0).argmax())
@@ -188,10 +182,6 @@ def governing(results: BuildingResults, member: int) -> int:
 
 def member_tables(results: BuildingResults, name: str) -> list[Table]:
     """Return all checks of a member, and the one that governs written out.
-
-    Args:
-        results: the results of the building.
-        name: name of the member.
 
     Raises:
         InputError: there is no such member.
@@ -218,7 +208,6 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     """Return the internal forces of each action on a member at the place where a check governs.
 
     Args:
-        results: the results of the building.
         member: number of the member, from 0.
         check: number of the check, from 0.
     """
@@ -247,12 +236,7 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
 
 
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:
-    """Return all checks of a member for JSON, each with its calculation; errors as `member_tables`.
-
-    Args:
-        results: the results of the building.
-        name: name of the member.
-    """
+    """Return all checks of a member for JSON, each with its calculation; errors as `member_tables`."""
     member = _member_number(results, name)
     every = [written(results, member, check) for check in range(results.values("members", "check").size)]
     checks = [

@@ -155,10 +155,8 @@ def strokes(axes: Axes, starts: np.ndarray, ends: np.ndarray, colour: str, width
     """Draw lines from (n, 2) to (n, 2) as one path, which is small and quick.
 
     Args:
-        axes: the axes to draw on.
         starts: first points of the lines, (n, 2).
         ends: second points of the lines, (n, 2).
-        colour: colour of the lines.
         width: width of the line, points.
     """
     path = np.stack([starts, ends, np.full_like(starts, np.nan)], axis=1).reshape(-1, 2)

@@ -43,7 +43,6 @@ def design_rows(building: Building, results: BuildingResults) -> Rows:
 
     Args:
         building: with its block `design`.
-        results: of the building.
 
     Raises:
         ArchiveError: a result is missing.

@@ -19,7 +19,6 @@ def building_model_figures(building: Building, heading: Sequence[str] = ()) -> I
     """Yield the drawings of a building's model.
 
     Args:
-        building: the validated building.
         heading: lines above each drawing but the plans; (): none.
 
     Yields:

@@ -9,11 +9,7 @@ from edesign.space.structure.masses import floor_masses
 
 
 class ModelValues:
-    """Values of members, nodes and floors of a building that was not analysed, named as in an archive.
-
-    Args:
-        frame: the building as a space frame.
-    """
+    """Values of members, nodes and floors of a building that was not analysed, named as in an archive."""
 
     def __init__(self, frame: SpaceFrame) -> None:
         members, names = frame.members, np.array(frame.node_names)
@@ -37,10 +33,5 @@ class ModelValues:
         }
 
     def values(self, name: str, variable: str) -> np.ndarray:
-        """Return the values of a variable of a group, named as in an archive.
-
-        Args:
-            name: name of the group.
-            variable: name of the variable.
-        """
+        """Return the values of a variable of a group, named as in an archive."""
         return self._groups[name][variable]

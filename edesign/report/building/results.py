@@ -36,8 +36,6 @@ class Row(dict[str, Any]):
     """The values at one place along a dimension of a group, by variable; each is read when it is asked for.
 
     Args:
-        results: of the building.
-        name: of the group.
         dimension: such as `storey`.
         number: of the place, from 0.
     """
@@ -68,12 +66,7 @@ class BuildingValues(Protocol):
     """Values of a building for its drawings, from an archive or from the model alone."""
 
     def values(self, name: str, variable: str) -> np.ndarray:
-        """Return the values of a variable or coordinate of a group.
-
-        Args:
-            name: name of the group.
-            variable: name of the variable.
-        """
+        """Return the values of a variable or coordinate of a group."""
 
 
 class BuildingResults:
@@ -104,10 +97,6 @@ class BuildingResults:
     def values(self, name: str, variable: str) -> np.ndarray:
         """Return the values of a variable or coordinate of a group.
 
-        Args:
-            name: name of the group.
-            variable: name of the variable.
-
         Raises:
             ArchiveError: there is none.
         """
@@ -136,10 +125,6 @@ class BuildingResults:
     def number(self, attribute: str, name: str = "") -> float:
         """Return a number among the attributes of a group.
 
-        Args:
-            attribute: name of the attribute.
-            name: name of the group.
-
         Raises:
             ArchiveError: there is none.
         """
@@ -149,12 +134,7 @@ class BuildingResults:
             raise self._incomplete(name, attribute) from error
 
     def text(self, attribute: str, name: str = "") -> str:
-        """Return a text among the attributes of a group, "" if there is none.
-
-        Args:
-            attribute: name of the attribute.
-            name: name of the group.
-        """
+        """Return a text among the attributes of a group, "" if there is none."""
         return str(self.group(name).attributes.get(attribute, ""))
 
     def _incomplete(self, name: str, what: str) -> ArchiveError:

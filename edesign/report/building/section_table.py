@@ -92,10 +92,6 @@ def section_data(names: Sequence[str]) -> list[dict[str, Any]]:
 def write_sections(names: Sequence[str], path: Path) -> None:
     """Write the properties of sections as CSV, in the units of the table, seven digits.
 
-    Args:
-        names: names of sections.
-        path: the file to be written.
-
     Raises:
         ArchiveError: it cannot be written.
     """

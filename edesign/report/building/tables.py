@@ -248,7 +248,6 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
     """Return shear, gravity, drifts and theta of the storeys under the action along an axis, from the roof down.
 
     Args:
-        results: the results of the building.
         axis: direction of the seismic action, x or y.
     """
     name = f"storeys_{axis}"
@@ -266,7 +265,6 @@ def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> T
     """Return the governing check of each group of members.
 
     Args:
-        results: the results of the building.
         say: gives the name of a group of members.
     """
     groups = [replace(worst, name=say(worst.name)) for worst in worst_of_groups(results)]

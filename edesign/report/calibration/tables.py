@@ -107,11 +107,7 @@ LAW = TableSpec[Row](
 
 
 def tables_of(calibration: Calibration) -> list[Table]:
-    """Return all tables, in the order of a report on a terminal.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return all tables, in the order of a report on a terminal."""
     if isinstance(calibration, PropertyCalibration):
         first = [property_errors_table(calibration), each_group_table(calibration)]
     else:
@@ -121,21 +117,13 @@ def tables_of(calibration: Calibration) -> list[Table]:
 
 
 def effect_tables(calibration: Calibration) -> list[Table]:
-    """Return effects, their parameters, hypotheses and the models that were compared; those without rows left out.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return effects, their parameters, hypotheses and the models that were compared; those without rows left out."""
     makers = effects_table, effect_parameters_table, hypotheses_table, models_table
     return [table for make in makers if (table := make(calibration)).rows]
 
 
 def effects_table(calibration: Calibration) -> Table:
-    """Return each effect with its kind, what it does for the prediction, and what the tests cannot tell from it.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return each effect with its kind, what it does for the prediction, and what the tests cannot tell from it."""
     with_it = calibration.errors["corrected"].validate
     found = [_Found(one, with_it + one.delta_validate) for one in calibration.effects]
     notes = [f"{name_of(one.name)} shows as: {one.signature}" for one in calibration.effects]
@@ -152,11 +140,7 @@ def effects_table(calibration: Calibration) -> Table:
 
 
 def effect_parameters_table(calibration: Calibration) -> Table:
-    """Return the parameters of the effects with 95 % intervals, in practical units.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return the parameters of the effects with 95 % intervals, in practical units."""
     rows: list[Row] = []
     notes: list[str] = []
     for effect in calibration.effects:
@@ -170,20 +154,12 @@ def effect_parameters_table(calibration: Calibration) -> Table:
 
 
 def hypotheses_table(calibration: Calibration) -> Table:
-    """Return effects that were found and are no part of the corrected law, with the reason.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return effects that were found and are no part of the corrected law, with the reason."""
     return HYPOTHESES.of(calibration.hypotheses, model=MODELS[calibration.subject])
 
 
 def models_table(calibration: Calibration) -> Table:
-    """Return the models that the search compared, the most probable first.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return the models that the search compared, the most probable first."""
     model = MODELS[calibration.subject]
     alone = len(calibration.models) == 1 and not calibration.depths
     rows: list[Row] = []
@@ -206,11 +182,7 @@ def models_table(calibration: Calibration) -> Table:
 
 
 def law_table(calibration: Calibration) -> Table:
-    """Return the parameters of the law or the building at each stage with 95 % intervals.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return the parameters of the law or the building at each stage with 95 % intervals."""
     law, structure = LAWS.get(calibration.law), calibration.subject == "structure"
     titles = ["Building"] if structure else []
     titles += [f"Law {calibration.law}: {law.title}"] if law is not None else []

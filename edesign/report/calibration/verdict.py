@@ -25,20 +25,12 @@ _MEASURED: dict[Subject, str] = {"damper": "force", "structure": "motion", "tabl
 
 
 def verdict_text(calibration: Calibration) -> str:
-    """Return the verdict in plain paragraphs, one a line.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return the verdict in plain paragraphs, one a line."""
     return "\n".join(verdict_paragraphs(calibration))
 
 
 def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
-    """Return what a reader should know who reads nothing else: what was found, how good the law is, what is open.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return what a reader should know who reads nothing else: what was found, how good the law is, what is open."""
     parts = [
         [other_law_text(calibration)],
         [_found(calibration), *ended(calibration)],
@@ -57,11 +49,7 @@ def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
 
 
 def other_law_text(calibration: Calibration) -> str:
-    """Return what must be said before all else where another law does better; "" if none does.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return what must be said before all else where another law does better; "" if none does."""
     other = calibration.other_law
     if other is None:
         return ""
@@ -84,11 +72,7 @@ def other_law_text(calibration: Calibration) -> str:
 
 
 def ended(calibration: Calibration) -> list[str]:
-    """Return what is to be said of a search that did not come to its end.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return what is to be said of a search that did not come to its end."""
     if calibration.ending == "complete":
         return []
     how = {
@@ -252,11 +236,7 @@ def _open(calibration: Calibration) -> list[str]:
 
 
 def no_next_test(calibration: Calibration) -> str:
-    """Return why no further test is named though effects look alike; "" if one is, if none do, or if none was sought.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return why no further test is named though effects look alike; "" if one is, none do, or none was sought."""
     alike = any(effect.indistinguishable_from for effect in calibration.effects)
     asked = calibration.subject == "damper" and calibration.ending != "interrupted"
     if not alike or calibration.next_test or not asked or NEXT_TEST in calibration.failed:

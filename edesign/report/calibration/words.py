@@ -14,11 +14,7 @@ _LEAST = 1e-4  # probability that is told as a number
 
 
 def searched(calibration: Calibration) -> str:
-    """Return how far the search looked.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return how far the search looked."""
     depths = calibration.depths
     if not depths and calibration.ending == "complete":
         model = MODELS[calibration.subject]
@@ -36,11 +32,7 @@ def searched(calibration: Calibration) -> str:
 
 
 def effect_text(effect: Effect) -> str:
-    """Return an effect in words, with its first parameters.
-
-    Args:
-        effect: that was found.
-    """
+    """Return an effect in words, with its first parameters."""
     numbers = numbers_text(effect, _TOLD)
     return f"{effect.title} ({effect.kind}{', ' + numbers if numbers else ''})"
 

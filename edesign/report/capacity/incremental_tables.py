@@ -158,7 +158,6 @@ def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", 
     """Return medians, dispersions, their standard errors and margins; failed fits are named below.
 
     Args:
-        fragilities: a row each.
         unit: of the intensities, a key of UNITS.
         level: name of the hazard level of the margins, "" without margins.
     """

@@ -58,7 +58,6 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
     """Return a description of a file, text by label; `warnings` has one line for each doubt.
 
     Args:
-        path: of the file.
         kind: of it by its content; None: none that is known.
 
     Returns:

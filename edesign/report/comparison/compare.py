@@ -22,10 +22,6 @@ _STATISTICS = {**STATISTICS, "minimum": lambda found: found.minimum}
 def compare(archive: Archive, reference: Reference) -> Comparison:
     """Compare an archive, complete or partial, with reference values.
 
-    Args:
-        archive: the open archive.
-        reference: the reference file.
-
     Raises:
         ArchiveError: the archive is damaged.
         InputError: the reference asks for a variable that its group does not have, or in a unit of another dimension.
@@ -50,7 +46,6 @@ def compare_responses(table: ResponseTable, histories: Sequence[ComparedHistory]
 
     Args:
         table: the table of the reference.
-        histories: the histories of the archive.
     """
     cells: list[ComparedCell] = []
     changes: list[ComparedChange] = []

@@ -62,7 +62,6 @@ def write_comparison(comparison: Comparison, path: Path) -> None:
 
     Args:
         comparison: an archive beside a reference file.
-        path: the file to be written.
 
     Raises:
         ArchiveError: the file cannot be written.

@@ -52,7 +52,6 @@ class ComparedHistory:
         """Return whether the history is one of a variant and level, and of a record or suite.
 
         Args:
-            variant: name of the variant.
             level: name of the hazard level; "" without levels.
             records: name of a record or suite; None: any.
         """
@@ -71,10 +70,6 @@ def compared_histories(archive: Archive, measures: Collection[Wanted]) -> list[C
     """Read the measures of all histories, those that were planned and have not run included.
 
     Histories of an incremental analysis, and those at another temperature than their variant's, are left out.
-
-    Args:
-        archive: the open archive.
-        measures: the measures that are compared.
 
     Raises:
         ArchiveError: the archive is damaged.

@@ -105,12 +105,7 @@ def block_tables(comparison: Comparison, bars: bool = False) -> list[Table]:
 
 
 def groups(table: ComparedTable, by: Sequence[str]) -> list[list[ComparedCell]]:
-    """Return the cells of a table in groups that agree in the attributes `by`, in their order.
-
-    Args:
-        table: the compared table.
-        by: names of the attributes in which the cells of a group agree.
-    """
+    """Return the cells of a table in groups that agree in the attributes `by`, in their order."""
     made: dict[tuple[str, ...], list[ComparedCell]] = {}
     for cell in table.cells:
         made.setdefault(tuple(getattr(cell, name) for name in by), []).append(cell)
@@ -180,7 +175,6 @@ def missing_notes(cells: Iterable[ComparedCell], comparison: Comparison) -> list
     """Return notes on the histories without a value, each with the reason, and on absent values.
 
     Args:
-        cells: the cells of the table.
         comparison: an archive beside a reference file.
     """
     without: dict[str, dict[str, None]] = {}

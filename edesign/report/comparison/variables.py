@@ -18,10 +18,7 @@ def compare_variables(archive: Archive, reference: Reference, index: int, table:
     """Compare one table of variables, number `index` of the reference.
 
     Args:
-        archive: the open archive.
-        reference: the reference file.
         index: number of the table in the reference, from 0.
-        table: the table of the reference.
 
     Raises:
         ArchiveError: the archive is damaged.

@@ -49,7 +49,6 @@ def variant_tables(archive: Archive, reference: Reference, place: str) -> list[T
 
     Args:
         archive: of a study; its variants that the reference has under their own names are left out.
-        reference: with tables of responses.
         place: variant of the reference that the others are put in the place of.
 
     Raises:
@@ -73,8 +72,6 @@ def renamed(reference: Reference, place: str, name: str) -> Reference:
     """Return the responses of a reference with one variant under another name, and without the others.
 
     Args:
-        reference: the reference file.
-        place: name of the variant in the reference.
         name: the new name of the variant.
     """
     tables = []

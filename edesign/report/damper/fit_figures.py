@@ -30,9 +30,7 @@ def fit_figure(test: DamperTest, predicted: np.ndarray, law: str, title: str) ->
     """Draw a test's loop, measured and predicted, and the force over time with the error, as thesis Figs. 4.3 to 4.8.
 
     Args:
-        test: with measured force.
         predicted: force (n,), N.
-        law: its name.
         title: above the axes.
     """
     figure, ((loop, history),) = new_figure(1, 2, 8.2, 3.6)

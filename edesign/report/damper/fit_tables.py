@@ -69,8 +69,6 @@ def fit_tables(
     """Return the parameters with their standard errors, and the errors test by test.
 
     Args:
-        fit: the fit.
-        held_out: its cross-validation.
         validated: NRMS (ratio) of tests that are for validation only.
     """
     return [parameter_table(fit), error_table(fit, held_out, validated or {})]

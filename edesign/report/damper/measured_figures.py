@@ -32,7 +32,6 @@ def draw_tests(
     """Draw every test of a campaign, and its properties over frequency at each temperature.
 
     Args:
-        campaign: the tests.
         table: their properties, None if there are none.
         folder: where the files go; made if it does not exist.
         figure_format: svg, png or pdf.
@@ -70,7 +69,6 @@ def measured_figure(test: DamperTest, specimen: Specimen | None) -> Figure:
     chance in a random history.
 
     Args:
-        test: the damper test.
         specimen: the layers that were tested; None: a device without layers.
     """
     figure, axes = new_figure(2, 2, 7.6, 3.6)

@@ -58,7 +58,6 @@ def properties_table(title: str, found: Mapping[str, Properties], notes: list[st
 
     Args:
         title: above the table.
-        found: by name of the test.
         notes: lines below.
     """
     spec = PROPERTIES if found else replace(PROPERTIES, columns=())

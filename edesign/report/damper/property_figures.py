@@ -41,7 +41,6 @@ def property_figure(
         predicted: rows, drawn as lines.
         quantities: keys of QUANTITIES.
         by: "strain" (one row of axes a temperature) or "temperature_C" (one row a strain).
-        title: of the figure.
 
     Raises:
         ValueError: neither measured nor predicted rows are given.
@@ -78,7 +77,6 @@ def residual_figure(residuals: dict[str, np.ndarray], rows: PropertyRows, title:
     Args:
         residuals: by key of QUANTITIES, shape (n,), relative.
         rows: of the same tests.
-        title: of the figure.
     """
     figure, (axes,) = new_figure(1, len(residuals), 2.5 * len(residuals) + 0.4, 2.7)
     strains, frequencies = np.unique(rows.strain), np.unique(rows.frequency)

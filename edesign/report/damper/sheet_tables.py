@@ -111,12 +111,7 @@ ACCEPTANCE = TableSpec[_Worst](
 
 
 def name_of(run: Run, runs: Sequence[Run]) -> str:
-    """Return the name of a test, with the number of the run where the test has several.
-
-    Args:
-        run: the run of a test.
-        runs: the runs of the tests.
-    """
+    """Return the name of a test, with the number of the run where the test has several."""
     several = sum(other.test == run.test for other in runs) > 1
     return f"{run.test}, run {run.block}" if several else run.test
 
@@ -162,12 +157,7 @@ def cycles_table(run: Run, runs: Sequence[Run]) -> Table:
 
 
 def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
-    """Return the verdict of each criterion over all runs: the worst of them with its test and cycle.
-
-    Args:
-        judged: the judged runs.
-        runs: the runs of the tests.
-    """
+    """Return the verdict of each criterion over all runs: the worst of them with its test and cycle."""
     worst = [worst_of(group) for group in _by_criterion(judged)]
     notes = []
     for why in dict.fromkeys(one.why for one in judged if one.why):

@@ -33,10 +33,6 @@ def property_factors_of(study: Study, design: str) -> dict[str, float]:
     """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
 
     Of a placement that of the law is left out, as its dampers may have several laws.
-
-    Args:
-        study: the study.
-        design: name of the design.
     """
     dampers, spec = study.base.dampers, study.designs[design]
     own = 1.0

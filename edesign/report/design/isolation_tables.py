@@ -110,7 +110,6 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
 
     Args:
         name: of the modal analysis.
-        group: its results.
     """
     levels, notes = list(places({name: group}, "hazard_level", "isolation_displacement")), []
     if levels:

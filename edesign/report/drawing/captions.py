@@ -13,12 +13,7 @@ ROUNDING = 1e-6  # in the units of people: what is smaller is rounding, and is s
 
 
 def plain(value: float, digits: int = 3) -> str:
-    """Return a number with some significant digits, and all that stand before the point: 0.0123, 1.20, 1098, 2.1e-05.
-
-    Args:
-        value: the number.
-        digits: number of digits.
-    """
+    """Return a number with some significant digits, and all before the point: 0.0123, 1.20, 1098, 2.1e-05."""
     rounded = abs(float(f"{value:.{digits}g}"))
     places = 0
     while 0.0 < rounded * 10.0**places < 10.0 ** (digits - 1) and places < digits + 1:
@@ -39,7 +34,6 @@ def some_names(names: Collection[str], most: int = 2) -> str:
     """Return the first names, and how many more there are.
 
     Args:
-        names: the names.
         most: largest number of names.
     """
     more = len(names) - most

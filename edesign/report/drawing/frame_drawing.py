@@ -46,7 +46,6 @@ def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
 
     Args:
         frame: the frame of the project.
-        name: name of the damper.
     """
     kind, first, second, *_ = [*name.split("_"), "", ""]
     if kind == "N":
@@ -80,7 +79,6 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
     Args:
         axes: in m, with equal scales afterwards.
         frame: its members.
-        dampers: names of the dampers in it.
     """
     draw_dampers(axes, frame, dampers)
     for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
@@ -120,9 +118,7 @@ def draw_dampers(axes: Axes, frame: Frame, dampers: Sequence[str], color: str = 
     """Draw dampers by their names with their braces; those of places that the frame does not have are left out.
 
     Args:
-        axes: the axes to draw on.
         frame: the frame of the project.
-        dampers: names of the dampers.
         color: colour of the lines.
         marker: matplotlib's marker of the dampers.
     """

@@ -91,8 +91,6 @@ def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Fi
     """Return a figure without a window, and its axes row by row; to be called from a `styled` function.
 
     Args:
-        rows: number of rows of axes.
-        columns: number of axes in a row.
         width: width of the figure, inches.
         height: height of the figure, inches.
 
@@ -110,10 +108,6 @@ def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Fi
 
 def save(figure: Figure, path: Path) -> None:
     """Write a figure; the suffix says the format.
-
-    Args:
-        figure: the figure.
-        path: the file to be written.
 
     Raises:
         ArchiveError: it cannot be written.
@@ -198,7 +192,6 @@ def legend_above(axis: Axes, columns: int = 2) -> None:
 
     Args:
         axis: the axes to draw on.
-        columns: number of columns.
     """
     axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=columns, borderaxespad=0.2)
 
@@ -223,7 +216,6 @@ def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[
     """Return a figure of `count` panels in rows of at most `columns`, and their axes; to be called when `styled`.
 
     Args:
-        count: number of panels.
         columns: the largest number of panels in a row.
         width: width of a panel, inches.
         height: height of a panel, inches.
@@ -245,9 +237,6 @@ def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -
 
     Args:
         cells: the axes in reading order.
-        columns: number of columns.
-        abscissa: label of the abscissas.
-        ordinate: label of the ordinates.
     """
     across = min(columns, len(cells))
     for place, axis in enumerate(cells):

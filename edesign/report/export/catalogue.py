@@ -37,7 +37,6 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     variables of the archive in SI, but for histories.
 
     Args:
-        archive: open.
         analysis: name of one analysis, whose tables of `edesign show --analysis` are returned instead.
 
     Raises:
@@ -109,7 +108,6 @@ def choose(tables: Sequence[ExportTable], patterns: Sequence[str], where: str) -
     """Return the tables whose names fit one of some patterns, in the order of the tables.
 
     Args:
-        tables: to choose from.
         patterns: names, with `*` for any letters.
         where: the file, for the message.
 

@@ -41,7 +41,11 @@ def data_frame(table: ExportTable) -> pandas.DataFrame:
 
 
 def data_frames(tables: Iterable[AnyTable]) -> dict[str, pandas.DataFrame]:
-    """Return tables of any report, such as `edesign.report.calibration.tables.tables_of`, as data frames by name."""
+    """Return tables of any report, such as `edesign.report.calibration.tables.tables_of`, as data frames by name.
+
+    Args:
+        tables: whose columns the data frames have, under the names that files give them.
+    """
     made = named_tables([(table.title, table) for table in tables if table.rows])
     return {table.name: data_frame(table) for table in made}
 

@@ -14,7 +14,6 @@ def slug(text: str, longest: int = LONGEST) -> str:
     """Return a text as a name of small letters, digits and underscores, of at most so many letters.
 
     Args:
-        text: the text.
         longest: largest number of letters.
     """
     words = re.findall(r"[a-z0-9]+", text.casefold())
@@ -33,7 +32,6 @@ def table_names(titles: Sequence[str], given: Sequence[str] = ()) -> list[str]:
     Where these do not tell titles apart, all words are taken; titles that are the same get `_2`, `_3` in their order.
 
     Args:
-        titles: of the tables.
         given: their own names, "" where a table has none; () if none has one.
     """
     own = given or [""] * len(titles)
@@ -59,7 +57,6 @@ def unique_names(
 
     Args:
         names: as wanted.
-        between: the name and its number.
         taken: names that none may have.
         longest: letters of a name with its number; longer ones are cut. None: as long as they are.
     """

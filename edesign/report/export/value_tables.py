@@ -57,7 +57,6 @@ def history_tables(archive: Archive, patterns: Sequence[str]) -> list[ExportTabl
     """Return histories and curves, a table for each group and each dimension along which they run, in SI.
 
     Args:
-        archive: open.
         patterns: names of analyses, records or tests, with `*` for any letters.
 
     Raises:

@@ -55,7 +55,6 @@ def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusa
 
     Args:
         where: the place that was searched.
-        found: the recordings with their measures.
         refused: the files that are no records, with the reason of each.
     """
     table = RECORDINGS.of(found, count=len(found), where=where)
@@ -108,7 +107,6 @@ def write_listing(found: Sequence[Listed], path: Path) -> None:
 
     Args:
         found: the recordings with their measures.
-        path: the file to be written.
 
     Raises:
         ArchiveError: it cannot be written.

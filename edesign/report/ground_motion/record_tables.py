@@ -227,7 +227,6 @@ def pair_table(name: str, about: Mapping[str, Any]) -> Table:
     """Return how a pair of components was scaled, and how near their combined spectrum is to the target.
 
     Args:
-        name: name of the pair.
         about: attributes of the archived pair.
     """
     notes = []

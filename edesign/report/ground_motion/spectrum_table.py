@@ -42,8 +42,6 @@ def spectrum_table(
     """Return the ordinates of a spectrum of the code, and of those of records at its damping.
 
     Args:
-        elastic: of the code.
-        records: by name.
         periods: shape (n,), s.
         design: ordinates of the design spectrum, shape (n,), m/s2.
     """
@@ -71,7 +69,6 @@ def write_table(table: Table, path: Path) -> None:
 
     Args:
         table: as `spectrum_table` gives it.
-        path: the file to be written.
 
     Raises:
         ArchiveError: the file cannot be written.
@@ -90,8 +87,6 @@ def draw_spectra(
     """Draw the spectra of the code and those of records.
 
     Args:
-        elastic: of the code.
-        records: by name.
         band: shortest and longest period, s.
         path: the figure; its suffix says the format.
         design: the design spectrum, drawn too if it is given.

@@ -42,7 +42,6 @@ def picture_of(name: str, caption: str, figure: Figure) -> Picture:
     Args:
         name: name of the file of the figure, unique on the page.
         caption: a title, and what else is to be said.
-        figure: the figure.
     """
     anchor = f"figure-{name}"
     title, _, description = caption.partition(". ")

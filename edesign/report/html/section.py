@@ -131,7 +131,6 @@ def made(name: str, make: Callable[[], Section]) -> Section:
 
     Args:
         name: of the section, for people, and for its anchor where it cannot be made.
-        make: it.
     """
     words = name.strip("_").replace("_", " ")
     with optional(f"the section `{words}` of the report") as attempt:

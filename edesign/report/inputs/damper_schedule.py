@@ -89,7 +89,6 @@ def schedule_tables(
     Args:
         frames: of the archive.
         study: it is of; None: a project.
-        sets: its histories.
         whole: reads the results of an analysis with what was kept over time.
 
     Raises:

@@ -47,10 +47,6 @@ def _floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndar
 
     The masses resist horizontal motion; tuned masses are none of them. The weights are the loads of the gravity
     combination on beams, nodes and the leaning column, and on an isolated base.
-
-    Args:
-        project: the project with the gravity loads.
-        frame: the model of the frame.
     """
     levels = np.asarray(project.frame.y)
     mass = np.zeros(levels.size)

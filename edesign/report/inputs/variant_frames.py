@@ -19,8 +19,6 @@ class VariantFrames:
     """Projects and frames of the variants of an archive.
 
     Args:
-        archive: open.
-        project: that its text is of.
         study: that its text is of; None: it is the archive of a project.
     """
 
@@ -47,7 +45,6 @@ class VariantFrames:
         """Return the project of a variant with its dampers at a temperature.
 
         Args:
-            variant: name of the variant.
             temperature_C: degC; None: that of the variant.
         """
         if self._study is None:
@@ -58,7 +55,6 @@ class VariantFrames:
         """Return the frame of a variant with its dampers at a temperature.
 
         Args:
-            variant: name of the variant.
             temperature_C: degC; None: that of the variant.
 
         Raises:

@@ -24,7 +24,6 @@ def model_drawings(archive: Archive, project: Project, study: Study | None) -> I
     """Yield the drawings of a project or study with the dampers that its designs have found.
 
     Args:
-        archive: the archive with the designs.
         project: the project that the archive holds.
         study: the study that the archive holds; None: it is of a project.
 

@@ -29,7 +29,6 @@ def text_size(words: str, size: float) -> tuple[float, float]:
     """Return width and height of a line of text, inches.
 
     Args:
-        words: the text.
         size: of the type, points.
     """
     from matplotlib.backend_bases import RendererBase
@@ -45,7 +44,6 @@ def wrapped(words: str, room: float, size: float) -> list[str]:
     """Return a text in lines that are not wider than a room.
 
     Args:
-        words: the text.
         room: width, inches.
         size: of the type, points.
     """

@@ -50,9 +50,7 @@ def draw_devices(
     """Draw the dampers of a project and its tuned masses; sizes that change over the height are for `draw_sizes`.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project with the dampers.
         design: name of a design of which no sizes are known; "": they are known.
         tested: names of the dampers that stand in a laboratory.
 
@@ -88,9 +86,7 @@ def draw_sizes(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
     """Write the sizes that change over the height beside their storeys; return those for which there is no room.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project.
     """
     left_out, frame = [], project.frame
     rows: dict[int, list[tuple[str, str]]] = {}

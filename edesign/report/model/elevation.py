@@ -42,7 +42,6 @@ class Grid:
         """Return axes and levels at one scale if bays and storeys are then large enough to be labelled, else at two.
 
         Args:
-            names: names of the axes.
             xs: places of the axes, m, ascending.
             ys: levels above the base, m, ascending.
             wide: width of all that is drawn, m; at least the distance of the outer axes.
@@ -115,7 +114,6 @@ def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
     """Draw axes with their names, levels, and if wanted the spans and storey heights, m.
 
     Args:
-        sheet: the sheet to draw on.
         grid: axes and levels on the sheet.
         dimensions: whether spans and storey heights are written, m.
     """
@@ -136,8 +134,6 @@ def draw_axis_names(sheet: Sheet, names: Sequence[str], places: Sequence[Point],
     """Draw circles with the names of axes, and the axes up to where they end; the outer ones before the others.
 
     Args:
-        sheet: where.
-        names: of the axes.
         places: of the circles, inches.
         ends: of the lines from there, inches.
     """
@@ -157,7 +153,6 @@ def draw_chain(sheet: Sheet, marks: Sequence[Point], places: Sequence[float], tu
     """Draw a line with ticks at marks and the distances between them; equal ones that do not fit are counted.
 
     Args:
-        sheet: where.
         marks: of a horizontal or vertical line, inches.
         places: what the marks stand for, m.
         turned: 0 or 90 degrees, as the line.

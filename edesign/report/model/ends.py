@@ -25,9 +25,7 @@ def draw_ends(sheet: Sheet, place: Elevation, project: Project) -> list[Entry]:
     """Draw releases, plastic hinges, joints that turn, panel zones and rigid ends; return their lines of the legend.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project.
     """
     return [
         *_rigid(sheet, place, project),

@@ -29,7 +29,6 @@ def project_figures(project: Project, heading: Sequence[str] = (), of: str = "")
     """Yield the drawings of a project's model.
 
     Args:
-        project: the validated project.
         heading: lines above each drawing; (): none.
         of: what the model is of where there are several: `variant damped`.
 
@@ -80,7 +79,6 @@ def geometry_figure(project: Project, heading: Sequence[str] = (), tested: Colle
     """Draw axes, members with their sections, supports, ends of members, and dampers with laws and sizes.
 
     Args:
-        project: the model.
         heading: lines above the drawing; (): none.
         tested: names of the dampers that stand in a laboratory.
     """
@@ -105,7 +103,6 @@ def loads_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
     """Draw the loads on members and nodes by load case, the masses of the nodes, and sums by floor.
 
     Args:
-        project: the project.
         heading: title and further lines above the drawing.
     """
 
@@ -125,7 +122,6 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
     """Draw the dampers of a frame that is drawn elsewhere: their places, laws and sizes.
 
     Args:
-        project: the frame with its dampers.
         heading: lines above the drawing; (): none.
         design: of which no sizes are known; "": they are known.
     """

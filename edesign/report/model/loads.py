@@ -77,9 +77,7 @@ def draw_loads(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
     """Draw the loads of a project; return values for which there is no room, in words.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project.
     """
     found = loads_of(project)
     labels = [  # all signs are drawn before the first label looks for its place

@@ -22,9 +22,7 @@ def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
     """Draw the masses of the nodes, and write sums by floor: mass, gravity combination, load of the leaning column.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project.
 
     Returns:
         The floors for which there is no room, in words.

@@ -23,9 +23,7 @@ def draw_frame_members(sheet: Sheet, place: Elevation, project: Project, faint: 
     """Draw all members to scale, and the leaning column; return their lines of the legend.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project with the frame.
         faint: whether the frame is the background of something else, without lines of a legend.
 
     Returns:
@@ -81,8 +79,6 @@ def draw_sections(sheet: Sheet, project: Project, place: Elevation) -> list[str]
     """Write the section of each run of equal members beside it; return those for which there is no room, in words.
 
     Args:
-        sheet: the sheet to draw on.
-        project: the project.
         place: where metres of the frame are on the sheet.
     """
     writer = _Sections(sheet, place, several_steels(member_steels(project.frame)))
@@ -99,7 +95,6 @@ class _Sections:
     """Writes sections.
 
     Args:
-        sheet, place: where.
         several: kinds of members whose materials are told.
     """
 

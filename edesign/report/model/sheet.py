@@ -165,7 +165,6 @@ class Sheet:
 
         Args:
             spot: the anchor, and how the text is turned.
-            words: the text.
             size: of the type, points.
             color: colour of the lines.
             **style: properties of matplotlib beside those.
@@ -186,7 +185,6 @@ class Sheet:
 
         Args:
             spots: possible places of the text, the best first.
-            words: the text.
             sizes: sizes of the type that may be taken, points.
             color: colour of the lines.
             **style: properties of matplotlib beside those.
@@ -209,7 +207,6 @@ class Sheet:
         """Return whether a text is shorter than a length.
 
         Args:
-            words: the text.
             length: inches.
             size: of the type, points.
         """
@@ -305,7 +302,6 @@ def on_sheet(draw: Callable[[Sheet], None], heading: Sequence[str] = ()) -> Figu
     """Return the figure that a function draws on a new sheet, in the style of all figures.
 
     Args:
-        draw: on the sheet that it is given.
         heading: lines above the drawing, the first one a title.
     """
 

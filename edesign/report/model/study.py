@@ -54,7 +54,6 @@ def study_figures(study: Study, designed: Mapping[str, Dampers], heading: Sequen
     """Yield the frame of a study with its loads, then each set of dampers, and the frames of variants that differ.
 
     Args:
-        study: the validated study.
         designed: dampers by name of the design, as far as they are known; of others the places are drawn.
         heading: lines above each drawing; (): none.
     """

@@ -35,9 +35,7 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
     """Draw the supports at the feet of the columns; return their lines of the legend.
 
     Args:
-        sheet: the sheet to draw on.
         place: where metres of the frame are on the sheet.
-        project: the project.
     """
     frame = project.frame
     if project.isolation is not None:
@@ -81,7 +79,6 @@ def axes(lines: list[str] | tuple[str, ...], every: tuple[str, ...]) -> str:
     """Return names of axes in words: A-C, E.
 
     Args:
-        lines: the axes to be named.
         every: all axes, from the left.
     """
     places = sorted(every.index(line) for line in lines)
@@ -190,7 +187,6 @@ def _isolator_sign(sheet: Sheet, x: float, y: float, color: str) -> None:
     """Draw an isolator between a base at a height and the ground.
 
     Args:
-        sheet: the sheet to draw on.
         x: abscissa, inches.
         y: lower edge of the base, inches.
         color: colour of the lines.

@@ -23,10 +23,6 @@ def short(value: float, digits: int = 4) -> str:
     """Return a number with at most so many digits, without zeros at its end, and all that stand before the point.
 
     Numbers from 10⁹ are written with a power of ten.
-
-    Args:
-        value: the number.
-        digits: number of digits.
     """
     if abs(value) >= SCIENTIFIC:
         return power_of_ten(f"{value:.{digits}g}")
@@ -45,7 +41,6 @@ def law_words(name: str, law: DamperLaw) -> str:
     """Return a law in words: its type with its parameters, the size of its prototype, temperature and factor.
 
     Args:
-        name: name of the law.
         law: the law in the project.
     """
     if law.file is not None:
@@ -85,7 +80,6 @@ def device_size(project: Project, device: DamperRun | DamperBetween | BaseDevice
     """Return the size of a damper in words: number, layers or factor on the forces; "" if it is that of its law.
 
     Args:
-        project: with the law.
         device: whose law is in the project.
         index: of the storey among those of a run.
     """
@@ -110,7 +104,6 @@ def brace_words(device: DamperRun | DamperBetween, index: int = 0) -> str:
     """Return the brace of a damper in words; "" for a rigid one.
 
     Args:
-        device: the run of dampers.
         index: of the storey in the run, from 0.
     """
     brace = device.brace
@@ -167,7 +160,6 @@ def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
 
     Args:
         what: the word for one of them, such as `bay`.
-        selection: the selection.
     """
     text = str(selection)
     if text == "all":
@@ -176,12 +168,7 @@ def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
 
 
 def section_words(name: str, section: Section) -> str:
-    """Return the dimensions of a section that the project defines, in words.
-
-    Args:
-        name: of the section.
-        section: the section.
-    """
+    """Return the dimensions of a section that the project defines, in words."""
     if isinstance(section, PlateSection):
         sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
         return f"{name}: welded I {sizes} mm, flanges {1e3 * section.flange:g} mm, web {1e3 * section.web:g} mm"

@@ -130,9 +130,6 @@ def read_moving(
     """Return a variant in motion.
 
     Args:
-        history: of the variant.
-        group: its results.
-        color: of the variant.
         geometry: what moves.
         ends: those that yield, with their largest plastic rotation, rad.
         limits: of each of them, rad.

@@ -74,7 +74,6 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
     of all records.
 
     Args:
-        archive: open.
         most: pictures of a scene.
     """
     project = archived_project(archive)

@@ -65,7 +65,6 @@ def _node_motion(one: Moving, picture: int) -> np.ndarray:
     Where only floors were kept, nodes move with them and do not turn.
 
     Args:
-        one: the variant in motion.
         picture: number of the picture, from 0.
     """
     if one.nodes is not None:
@@ -82,7 +81,6 @@ def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: flo
 
     Args:
         geometry: of the frame.
-        member: its name.
         motion: of the nodes, as `_node_motion`.
         scale: how many times larger it is drawn.
         points: along the member.

@@ -16,11 +16,7 @@ from edesign.report.page.sections import property_calibration as sections_of_tab
 
 
 def calibration_page(calibration: Calibration) -> Page:
-    """Return the report of a calibration as data.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return the report of a calibration as data."""
     if isinstance(calibration, PropertyCalibration):
         makers = [(section.__name__, partial(section, calibration)) for section in sections_of_tables.SECTIONS]
         tested, measured = f"{len(calibration.campaign.table)} rows of a property table", "properties"

@@ -32,7 +32,6 @@ def sheet_page(
 
     Args:
         title: of the campaign.
-        tests: the tests.
         runs: their cycles.
         judged: criteria on the runs.
         asked: what the device is accepted by.

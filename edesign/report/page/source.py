@@ -220,7 +220,6 @@ def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, li
 
     Args:
         pictures: figures of the page.
-        levels: names of the hazard levels.
     """
     tokens = {level: f"_{file_name(level)}_" for level in levels if level}
     found: dict[str, list[Picture]] = {}
@@ -245,7 +244,6 @@ def headed(pictures: Iterable[Picture], levels: Collection[str]) -> list[Part]:
 
     Args:
         pictures: figures of the page.
-        levels: names of the hazard levels.
     """
     sorted_pictures = by_level(pictures, levels)
     parts: list[Part] = []

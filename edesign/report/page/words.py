@@ -27,10 +27,6 @@ def analysis_words(name: str, group: Group) -> str:
     """Return the words for an analysis that a program named: variant, level and record, or kind.
 
     A name that its author gave, without points, stays as it is.
-
-    Args:
-        name: name of the analysis.
-        group: results of the analysis.
     """
     about = group.attributes
     variant, level, record = (str(about.get(key) or "") for key in ("variant", "level", "record"))
@@ -54,7 +50,6 @@ def words_of(groups: Mapping[str, Group], records: Iterable[str]) -> dict[str, s
     """Return the words for analyses and records named by a program; words that would become alike are left out.
 
     Args:
-        groups: the analyses by name.
         records: references of records, such as suite/recording.
     """
     found = {name: analysis_words(name, group) for name, group in groups.items()}
@@ -68,12 +63,7 @@ def words_of(groups: Mapping[str, Group], records: Iterable[str]) -> dict[str, s
 
 
 def in_words(section: Section, words: Mapping[str, str]) -> Section:
-    """Return a section whose texts have words in place of names; verbatim files and drawings stay.
-
-    Args:
-        section: the section.
-        words: the words by name.
-    """
+    """Return a section whose texts have words in place of names; verbatim files and drawings stay."""
     say = partial(_said, words)
     return replace(
         section,

@@ -97,7 +97,6 @@ def print_text(page: Page, options: PrintOptions = DEFAULTS) -> str:
     """Return the HTML that is laid out: the page without folded parts, with tables and figures sized for the sheet.
 
     Args:
-        page: the report.
         options: paper and appendices.
     """
     paper, shown = options.paper, printed(page.sections, options.appendix)

@@ -47,12 +47,7 @@ class TableFit:
 
 
 def fit_table(table: Table | TextTable, paper: Paper) -> TableFit:
-    """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns.
-
-    Args:
-        table: the table.
-        paper: the sheet.
-    """
+    """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns."""
     columns = _columns(typed(table))
     needed = sum(column.fair for column in columns)
     for size in SIZES:
@@ -72,7 +67,6 @@ def begins_wide(parts: Iterable[Part], paper: Paper) -> bool:
 
     Args:
         parts: parts of a section.
-        paper: the sheet.
     """
     first = next((part for part in parts if not isinstance(part, Heading)), None)
     return isinstance(first, (Table, TextTable)) and fit_table(first, paper).wide
@@ -83,7 +77,6 @@ def picture_size(picture: Picture, paper: Paper) -> tuple[float, float]:
 
     Args:
         picture: a figure of the page.
-        paper: the sheet.
     """
     box = _BOX.search(picture.svg)
     ratio = float(box[2]) / float(box[1]) if box and float(box[1]) else 0.7
@@ -138,7 +131,6 @@ def text_width(text: str, bold: bool = False) -> float:
     """Return the width of a line of text in the type of the PDF, em.
 
     Args:
-        text: the text.
         bold: whether the type is bold.
     """
     widths = _widths("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")

@@ -150,7 +150,6 @@ def analyses_table(entries: Sequence[Entry], first: str = "analysis") -> Table:
     """Return name, kind, labels and status of each analysis; reasons of failures stand below.
 
     Args:
-        entries: the analyses.
         first: header of their names.
     """
     return ANALYSES.of(
@@ -192,35 +191,20 @@ def modes(group: Group) -> list[Mode]:
 
 
 def periods_table(name: str, group: Group) -> Table:
-    """Return periods and effective modal masses of a modal analysis.
-
-    Args:
-        name: name of the analysis.
-        group: results of the analysis.
-    """
+    """Return periods and effective modal masses of a modal analysis."""
     found = modes(group)
     return PERIODS.of(found, whose=name, notes=amplitude_notes(group) if found else ())
 
 
 def profile_table(name: str, group: Group) -> Table:
-    """Return the peaks of every storey, from the roof down; the floor is the one above the storey.
-
-    Args:
-        name: name of the analysis.
-        group: results of the analysis.
-    """
+    """Return the peaks of every storey, from the roof down; the floor is the one above the storey."""
     found = storey_profile(group)
     top = max(map(len, found.values()), default=0)
     return STOREYS.of((_Storey(number, found) for number in range(top, 0, -1)), whose=name)
 
 
 def fallbacks_table(name: str, group: Group) -> Table:
-    """Return the fallbacks of the solver where a step did not converge; long lists are cut.
-
-    Args:
-        name: name of the analysis.
-        group: results of the analysis.
-    """
+    """Return the fallbacks of the solver where a step did not converge; long lists are cut."""
     header, unit = ABSCISSAE.get(str(group.attributes.get("kind")), ("time", S))
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []

@@ -75,22 +75,12 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
 
 
 def each_damper_table(name: str, group: Group) -> Table:
-    """Return the largest response of every damper of an analysis.
-
-    Args:
-        name: name of the analysis.
-        group: results of the analysis.
-    """
+    """Return the largest response of every damper of an analysis."""
     return EACH_DAMPER.of(places({name: group}, "damper", "damper_force_max", "damper_work_final"), whose=name)
 
 
 def damper_stiffness_table(name: str, group: Group) -> Table:
-    """Return stiffness and loss factor of the dampers that a modal analysis took into account.
-
-    Args:
-        name: name of the analysis.
-        group: results of the modal analysis.
-    """
+    """Return stiffness and loss factor of the dampers that a modal analysis took into account."""
     needed = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")
     found = list(places({name: group}, "damper", *needed))
     frequency = float(group.attributes["damper_frequency_Hz"]) if found else 0.0

@@ -112,7 +112,6 @@ def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
     Members that Table 5-6 does not know are left out; a column that it makes force-controlled must stay elastic.
 
     Args:
-        project: the project.
         groups: the histories of one variant and level.
     """
     members = frame_members(project)
@@ -159,9 +158,7 @@ def hinge_figure(frame: Frame, panels: Sequence[Hinges], scale: Scale = ROTATION
     """Draw member ends beyond the first class of a scale as circles on the frame, elevations side by side.
 
     Args:
-        frame: the members.
         panels: at least one.
-        scale: what the values are.
     """
     from matplotlib.lines import Line2D
 

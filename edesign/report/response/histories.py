@@ -141,7 +141,6 @@ def names_of(group: Group, dimension: str) -> list[str]:
 
     Args:
         group: the archived results.
-        dimension: name of the dimension.
     """
     if dimension not in group.coords:
         return []
@@ -152,8 +151,6 @@ def with_results(archive: Archive, chosen: Iterable[History], *variables: str) -
     """Yield completed histories that have some variables, with their results.
 
     Args:
-        archive: the open archive.
-        chosen: the histories.
         *variables: names of variables that a history must have.
     """
     for history in chosen:

@@ -82,7 +82,6 @@ def mean_profile_figure(panels: Sequence[tuple[Kind, Mapping[str, np.ndarray]]],
 
     Args:
         panels: at least one; values (records, floors or storeys) by variant.
-        colors: of the variants.
     """
     from matplotlib.lines import Line2D
 

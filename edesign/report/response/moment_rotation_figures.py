@@ -68,7 +68,6 @@ def moment_rotation_figure(
 
     Args:
         loops: by label, what `_member_loops` gives; the first lies below.
-        colors: by label.
         ends: names of start and end of the member.
     """
     shown = [key for key in ROTATIONS if any(np.max(np.abs(loop[key])) > NONE for loop in loops.values())]

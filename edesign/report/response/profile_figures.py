@@ -125,9 +125,7 @@ def profile(group: Group, quantity: str, kind: Kind) -> np.ndarray | None:
     """Return the peaks of a history over the height in the unit of a figure, None if it has no such quantity.
 
     Args:
-        group: the history.
         quantity: of `KINDS`, `DAMPERS`, or `TOTAL`, the shear of columns and dampers at one moment.
-        kind: the quantity.
 
     Returns:
         (floors or storeys,) from the bottom; of floors the first is the base.
@@ -155,7 +153,6 @@ def profile_figure(panels: Sequence[Profiles], kind: Kind) -> Figure:
 
     Args:
         panels: at least one, all on the same scales; the record with the largest value of each is named.
-        kind: what the values are.
     """
     from matplotlib.lines import Line2D
 

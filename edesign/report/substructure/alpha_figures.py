@@ -98,7 +98,6 @@ def alpha_figure(chosen: Sequence[Adaptive], rows: Sequence[Coefficient]) -> Fig
 
     Args:
         chosen: at least one.
-        rows: the coefficients.
     """
     figure, axes = new_figure(len(rows), 1, WIDTH, 0.8 + 1.25 * len(rows))
     drawn = False

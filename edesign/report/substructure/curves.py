@@ -34,13 +34,11 @@ def curve(
     """Draw a curve without the points that lie within a line's width of its neighbours.
 
     Args:
-        axis: the axes to draw on.
         x: (n,) abscissas in the unit of the axes.
         y: (n,) ordinates in the unit of the axes; points that are not finite are left out.
         size: width and height of the axes, inches.
         spans: which values the axis has in width and height; None: those of the curve.
         **style: properties of matplotlib beside those.
-        style: of the line.
     """
     good = np.isfinite(x) & np.isfinite(y)
     x, y = x[good], y[good]
@@ -124,7 +122,6 @@ def legend_below(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
     """Put a legend below a figure: label, colour and style of each line; long labels are cut.
 
     Args:
-        figure: the figure.
         lines: label, colour and style of each line.
     """
     from matplotlib.lines import Line2D

@@ -60,7 +60,6 @@ def loop_diagram(described: ArchivedTests, linear: LinearisedTests | None) -> Fi
     """Draw numerical part, compensator, rig and specimen in a ring, and the sensors below.
 
     Args:
-        described: with a file.
         linear: specimen, rig and structure linearised; None: not known.
     """
     from matplotlib.patches import FancyBboxPatch

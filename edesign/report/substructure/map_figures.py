@@ -56,7 +56,6 @@ def draw_map(laboratory: VirtualLaboratory, best: str | None, path: Path) -> boo
     """Draw the stability map of tests that have not been run.
 
     Args:
-        laboratory: of the file.
         best: compensator that is recommended.
         path: the figure; its suffix says the format.
 
@@ -115,8 +114,6 @@ def map_figure(test: str, of: StabilityMap, kinds: Mapping[str, str], best: str 
     """Draw a stability map.
 
     Args:
-        test: its name.
-        of: the map.
         kinds: of the compensators by their names.
         best: the compensator that is shown as such.
     """

@@ -103,7 +103,6 @@ def loop_figure(
     """Draw loops as Figs. 6.23 and 6.27 of the thesis, a panel for each run, and below the forces over time.
 
     Args:
-        found: the runs.
         wanted: how the specimen should have moved, drawn in each panel; None: not known.
         what: this is, in words.
         seen: a window in s; None: all of the history.

@@ -36,7 +36,6 @@ def looks(kinds: Mapping[str, str], best: str | None) -> dict[str, tuple[str, st
     """Return colour and line of each compensator, different ones up to a dozen.
 
     Args:
-        kinds: of the compensators by their names.
         best: the one that is shown as such; None: there is none.
     """
     others = [name for name, kind in kinds.items() if kind != NONE and name != best]
@@ -78,9 +77,6 @@ def times(group: Group) -> np.ndarray:
 
 class SubstructureResults:
     """The results of an archive of virtual substructure tests, complete or not.
-
-    Args:
-        archive: open.
 
     Attributes:
         archive: the open archive.
@@ -126,30 +122,15 @@ class SubstructureResults:
         return self._group(f"{PLACE}/{test}") or Group()
 
     def run(self, test: str, compensator: str) -> Run | None:
-        """Return the indicators of a run, None before the end of all runs.
-
-        Args:
-            test: name of the test.
-            compensator: name of the compensator.
-        """
+        """Return the indicators of a run, None before the end of all runs."""
         return next((run for run in self.runs if (run.test, run.compensator) == (test, compensator)), None)
 
     def histories(self, test: str, compensator: str) -> Group | None:
-        """Return the group of a run, None if it cannot be read.
-
-        Args:
-            test: name of the test.
-            compensator: name of the compensator.
-        """
+        """Return the group of a run, None if it cannot be read."""
         return self._group(f"{PLACE}/{test}/{compensator}")
 
     def building(self, test: str, compensator: str = "") -> Group | None:
-        """Return the building in a test as a history; without a compensator, that of the direct analysis.
-
-        Args:
-            test: name of the test.
-            compensator: name of the compensator.
-        """
+        """Return the building in a test as a history; without a compensator, that of the direct analysis."""
         place = f"{ANALYSES}/{building_name(test, compensator)}"
         return self._group(place) if self.archive.has(place) else None
 
@@ -157,8 +138,6 @@ class SubstructureResults:
         """Return a run with its histories, None if it cannot be read or has none.
 
         Args:
-            test: name of the test.
-            compensator: name of the compensator.
             color: colour of the run in figures.
         """
         group = self.histories(test, compensator)
@@ -181,12 +160,7 @@ class SubstructureResults:
         return min(known, key=lambda name: known[name]) if known else None
 
     def error(self, test: str, compensator: str) -> float:
-        """Return the error of the response of a run, or of tracking a given target; infinite if it did not end.
-
-        Args:
-            test: name of the test.
-            compensator: name of the compensator.
-        """
+        """Return the error of the response of a run, or of tracking a given target; infinite if it did not end."""
         run = self.run(test, compensator)
         if run is not None:
             response = run.value("response_error")
@@ -227,12 +201,7 @@ class SubstructureResults:
         return next((one for one in reach if np.any(one)), None)
 
     def in_words(self, test: str, compensator: str) -> str:
-        """Return error and delay of a run in words, "" if they are not known.
-
-        Args:
-            test: name of the test.
-            compensator: name of the compensator.
-        """
+        """Return error and delay of a run in words, "" if they are not known."""
         run = self.run(test, compensator)
         if run is None:
             return ""

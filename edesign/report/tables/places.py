@@ -104,7 +104,6 @@ def most_in_any(groups: Mapping[str, Group], dimension: str, quantity: str) -> l
     """Return each name along a dimension in the analysis where a quantity is largest, the largest first.
 
     Args:
-        groups: results by the name of the analysis.
         dimension: such as `joint`.
         quantity: such as `joint_rotation`.
     """

@@ -102,7 +102,6 @@ def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible:
 
     Args:
         value: in SI.
-        digits: significant digits.
         scale: the unit shown, in SI (1e3 for kN).
         negligible: smaller values, in SI, are rounding and are shown as 0.
     """
@@ -127,13 +126,7 @@ def formatted(value: float | None, form: str) -> str:
 
 
 def marked(text: str, mark: str, unit: str = "") -> str:
-    """Return a number with a mark or its unit behind it, still as a number: `1.2*`, `3.4 %`; a text with the same.
-
-    Args:
-        text: the text.
-        mark: the mark or unit.
-        unit: the unit.
-    """
+    """Return a number with a mark or its unit behind it, still as a number: `1.2*`, `3.4 %`; a text with the same."""
     shown = f"{text}{mark}{' ' * bool(unit)}{unit}"
     return NumberText(shown, text.value, unit) if isinstance(text, NumberText) else shown
 
@@ -142,7 +135,6 @@ def said_of(cell: str, words: str) -> str:
     """Return the text of a number with words behind it, still as a number: `3.4 % (mean of 20)`.
 
     Args:
-        cell: the text of the number.
         words: the words behind the number, with the blank before them.
     """
     return NumberText(f"{cell}{words}", cell.value, cell.unit) if isinstance(cell, NumberText) else f"{cell}{words}"

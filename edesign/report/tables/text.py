@@ -103,7 +103,6 @@ def filled(text: str, stream: TextIO | None = None, widest: int = WIDEST) -> str
     Where the variable COLUMNS is set, it counts in both.
 
     Args:
-        text: the paragraph.
         stream: where it is printed; None: standard output.
         widest: characters of a line.
     """
@@ -116,7 +115,6 @@ def told(label: str, text: str, stream: TextIO) -> str:
 
     Args:
         label: before the text.
-        text: of one line.
         stream: where it is printed.
     """
     if not stream.isatty():
@@ -157,7 +155,6 @@ def fitted(table: Table | texts.Table | Printed, width: int) -> list[Printed]:
     even then, such as a path longer than the line, is broken inside of its words.
 
     Args:
-        table: the table.
         width: characters of a line.
     """
     shown = _noted(printed(table), width)

@@ -36,7 +36,6 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
     Args:
         building: with its block `design`.
         system: of this direction.
-        axis: direction.
         low_ductility_q: of the country.
         regular: whether the building is.
 
@@ -54,11 +53,7 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
 
 
 def modal_criteria(modes: SpaceModes) -> list[RuleCheck]:
-    """Return whether the modes taken have enough mass in both directions.
-
-    Args:
-        modes: that are taken.
-    """
+    """Return whether the modes taken have enough mass in both directions."""
     return [
         check_modes(modes.effective_mass_ratio[:, number], modes.period.size, axis) for number, axis in enumerate(AXES)
     ]
@@ -80,7 +75,6 @@ def behaviour_criteria(
         frame: with the members.
         q: behaviour factor of each direction.
         limit: upper limit of q in each direction.
-        axis: direction.
         dissipative: numbers of the dissipative members.
         regular: whether the building is.
 
@@ -108,7 +102,6 @@ def allowed_class(design: Design, q: float, limit: float, regular: Regular) -> i
     """Return the highest class that dissipative sections may have (EN 1998-1, 6.5.3(2), Table 6.3).
 
     Args:
-        design: block of the file.
         q: behaviour factor of a direction.
         limit: its upper limit.
         regular: whether the building is.
@@ -125,7 +118,6 @@ def dissipative_class(section: str, fy: float, bent: bool) -> SectionClass:
     """Return the class of a dissipative section.
 
     Args:
-        section: its name.
         fy: yield strength, Pa.
         bent: it bends without axial force (beams); otherwise it is compressed (diagonals).
     """
@@ -133,11 +125,7 @@ def dissipative_class(section: str, fy: float, bent: bool) -> SectionClass:
 
 
 def storey_criteria(storeys: Storeys) -> Iterator[RuleCheck]:
-    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts.
-
-    Args:
-        storeys: of one direction.
-    """
+    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts."""
     worst = int(storeys.theta.argmax())
     yield at_most(
         "4.4.2.2(3)",
@@ -158,12 +146,7 @@ def storey_criteria(storeys: Storeys) -> Iterator[RuleCheck]:
 
 
 def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[RuleCheck]:
-    """Return whether columns are stronger than beams at the joints of one direction; the worst joint counts.
-
-    Args:
-        joints: of one direction.
-        axis: direction.
-    """
+    """Return whether columns are stronger than beams at the joints of one direction; the worst joint counts."""
     asked = [joint for joint in joints if not joint.exempt]
     if not asked:
         return []
@@ -176,7 +159,6 @@ def connection_criteria(design: Design, axis: Axis, q: float) -> list[RuleCheck]
     """Return the rotation that beam to column connections of a moment frame must reach, for information.
 
     Args:
-        design: block of the file.
         axis: direction.
         q: its behaviour factor.
 
@@ -207,22 +189,13 @@ def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray
 
 
 def slenderness_of_one_metre(section: SteelSection, steel: Steel) -> float:
-    """Return the non-dimensional slenderness of a bar of one metre, about the axis with the smaller inertia.
-
-    Args:
-        section: of the bar.
-        steel: of the bar.
-    """
+    """Return the non-dimensional slenderness of a bar of one metre, about the axis with the smaller inertia."""
     N_cr = critical_force(steel.E, min(section.I_y, section.I_z), 1.0)
     return flexural_slenderness(section.A, steel.fy, N_cr)
 
 
 def pattern_of(member: Member) -> str:
-    """Return what EN 1998-1, 6.7.3 calls the bracing of a diagonal: `x`, `diagonal` or `v`.
-
-    Args:
-        member: the diagonal.
-    """
+    """Return what EN 1998-1, 6.7.3 calls the bracing of a diagonal: `x`, `diagonal` or `v`."""
     return _PATTERNS.get(member.bracing, "diagonal")
 
 

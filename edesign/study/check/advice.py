@@ -44,7 +44,6 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
     """Return one sentence for each doubt about the input of a project, without those about its records.
 
     Args:
-        project: the validated project.
         records: as recorded, those that its histories use, by reference.
 
     Raises:
@@ -86,7 +85,6 @@ def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
     """Return the doubt about damping by a stiffness matrix in a frame with buckling-restrained braces.
 
     Args:
-        project: the validated project.
         laws: of the dampers that stand in the frame, or will by a design.
     """
     if not with_restrained_braces(project, laws) or not isinstance(
@@ -103,7 +101,6 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
     """Return the doubts about a frame and its analysis; errors as `project_warnings`.
 
     Args:
-        project: the validated project.
         records: as recorded, those that its histories use, by reference.
         designed: laws of the dampers that designs add.
 
@@ -158,8 +155,6 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     """Return one sentence for each doubt about the input of a study, without those about its records.
 
     Args:
-        study: the validated study.
-        plan: of the study.
         records: as recorded, those that its histories use, by reference.
 
     Raises:
@@ -218,7 +213,6 @@ def _unknown_events(project: Project, records: Iterable[str]) -> list[str]:
     """Return one sentence for chosen records of unknown earthquakes that a limit for each earthquake cannot count.
 
     Args:
-        project: the validated project.
         records: references of the records.
     """
     found = []
@@ -257,11 +251,7 @@ def repeated_recordings(records: Mapping[str, Record]) -> list[str]:
 
 
 def drift_limits(study: Study) -> list[str]:
-    """Say which criteria allow drifts that no frame survives, as a percentage without its sign does.
-
-    Args:
-        study: the validated study.
-    """
+    """Say which criteria allow drifts that no frame survives, as a percentage without its sign does."""
     allowed = [(c.name, c.most) for c in study.criteria if isinstance(c, LimitCriterion) and "drift" in c.subject]
     return [
         f"criterion `{name}`: `most` allows drifts of {100.0 * most:g} %, which no frame survives; "
@@ -277,7 +267,6 @@ def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:
     Criteria that designs are verified by are judged there.
 
     Args:
-        study: the validated study.
         plan: its analyses.
     """
     planned = {

@@ -96,7 +96,6 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
 
     Args:
         study: from `load_study`.
-        plan: of the study.
 
     Raises:
         InputError: also if no damper reaches the target of a design, a law has no parameters at a temperature, or the

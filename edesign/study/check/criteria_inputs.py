@@ -83,7 +83,6 @@ def too_few_motions(study: Study, name: str) -> list[str]:
 
     Args:
         study: from `load_study`.
-        name: of the design.
     """
     verify, rules = study.designs[name].verify, rules_in_force(study.base.hazard)
     count = len(verification_records(study, name))
@@ -113,12 +112,7 @@ def _motions(study: Study) -> Counter[tuple[str, str]]:
 
 
 def kept_for_verification(study: Study, verify: AnyVerify) -> Outputs:
-    """Return the outputs that histories of a design's verification keep for its criteria.
-
-    Args:
-        study: the validated study.
-        verify: the verification of the design.
-    """
+    """Return the outputs that histories of a design's verification keep for its criteria."""
     kept: list[HistoryKind] = []
     for criterion in study.criteria:
         kind = criterion.traits.kept

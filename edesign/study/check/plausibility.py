@@ -63,7 +63,6 @@ def implausible(project: Project, period: float | None) -> list[str]:
     """Return one sentence for each property of a frame outside the range of built steel frames.
 
     Args:
-        project: the validated project.
         period: T1 under gravity, of an isolated frame with its base held, s; None without masses, or if it is not
             known.
 
@@ -77,11 +76,7 @@ def implausible(project: Project, period: float | None) -> list[str]:
 
 
 def sizes(project: Project) -> str:
-    """Return storeys, bays, moduli and gravity loads of a project in words with units.
-
-    Args:
-        project: the validated project.
-    """
+    """Return storeys, bays, moduli and gravity loads of a project in words with units."""
     y, x = project.frame.y, project.frame.x
     heights = [upper - lower for lower, upper in pairwise(y)]
     widths = [right - left for left, right in pairwise(x)]

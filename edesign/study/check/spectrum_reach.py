@@ -26,7 +26,6 @@ def check_project_reach(project: Project, specs: Iterable[PlannedAnalysis]) -> N
     """Check that the spectrum reaches T1 where a pushover combines modes by it.
 
     Args:
-        project: the validated project.
         specs: the analyses that will run.
 
     Raises:
@@ -43,10 +42,7 @@ def check_pushover_reach(project: Project, spec: Pushover, where: str, keys: Key
     """Check that the spectrum reaches T1 where a pushover combines modes; errors as `check_project_reach`.
 
     Args:
-        project: the validated project.
-        spec: the pushover of a project or study.
         where: place of the pattern in the file, for messages.
-        keys: its key path.
     """
     if not any(isinstance(pattern, GivenPattern) and pattern.modes is not None for pattern in spec.pattern):
         return
@@ -57,9 +53,6 @@ def check_pushover_reach(project: Project, spec: Pushover, where: str, keys: Key
 
 def check_incremental_reach(study: Study) -> None:
     """Check that the spectra of levels reach the period of the spectral acceleration of each variant without a design.
-
-    Args:
-        study: the validated study.
 
     Raises:
         InputError: one does not; the message names the level.

@@ -16,9 +16,6 @@ from edesign.study.analysis.structure import frame_alone
 def tuned_mass_advice(project: Project) -> list[str]:
     """Say how much damping of tuned masses is not their own: C = a0 M + a1 K acts on their mass and their spring.
 
-    Args:
-        project: the validated project.
-
     Source: a0 / (2 omega) + a1 omega / 2; Chopra, Dynamics of Structures, Eq. (11.4.8).
     """
     damping, masses = project.damping, attachments(project)

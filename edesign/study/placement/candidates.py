@@ -100,7 +100,6 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
     Args:
         project: with the laws; checked by `check_placement`.
         name: of the design.
-        spec: the design.
 
     Raises:
         InputError: a law is wrong, a place has no nodes, or the frame cannot be built.

@@ -42,7 +42,6 @@ class Knowledge:
     """The layouts that were analysed so far.
 
     Args:
-        space: of the layouts.
         estimates: of their responses.
 
     Attributes:

@@ -46,10 +46,8 @@ def run_placement(
     Args:
         project: with the laws; checked by `check_placement_design`.
         name: of the design.
-        spec: of the design.
         per_layout: histories that judge one layout.
         respond: runs the histories of layouts, one after the other.
-        judge: judges the histories of a layout.
         resume: what an earlier run kept; its layouts are not analysed again.
         progress: told what goes on.
         keep: given the group after each layout, for `resume`.
@@ -119,7 +117,6 @@ def check_placement(project: Project, name: str, spec: PlacementDesign, per_layo
     Args:
         project: the project with the laws, as for `run_placement`.
         name: name of the design.
-        spec: the design.
         per_layout: number of histories that judge one layout.
 
     Raises:

@@ -42,7 +42,6 @@ def store_placement(
         group: of the design.
         candidates: that it chose from.
         knowledge: what it analysed.
-        dampers: of the chosen layout.
         proof: of the chosen layout; None: the search is not over.
     """
     chosen = chosen_of(knowledge)

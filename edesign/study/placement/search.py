@@ -33,7 +33,6 @@ def search(
     """Analyse layouts until the cheapest that meets all criteria is proved, or the budget is spent.
 
     Args:
-        space: of the layouts.
         analyse: runs the histories of layouts.
         estimates: of the responses of a layout, for the order.
         budget: layouts that may be analysed.

@@ -96,6 +96,20 @@ def run_study(
     """Make the designs of a study, run its analyses, and archive all of it; otherwise as `run_project`.
 
     A design that fails is archived with its history, and the analyses of its variants fail with its reason.
+
+    Args:
+        study: from `load_study`.
+        archive_path: the archive; by default what the study says, with the names appended if `only` selects some.
+        progress: called with a `Progress` at every step worth telling, from one thread at a time.
+        workers: number of designs or analyses that run at the same time.
+        only: names of the analyses to run; all if empty.
+        fresh: True discards the results of an interrupted run.
+        backend: "serial", "threads", or "dask".
+        scheduler: address of a dask scheduler, such as tcp://host:8786; None: a cluster on this machine.
+        overwrite: True replaces the archive of another study too; that of this study is replaced anyway.
+
+    Raises:
+        InputError, ArchiveError, Interrupted: as `run_project`.
     """
     path = Path(archive_path) if archive_path is not None else default_archive_path(study, only)
     study = study_with_choices(study.afresh(), None if fresh else path)

@@ -19,7 +19,6 @@ def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> 
     Those that `vary` of the study makes are only in the tables.
 
     Args:
-        verdicts: the verdicts on the criteria.
         study: the study; None: the archive is of a project.
     """
     tiles = []
