@@ -32,8 +32,7 @@ from edesign.report.comparison.compare import compare
 from edesign.report.comparison.variants import variant_tables
 from edesign.report.comparison.wide_tables import wide_tables
 from edesign.report.tables.column import col, text
-from edesign.report.tables.spec import Table, TableSpec
-from edesign.report.tables.table import typed
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, PERCENT
 from edesign.study.results.kinds import ANALYSES, RECORDS
 
@@ -151,7 +150,7 @@ def redesign(archive: Archive) -> str:
     """Rounds of the designs, mean response, and verdicts."""
     wanted = ("Rounds", "Mean response", "Criteria", "What governs the criteria", "Remarks on the criteria")
     wanted += ("What the criteria require",)
-    return "\n\n".join(markdown(typed(table)) for table in study_tables(archive) if table.title in wanted)
+    return "\n\n".join(markdown(table) for table in study_tables(archive) if table.title in wanted)
 
 
 def tables(comparison: Comparison) -> dict[str, str]:

@@ -19,7 +19,7 @@ from edesign.report.export.files import write_csv_folder, write_parquet_folder
 from edesign.report.export.value_tables import history_tables
 from edesign.report.export.workbook import write_workbook
 from edesign.report.tables.column import count, text
-from edesign.report.tables.spec import TableSpec
+from edesign.report.tables.table import TableSpec
 from edesign.report.tables.text import print_tables
 
 LIST = TableSpec[ExportTable](

@@ -10,7 +10,7 @@ import typer
 from edesign.cli.shared.complete import template_names
 from edesign.project import template as chosen
 from edesign.report.tables.column import col, text
-from edesign.report.tables.spec import TableSpec
+from edesign.report.tables.table import TableSpec
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.unit import S
 

@@ -17,7 +17,7 @@ from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.html.section import Picture
 from edesign.report.page.sections.derived import derived
 from edesign.report.page.source import Source
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.report.tables.text import print_tables
 from edesign.study.run.run import run_study
 

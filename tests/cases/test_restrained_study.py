@@ -14,7 +14,7 @@ from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.report.archive.document import page_text
 from edesign.report.archive.study_tables import study_tables
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.study.run.run import run_study
 
 SHEAR = np.array([444e3, 355e3, 200e3])

@@ -21,7 +21,7 @@ from edesign.report.inputs.law_parameters import law_tables
 from edesign.report.inputs.mass_table import mass_tables
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.page.source import Source
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.study.run.run import run_study
 
 DOCUMENT = """\

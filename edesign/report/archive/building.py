@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 from edesign.archive.reader import Archive
 from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive.project import missing_analyses
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table
 from edesign.study.results.kinds import BUILDING
 
 if TYPE_CHECKING:
@@ -20,13 +19,13 @@ if TYPE_CHECKING:
     from edesign.report.page.source import Source
 
 
-def _tables(archive: Archive) -> list[AnyTable]:
+def _tables(archive: Archive) -> list[Table]:
     from edesign.report.building.tables import building_tables
 
     return [*building_tables(archive)]
 
 
-def _short_tables(archive: Archive, top: Table) -> list[AnyTable]:
+def _short_tables(archive: Archive, top: Table) -> list[Table]:
     from edesign.report.building.tables import short_building_tables
 
     return [*short_building_tables(archive)]

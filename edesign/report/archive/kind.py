@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from edesign.archive.reader import Archive
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -39,8 +38,8 @@ class ArchiveKind:
 
     name: str
     report: str
-    tables: Callable[[Archive], list[AnyTable]]
-    short_tables: Callable[[Archive, Table], list[AnyTable]]
+    tables: Callable[[Archive], list[Table]]
+    short_tables: Callable[[Archive, Table], list[Table]]
     figures: Callable[[], Sequence[Figures]]
     sections: Callable[[Source], list[Section]]
     unfinished: Callable[[Source], str]

@@ -15,12 +15,11 @@ from edesign.report.response.analysis_tables import analyses_table, measures_tab
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table
 from edesign.study.results.warnings import warning_lines
 
 
-def project_tables(archive: Archive) -> list[AnyTable]:
+def project_tables(archive: Archive) -> list[Table]:
     """Return the tables of all analyses of an archive: ends, periods, response measures, statistics.
 
     Raises:
@@ -30,7 +29,7 @@ def project_tables(archive: Archive) -> list[AnyTable]:
     groups = all_results(archive)
     entries = [entry(name, group) for name, group in groups.items()]
     kinds = {item["kind"] for item in entries}
-    tables: list[AnyTable] = [warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
+    tables: list[Table] = [warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
     tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
     tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]

@@ -31,8 +31,7 @@ from edesign.report.response.analysis_tables import KINDS, NOT_COMPLETED, Entry,
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.tables.column import Column, col, literal, text
-from edesign.report.tables.spec import Table, TableSpec
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import PAPER
 from edesign.report.tables.unit import ONE, PERCENT, S
 from edesign.study.results.kinds import ANALYSES
@@ -66,7 +65,7 @@ class _Modes(NamedTuple):
     modes: list[Mode]
 
 
-def short_project_tables(archive: Archive, top: Table) -> list[AnyTable]:
+def short_project_tables(archive: Archive, top: Table) -> list[Table]:
     """Return the main tables of a project: periods, means of the main measures; of matched records their criteria.
 
     Args:
@@ -79,7 +78,7 @@ def short_project_tables(archive: Archive, top: Table) -> list[AnyTable]:
     return _with_ends(archive, top, groups, _of_project(archive, groups))
 
 
-def short_study_tables(archive: Archive, top: Table) -> list[AnyTable]:
+def short_study_tables(archive: Archive, top: Table) -> list[Table]:
     """Return the main tables of a study: verdicts, means of the main measures, and governing histories.
 
     Of a damaged study whose text cannot be read, they are the tables of its analyses.
@@ -102,17 +101,17 @@ def short_study_tables(archive: Archive, top: Table) -> list[AnyTable]:
     return _with_ends(archive, top, groups, of_kind)
 
 
-def _with_ends(archive: Archive, top: Table, groups: dict[str, Group], tables: list[AnyTable]) -> list[AnyTable]:
+def _with_ends(archive: Archive, top: Table, groups: dict[str, Group], tables: list[Table]) -> list[Table]:
     """The tables below the warnings; the ends of analyses are added to the heading."""
     _add_ends(top, groups, [place for place in archive.damage if place.startswith(ANALYSES)])
     return [_warnings(archive, groups), *tables]
 
 
-def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[AnyTable]:
+def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[Table]:
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables: list[AnyTable] = []
-    governing: list[AnyTable] = []
+    tables: list[Table] = []
+    governing: list[Table] = []
     if not sets:
         tables += designs_tables(archive, study, sets)
     if study.criteria or study.objectives:
@@ -127,13 +126,13 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
     return tables + incremental_tables(archive, groups)
 
 
-def _of_project(archive: Archive, groups: dict[str, Group]) -> list[AnyTable]:
+def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
     if not groups:  # of `edesign match`, whose verdicts are the criteria of its sets
         return sorted(tables_of(archive), key=lambda table: table.name != CRITERIA.name)
     entries = [entry(name, group) for name, group in groups.items()]
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)
-    tables: list[AnyTable] = [_periods(groups)]
+    tables: list[Table] = [_periods(groups)]
     tables.append(states_table(archived_project(archive) if targets else None, groups, None, STATES_IN_SHORT))
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
     tables.append(changes_in_short(sets))

@@ -15,11 +15,11 @@ from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts, verdict_entry
 from edesign.report.ground_motion.record_tables import tables_of
 from edesign.report.tables.number import finite
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table
 from edesign.study.results.kinds import STUDY
 
 
-def _tables(archive: Archive) -> list[AnyTable]:
+def _tables(archive: Archive) -> list[Table]:
     """The tables of a study; of a damaged one whose text cannot be read, those of its analyses."""
     try:
         tables = [warnings_table(archive), *tables_of(archive), *study_tables(archive)]

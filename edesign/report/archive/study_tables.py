@@ -25,8 +25,7 @@ from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.tables.column import Column, col, count, text
-from edesign.report.tables.spec import Table, TableSpec
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, S
 from edesign.study.results.kinds import INCREMENTAL
 from edesign.study.results.warnings import warning_lines
@@ -84,7 +83,7 @@ PLAN = TableSpec[_Part](
 )
 
 
-def study_tables(archive: Archive) -> list[AnyTable]:
+def study_tables(archive: Archive) -> list[Table]:
     """Return the tables of a study, without those of single histories.
 
     Raises:
@@ -97,7 +96,7 @@ def study_tables(archive: Archive) -> list[AnyTable]:
     groups = all_results(archive)
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables: list[AnyTable] = [
+    tables: list[Table] = [
         plan_table(archive, groups),
         *designs_tables(archive, study, sets),
         *(isolation_estimate_table(name, group) for name, group in groups.items()),

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 from edesign.archive.reader import Archive
 from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive_view import entry, results
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table
 from edesign.study.results.kinds import SUBSTRUCTURE
 
 if TYPE_CHECKING:
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
     from edesign.report.page.source import Source
 
 
-def _tables(archive: Archive) -> list[AnyTable]:
+def _tables(archive: Archive) -> list[Table]:
     from edesign.report.substructure.building_tables import building_tables
     from edesign.report.substructure.tables import substructure_tables
 
@@ -27,7 +26,7 @@ def _tables(archive: Archive) -> list[AnyTable]:
     return [table for table in tables if table.rows]
 
 
-def _short_tables(archive: Archive, top: Table) -> list[AnyTable]:
+def _short_tables(archive: Archive, top: Table) -> list[Table]:
     return _tables(archive)
 
 

@@ -23,8 +23,7 @@ from edesign.report.response.damper_results import damper_stiffness_table, each_
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Table, TableSpec
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.warnings import warnings_of
 
@@ -41,7 +40,7 @@ HEADING = TableSpec[tuple[str, str]](
 )
 
 
-def overview(archive: str | os.PathLike[str] | Archive) -> list[AnyTable]:
+def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     """Return the tables of a whole archive: a heading, and the tables of its kind, as those of a study's results.
 
     Raises:
@@ -53,7 +52,7 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[AnyTable]:
     return [heading(archive), *kind_of(archive).tables(archive)]
 
 
-def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[AnyTable]:
+def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]:
     """Return all tables of one analysis: those of the overview, its storey profile and its fallbacks.
 
     Args:
@@ -68,7 +67,7 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[AnyTab
             return details(opened, name)
     group = results(archive, find(archive, name))
     entries = [entry(name, group)]
-    tables: list[AnyTable] = [
+    tables: list[Table] = [
         analyses_table(entries),
         Table("Warnings", notes=[warning.text for warning in warnings_of(group)], name="warnings"),
         periods_table(name, group),
@@ -107,7 +106,7 @@ def heading(archive: Archive) -> Table:
     )
 
 
-def short_tables(archive: Archive) -> list[AnyTable]:
+def short_tables(archive: Archive) -> list[Table]:
     """Return the main tables of an archive: of a study verdicts, means of the main measures, and governing histories.
 
     They take one screen: `SCREEN` lines of 80 characters.
@@ -122,10 +121,10 @@ def short_tables(archive: Archive) -> list[AnyTable]:
     return [*shown, _more(archive, len(tables) - len(shown))]
 
 
-def _on_a_screen(tables: list[AnyTable]) -> list[AnyTable]:
+def _on_a_screen(tables: list[Table]) -> list[Table]:
     """The first tables: as many as a screen has lines for, a few at least."""
     lines = 0
-    shown: list[AnyTable] = []
+    shown: list[Table] = []
     for table in tables:
         lines += sum(len(plain(part).splitlines()) + 1 for part in fitted(table, PAPER))
         if lines > SCREEN - LAST and len(shown) >= LEAST:

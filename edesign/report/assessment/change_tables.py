@@ -13,7 +13,7 @@ from edesign.report.assessment.measure_columns import ROUNDING, Measure
 from edesign.report.assessment.measure_tables import DIFFERENCE, first_of_level, label
 from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.number import significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MRAD, ONE, PERCENT
 
 QUANTITIES = (

@@ -11,7 +11,7 @@ from edesign.report.assessment.verdict_tables import answer, measured
 from edesign.report.drawing.captions import record_label
 from edesign.report.tables.cell import Marked, Value
 from edesign.report.tables.column import col, text, verdict
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE
 
 

@@ -12,7 +12,7 @@ from edesign.report.assessment.derived_results import Bounded, Sweep, bounded, s
 from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING, Measure
 from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.tables.column import Column, col, count, text
-from edesign.report.tables.spec import MORE, Table, TableSpec
+from edesign.report.tables.table import MORE, Table, TableSpec
 from edesign.report.tables.unit import ONE
 
 

@@ -12,7 +12,7 @@ from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING, Measure
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import Column, col, literal, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, PERCENT
 
 RECORDS = TableSpec[Mapping[str, Any]](

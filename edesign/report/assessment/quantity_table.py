@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
 from edesign.project.criteria.measures import MEASURES, short_name
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 
 
 def _said(unit: str) -> str | None:

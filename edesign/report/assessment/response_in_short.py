@@ -8,7 +8,7 @@ from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.tables.column import Column, col, count, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, MRAD, ONE, PERCENT, Unit
 
 

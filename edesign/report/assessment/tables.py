@@ -18,7 +18,7 @@ from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 
 
 def assessment_tables(

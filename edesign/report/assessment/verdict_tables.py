@@ -26,7 +26,7 @@ from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.tables import cell
 from edesign.report.tables.cell import Plain, Quantity, Rounded, State, Value
 from edesign.report.tables.column import Column, col, count, text, verdict
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import ONE, Unit
 

@@ -12,7 +12,7 @@ from edesign.report.assessment.verdict_tables import RATIO, answer, few_notes, m
 from edesign.report.tables import cell
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import Column, literal, text, verdict
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 
 MOST_ROWS = 14
 Row = tuple[str, str]

@@ -13,7 +13,7 @@ from edesign.report.building.results import MET, NOT_MET, UNITS, BuildingResults
 from edesign.report.tables.cell import Quantity, Value
 from edesign.report.tables.column import Column, bounded, col, count, formula, text, verdict
 from edesign.report.tables.number import finite, significant
-from edesign.report.tables.spec import MORE, Table, TableSpec
+from edesign.report.tables.table import MORE, Table, TableSpec
 from edesign.report.tables.unit import GPA, KN, MPA, ONE, M, T, Unit
 from edesign.space.archived import SELECTION
 from edesign.space.structure.frame import AXES, Axis

@@ -10,7 +10,7 @@ from edesign.report.building.results import BuildingResults
 from edesign.report.tables.cell import Value, Verdict
 from edesign.report.tables.column import col, count, text, verdict
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE
 
 CHECKS = TableSpec[dict[str, Value]](

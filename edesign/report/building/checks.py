@@ -18,7 +18,7 @@ from edesign.report.building.tables import Worst, worst_of_groups
 from edesign.report.tables.cell import Marked, Quantity, Value
 from edesign.report.tables.column import Column, col, count, formula, text
 from edesign.report.tables.number import finite, significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, Unit
 
 SAME = 1e-6

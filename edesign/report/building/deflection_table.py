@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.report.building.results import BuildingResults
 from edesign.report.tables.column import col, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import MM, ONE, M
 
 

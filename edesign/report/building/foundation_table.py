@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.report.building.results import BuildingResults, Row, part
 from edesign.report.tables.column import Column, col, text
-from edesign.report.tables.spec import MORE, Table, TableSpec
+from edesign.report.tables.table import MORE, Table, TableSpec
 from edesign.report.tables.unit import KN, ONE, Unit
 from edesign.space.checks.foundations import COMPONENTS
 from edesign.space.structure.frame import AXES

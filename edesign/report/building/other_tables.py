@@ -7,7 +7,7 @@ from dataclasses import replace
 from edesign.archive.dataset import Variable
 from edesign.report.building.results import UNITS, BuildingResults, Row
 from edesign.report.tables.column import Column, bounded
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import MM, Unit
 from edesign.space.archived import PLACE, SELECTION
 

@@ -12,7 +12,7 @@ from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import Column, col, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import CM2, CM3, CM4, MM, Unit
 
 _KEYS = {

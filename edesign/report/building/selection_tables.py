@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.report.tables.column import col, text
 from edesign.report.tables.number import significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, T
 from edesign.space.selection.select import GroupChoice, Selection
 from edesign.space.structure.design_block import design_of

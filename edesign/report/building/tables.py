@@ -20,7 +20,7 @@ from edesign.report.building.results import MET, NOT_MET, BuildingResults, Row
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import bounded, col, count, formula, text, verdict
 from edesign.report.tables.number import finite, significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, ONE, PERCENT, S, Unit
 from edesign.space.structure.frame import AXES, Axis
 

@@ -11,7 +11,7 @@ from edesign.calibration.residual.series import Series, Stage
 from edesign.calibration.results.result import Calibration, Subject
 from edesign.report.tables.column import col, text
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import MM, MM_S, PERCENT, S
 
 STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}

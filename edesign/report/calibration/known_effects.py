@@ -11,7 +11,7 @@ from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
 from edesign.report.tables.cell import Verdict
 from edesign.report.tables.column import count, text, verdict
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 
 
 def _placements(form: KnownForm) -> str | None:

@@ -15,7 +15,7 @@ from edesign.report.calibration.units import percent
 from edesign.report.damper.property_figures import QUANTITIES, property_figure, residual_figure
 from edesign.report.tables.column import col, text
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import PERCENT
 
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ from edesign.report.calibration.units import UNKNOWN, interval_text, percent, va
 from edesign.report.calibration.words import name_of, numbers_text, probability_text, searched
 from edesign.report.tables.column import bounded, col, text
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import ONE, PERCENT
 
 _NOTHING = "nothing known"

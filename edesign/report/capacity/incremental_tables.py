@@ -13,7 +13,7 @@ from edesign.report.capacity.incremental_results import UNITS, IncrementalResult
 from edesign.report.tables.cell import Marked, Value, Verdict
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.number import significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import ONE, PERCENT, YEARS, Unit
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from edesign.report.comparison.cells import ComparedCell, ComparedChange, ComparedTable, Comparison
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import col, count, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, PERCENT
 
 WORDS = {

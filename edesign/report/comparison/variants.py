@@ -14,7 +14,7 @@ from edesign.report.comparison.compare import compare
 from edesign.report.comparison.tables import PRINTED, found, name_of
 from edesign.report.tables.cell import Marked
 from edesign.report.tables.column import Column, col, literal, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE
 
 Row = Mapping[str, ComparedCell]

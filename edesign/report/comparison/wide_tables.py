@@ -23,7 +23,7 @@ from edesign.report.comparison.tables import (
 )
 from edesign.report.tables.cell import Marked, Value
 from edesign.report.tables.column import Column, col, literal, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE, PERCENT
 
 WIDEST = 130

@@ -12,7 +12,7 @@ from edesign.damper.fitting.write import practical, practical_errors, tested
 from edesign.report.tables.cell import Quantity, Value
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.number import significant
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import ONE, PERCENT
 
 DIGITS = 4

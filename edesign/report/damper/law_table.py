@@ -6,7 +6,7 @@ from edesign.damper.law import Law, Parameter
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import PARAMETER_SETS, practical_unit
 from edesign.report.tables.column import col, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE
 
 

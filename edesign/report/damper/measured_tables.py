@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from edesign.damper.testing.properties import CycleProperties, Properties
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import DEGC, HZ, MPA, ONE, PERCENT, S, Unit
 
 

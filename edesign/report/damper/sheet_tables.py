@@ -13,7 +13,7 @@ from edesign.damper.testing.device_cycles import Run
 from edesign.report.tables.cell import Quantity, Value, Verdict
 from edesign.report.tables.column import Column, col, count, text, verdict
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import DEGC, HZ, KJ, KN, KN_MM, MM, PERCENT, Unit
 
 VERDICTS: dict[bool | None, Value] = {

@@ -9,7 +9,7 @@ from edesign.assess.sets import HistorySet
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
 from edesign.report.design.tables import design_tables
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.study.plan.variants import bound_of
 from edesign.study.results.kinds import DESIGNS
 

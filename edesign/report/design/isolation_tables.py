@@ -18,7 +18,7 @@ from edesign.report.response.histories import names_of
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.number import significant
 from edesign.report.tables.places import Analysis, Place, at, overall, places
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, PERCENT, S
 
 

@@ -13,7 +13,7 @@ from edesign.report.design.storeys import heading
 from edesign.report.response.histories import names_of
 from edesign.report.tables.cell import Value, yes_or_no
 from edesign.report.tables.column import col, count, text, verdict
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, MM, ONE
 
 Row = dict[str, Value]

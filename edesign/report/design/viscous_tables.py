@@ -6,7 +6,7 @@ from edesign.archive.dataset import Group
 from edesign.report.design.storeys import MODE, STOREY, heading
 from edesign.report.tables.column import col
 from edesign.report.tables.places import Place, at, places
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN_PER_M, MM, PERCENT, S, Unit
 
 VISCOUS_STOREYS = TableSpec[Place](

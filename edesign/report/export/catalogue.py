@@ -19,9 +19,7 @@ from edesign.report.export.value_tables import value_tables
 from edesign.report.html.render import Page
 from edesign.report.html.section import Facts, Folded, Heading, Part, Warnings
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Table, TableSpec
-from edesign.report.tables.table import AnyTable, typed
-from edesign.report.tables.table import Table as TextTable
+from edesign.report.tables.table import Table, TableSpec
 
 NAMED = 12  # tables that an error names
 FACTS = TableSpec[tuple[str, str]](
@@ -49,7 +47,7 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     shown: list[Table] = []
     with optional("the tables of `edesign show`"):
         shown = [
-            typed(table) for table in overview(archive)[1:]
+            table for table in overview(archive)[1:]
         ]  # the first tells of the archive itself, as the provenance does
     found += [(table.title, table) for table in shown if table.rows and _content(table) not in have]
     values: list[ExportTable] = []
@@ -60,13 +58,13 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     return [replace(table, name=name) for table, name in zip(tables, names, strict=True)]
 
 
-def named_tables(given: Sequence[tuple[str, AnyTable]]) -> list[ExportTable]:
+def named_tables(given: Sequence[tuple[str, Table]]) -> list[ExportTable]:
     """Return tables with their names; those that each analysis or member has one of are one table.
 
     Tables without a name have one that is made of their title. Where two have the same one, as those of several
     designs, what their titles say further is added.
     """
-    titled = [(title, typed(table)) for title, table in given]
+    titled = [(title, table) for title, table in given]
     alike: dict[str, list[tuple[str, Table]]] = {}
     for _, table in titled:
         if table.each is not None:
@@ -93,8 +91,8 @@ def _page_tables(page: Page) -> Iterator[tuple[str, Table]]:
 
 
 def _part_tables(part: Part, above: str) -> Iterator[tuple[str, Table]]:
-    if isinstance(part, (Table, TextTable)) and (part.rows or part.notes):
-        yield part.title or above, typed(part)
+    if isinstance(part, Table) and (part.rows or part.notes):
+        yield part.title or above, part
     elif isinstance(part, Folded):
         for inner in part.parts:
             yield from _part_tables(inner, part.summary)

@@ -11,8 +11,7 @@ from edesign.report.export.names import unique_names
 from edesign.report.tables.cell import Cell
 from edesign.report.tables.cell import Plain as Value
 from edesign.report.tables.column import NO_VALUE, text
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import AnyTable, typed
+from edesign.report.tables.table import Table
 
 _FIRST = "what"
 """The header of a first column without one."""
@@ -71,7 +70,7 @@ class ExportTable:
         return len(self.columns[0].values) if self.columns else 0
 
 
-def export_table(name: str, table: AnyTable, title: str = "") -> ExportTable:
+def export_table(name: str, table: Table, title: str = "") -> ExportTable:
     """Return a table of `edesign show` or of the report with its numbers.
 
     Args:
@@ -79,7 +78,7 @@ def export_table(name: str, table: AnyTable, title: str = "") -> ExportTable:
         table: one without rows has its notes as rows.
         title: where the table has none.
     """
-    table = typed(table)
+    table = table
     if not table.rows:
         return ExportTable(name, table.title or title, (ExportColumn("text", "", list(table.notes)),))
     names = unique_names([column.in_files or _FIRST for column in table.columns], " ")
@@ -98,14 +97,14 @@ def export_table(name: str, table: AnyTable, title: str = "") -> ExportTable:
     return ExportTable(name, table.title or title, tuple(columns), tuple(table.notes), table.keys)
 
 
-def as_one(common: str, given: Sequence[tuple[str, AnyTable]]) -> Table:
+def as_one(common: str, given: Sequence[tuple[str, Table]]) -> Table:
     """Return one table for those that several analyses or members have, with the name of each in the first column.
 
     Args:
         common: title of all.
         given: each with the name whose it is; columns that a table lacks are empty.
     """
-    tables = [(of, typed(table)) for of, table in given]
+    tables = [(of, table) for of, table in given]
     columns = {column.head: column for _, table in reversed(tables) for column in reversed(table.columns)}
     heads = list(dict.fromkeys(column.head for _, table in tables for column in table.columns))
     first = tables[0][1]

@@ -9,7 +9,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.errors import InputError
 from edesign.report.export.catalogue import named_tables
 from edesign.report.export.export_table import ExportTable
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table
 
 if TYPE_CHECKING:
     import pandas
@@ -40,7 +40,7 @@ def data_frame(table: ExportTable) -> pandas.DataFrame:
     return frame
 
 
-def data_frames(tables: Iterable[AnyTable]) -> dict[str, pandas.DataFrame]:
+def data_frames(tables: Iterable[Table]) -> dict[str, pandas.DataFrame]:
     """Return tables of any report, such as `edesign.report.calibration.tables.tables_of`, as data frames by name.
 
     Args:

@@ -7,7 +7,7 @@ from pkgutil import walk_packages
 from typing import Any
 
 import edesign.report
-from edesign.report.tables.spec import TableSpec
+from edesign.report.tables.table import TableSpec
 
 
 def tables_by_name() -> dict[str, TableSpec[Any]]:

@@ -11,7 +11,7 @@ from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.ground_motion.catalogue.candidate import Refusal
 from edesign.ground_motion.catalogue.listing import Listed, PlaceOfRecords
 from edesign.report.tables.column import col, count, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import M_S, G, S
 
 _DIGITS = 3

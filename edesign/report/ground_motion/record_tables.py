@@ -18,7 +18,7 @@ from edesign.report.tables.cell import Listed, Quantity, Verdict
 from edesign.report.tables.column import Column, col, text, verdict
 from edesign.report.tables.number import significant
 from edesign.report.tables.places import Analysis
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import M_S, MM, MM_S, ONE, PERCENT, G, M, S, Unit
 from edesign.study.results.kinds import RECORDS
 

@@ -16,7 +16,7 @@ from edesign.ground_motion.sources import Found
 from edesign.report.drawing.style import check_figure_name, save
 from edesign.report.ground_motion.spectra_figure import spectra_figure
 from edesign.report.tables.column import Column, col, literal
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import M_S, M_S2, G, M, S
 
 DRAWN = 400  # periods of a figure

@@ -16,8 +16,7 @@ from edesign._version import __version__
 from edesign.report.drawing.symbols import GREEK, in_parts, with_indices_of_laws
 from edesign.report.html.section import Part, Section, Viewer
 from edesign.report.html.shared_styles import share_styles
-from edesign.report.tables.spec import Table, state_of
-from edesign.report.tables.table import typed
+from edesign.report.tables.table import Table, state_of
 from edesign.report.tables.visible import visible
 
 LONG = 34  # characters, from which a cell is broken into lines
@@ -112,7 +111,6 @@ def fill_template(
         "head": _head,
         "alignments": alignments,
         "cells": cells,
-        "typed": typed,
         "runs": runs,
     }
     page = environment.get_template("page.html")

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from edesign.optional_stages import optional
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import Table as TextTable
+from edesign.report.tables.table import Table
 
 
 @dataclass(frozen=True)
@@ -38,7 +37,7 @@ class Folded:
     """
 
     summary: str
-    parts: tuple[Table | TextTable | Picture, ...] = ()
+    parts: tuple[Table | Picture, ...] = ()
     text: str = ""
 
 
@@ -100,7 +99,7 @@ class Viewer:
     data: str
 
 
-Part = Table | TextTable | Picture | Folded | Facts | Warnings | Headlines | Heading | Viewer
+Part = Table | Picture | Folded | Facts | Warnings | Headlines | Heading | Viewer
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from edesign.report.inputs.damper_demand import Demand, demand, velocity
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import significant
-from edesign.report.tables.spec import MORE, Row, Table, TableSpec
+from edesign.report.tables.table import MORE, Row, Table, TableSpec
 from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT
 
 QUANTITIES = (  # header, how it is called below, name, unit

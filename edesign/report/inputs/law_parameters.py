@@ -14,7 +14,7 @@ from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import formula, text
 from edesign.report.tables.number import SCIENTIFIC, significant
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import MM, MM2
 from edesign.study.analysis.dampers import device_laws
 

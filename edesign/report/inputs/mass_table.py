@@ -11,7 +11,7 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.column import col, text
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import KN, M, T
 
 SAME = 0.01

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.study.study import Study, Variant
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.study.plan.variants import bound_of
 
 VARIANTS = TableSpec[Row](

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from edesign.report.tables.column import col, count, literal, text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE
 from edesign.tables.form import Form
 

@@ -11,16 +11,12 @@ from functools import partial
 from edesign.archive.dataset import Group
 from edesign.report.drawing.captions import record_label
 from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Viewer, Warnings
-from edesign.report.tables.spec import Table
-from edesign.report.tables.table import Table as TextTable
-from edesign.report.tables.table import typed
+from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+/-]*")
 _SIDES = {"right": "to the right", "left": "to the left"}
 _METHODS = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE/SEI 41"}
-KEPT = "name of the analysis"
-"""Header of a column of names that people need as they are, to ask `edesign show` for them."""
 
 
 def analysis_words(name: str, group: Group) -> str:
@@ -85,14 +81,14 @@ def _word(words: Mapping[str, str], name: str) -> str:
 
 
 def _part(part: Part, say: Callable[[str], str]) -> Part:
-    if isinstance(part, (Table, TextTable)):
-        return _table(typed(part), say)
+    if isinstance(part, Table):
+        return _table(part, say)
     if isinstance(part, Picture):
         return replace(part, caption=say(part.caption))
     if isinstance(part, Viewer):
         return replace(part, still=replace(part.still, caption=say(part.still.caption)))
     if isinstance(part, Folded):
-        inside = tuple(found for one in part.parts if isinstance(found := _part(one, say), Table | TextTable | Picture))
+        inside = tuple(found for one in part.parts if isinstance(found := _part(one, say), Table | Picture))
         return replace(part, summary=say(part.summary), parts=inside)
     if isinstance(part, Facts):
         return replace(part, rows=tuple((name, say(text)) for name, text in part.rows))

@@ -11,9 +11,7 @@ from edesign.report.html.render import alignments
 from edesign.report.html.section import Heading, Part, Picture
 from edesign.report.pdf.fonts import fonts_folder
 from edesign.report.pdf.paper import Paper
-from edesign.report.tables.spec import Table, state_of
-from edesign.report.tables.table import Table as TextTable
-from edesign.report.tables.table import typed
+from edesign.report.tables.table import Table, state_of
 
 SIZES = (7.5, 7.0, 6.5, 6.0, 5.5)
 """Type of tables, points, largest first."""
@@ -46,9 +44,9 @@ class TableFit:
     wide: bool = False
 
 
-def fit_table(table: Table | TextTable, paper: Paper) -> TableFit:
+def fit_table(table: Table, paper: Paper) -> TableFit:
     """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns."""
-    columns = _columns(typed(table))
+    columns = _columns(table)
     needed = sum(column.fair for column in columns)
     for size in SIZES:
         if needed * size <= paper.line:
@@ -69,7 +67,7 @@ def begins_wide(parts: Iterable[Part], paper: Paper) -> bool:
         parts: parts of a section.
     """
     first = next((part for part in parts if not isinstance(part, Heading)), None)
-    return isinstance(first, (Table, TextTable)) and fit_table(first, paper).wide
+    return isinstance(first, Table) and fit_table(first, paper).wide
 
 
 def picture_size(picture: Picture, paper: Paper) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from edesign.report.assessment.measure_columns import BRACE_COLUMNS, FRAME_COLUM
 from edesign.report.response.damper_results import amplitude_notes
 from edesign.report.tables.cell import Marked, State, Verdict
 from edesign.report.tables.column import Column, col, count, text, verdict
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import HZ, KN, M_S2, ONE, PERCENT, M, S, Unit
 
 KINDS = {"target": "target displacement"}

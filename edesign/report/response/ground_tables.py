@@ -11,7 +11,7 @@ from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text
 from edesign.report.tables.places import Analysis, Place, at, attribute, places
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KJ, M_S, MM, MPA, MS, ONE, PERCENT, S, Unit
 
 FORMULAS = {

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import bounded, col, count, known, text
 from edesign.report.tables.number import finite, significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import HZ, KN, KN_MM, M_S, MM, MS, ONE, PERCENT
 from edesign.substructure.advice.advice import Advice, TestAdvice

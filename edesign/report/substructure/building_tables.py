@@ -21,8 +21,7 @@ from edesign.report.archived import archived_project
 from edesign.report.assessment.verdict_tables import performance_tables
 from edesign.report.tables.cell import Listed, Marked, Quantity, Value
 from edesign.report.tables.column import Column, col, text
-from edesign.report.tables.spec import Table, TableSpec
-from edesign.report.tables.table import AnyTable
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KN, M_S2, MM, MRAD, PERCENT, Unit
 from edesign.study.results.kinds import ANALYSES, DIRECT
@@ -137,7 +136,7 @@ ENERGIES = TableSpec[_Beside](
 )
 
 
-def building_tables(archive: Archive) -> list[AnyTable]:
+def building_tables(archive: Archive) -> list[Table]:
     """Return peaks, energies, and performance levels of the building in each test and in the direct analysis.
 
     Raises:
@@ -184,7 +183,7 @@ def _told(table: Table) -> Table:
     return table if len(table.columns) > table.keys else replace(table, rows=[])
 
 
-def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> Sequence[AnyTable]:
+def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> Sequence[Table]:
     """Performance levels, of frames that may yield."""
     yielding = [
         (test, name, group) for test, name, group in _each(found) if "column_plastic_rotation_max" in group.variables

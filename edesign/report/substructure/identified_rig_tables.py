@@ -7,7 +7,7 @@ from typing import NamedTuple
 from edesign.report.substructure.tables import MICRO_S2
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import col, count, text
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import HZ, MS, ONE, PERCENT, Unit
 from edesign.substructure.compensation.alpha_fit import CUTOFF, filtered

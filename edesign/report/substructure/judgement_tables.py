@@ -11,7 +11,7 @@ import numpy as np
 from edesign.report.tables.cell import Marked, Quantity, Value, yes_or_no
 from edesign.report.tables.column import col, text, verdict
 from edesign.report.tables.number import finite
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import HZ, MM, MM2, MS, ONE, PERCENT, J, Unit
 from edesign.substructure.indicators import Tracking, definitions

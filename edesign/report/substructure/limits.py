@@ -11,7 +11,7 @@ from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import HELD_THERE, LIMIT_COLUMNS, limits_met, outcome_of
 from edesign.report.tables.cell import Rounded
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.substructure.advice.recommendation import ADAPTIVE
 

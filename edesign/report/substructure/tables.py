@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.tables.cell import Quantity, Value, Verdict
 from edesign.report.tables.column import Column, col, text
-from edesign.report.tables.spec import Row, Table, TableSpec
+from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import MS, ONE, PERCENT, J, S, Unit
 from edesign.substructure.archived import INDICATORS, PLACE

@@ -1,235 +1,205 @@
-"""Tables of texts, until all tables are declared (`spec.py`), and `typed`, which lets them pass through to renderers.
+"""Tables as data: a declaration of columns, and the values of rows. How they look is the matter of whoever prints them.
 
-This file goes with the last of them; nothing new is built on it.
+PERIODS = TableSpec(
+    "periods",
+    "{analysis}: periods",
+    (count("mode", "number"), col("T", S, "period", form=".4f"), col("effective mass", PERCENT, "mass", form=".2f")),
+    each="Periods",
+)
+table = PERIODS.of(modes, analysis=name)
 """
 
 from __future__ import annotations
 
-import math
-import re
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-
-import numpy as np
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Generic
 
 from edesign.notebook import table_html
-from edesign.report.tables import spec
-from edesign.report.tables.cell import Cell, Plain, State, Value, Verdict
-from edesign.report.tables.column import Column
-from edesign.report.tables.number import SCIENTIFIC as SCIENTIFIC
-from edesign.report.tables.number import finite as finite
-from edesign.report.tables.number import significant
+from edesign.report.tables.cell import Cell, Marked, State, Value
+from edesign.report.tables.column import Column, Item
 from edesign.report.tables.unit import Unit
 
-_GOOD = {"met", "passed", "satisfied", "completed", "achieved", "yes"}
-_BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "no"}
-_OPEN = {"not run", "interrupted", "open", "undecided", "not decided", "not applicable", "running"}
-_UNIT = re.compile(r"\s*\[([^\[\]]+)\]")
-_BARE_UNIT = re.compile(r"\s+(%|ms|mm|kN|kJ|J|Hz)$")
-_NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
-
-
-class NumberText(str):
-    """The text of a number, rounded for people, that keeps the number itself for files and programs.
-
-    Args:
-        text: as shown.
-        value: the number in the unit that is shown; the only other truth about it is the text, which is made from it.
-        unit: that the text ends in, where the numbers of a column have several.
-    """
-
-    value: float
-    unit: str
-
-    def __new__(cls, text: str, value: float = math.nan, unit: str = "") -> NumberText:
-        """Make the text; see the class for its arguments."""
-        made = super().__new__(cls, text)
-        made.value, made.unit = value, unit
-        return made
+Row = tuple[Value, ...]
+"""An item that is the values of its row, where no object has them."""
+MORE: Column[Any] = Column("...")
+"""Stands in a declaration where the columns are that only one table has; without it they are the last."""
 
 
 @dataclass
 class Table:
-    """A table of texts under headers that carry the units; cells of numbers are `NumberText`.
+    """A table of values under typed columns.
 
     Attributes:
         title: one line above.
-        columns: headers.
-        rows: cells, as many as columns in each row.
+        columns: what the values of a row are.
+        rows: values in SI, as many as columns in each row.
         notes: lines below.
-        left: number of columns, from the first, that hold text and are aligned left.
-        sentences: number of the column, from 0, whose cells may be broken into lines where the table is too wide; of
-            several the first is broken first.
-        formulas: numbers of the columns, from 0, whose cells are formulas: `N_b,y,Rd / gamma_M1`; headers and notes of
-            the table are so too. None: there are no formulas in it.
-        joined: numbers of the columns, from 0, that stay beside the column before them where a wide table is cut.
+        keys: number of columns, from the first, that name the rows.
         headings: lines across the whole table, each by the number of the row that it stands above.
         each: of a table that each analysis or member has one of: what such tables have in common, and whose this is. In
             files they are one table.
-        name: of the table in files; it stays when the title changes. "": it is made of the title.
-        units: of the columns whose headers name none, where the title says it to people; () if there are none.
+        name: of the table in files; "": it is made of the title.
+        headed: whether its headers are printed.
+        formulas: whether headers and notes have symbols of formulas.
+        names_kept: whether names of analyses stay as they are, where a page says others in words.
     """
 
     title: str
-    columns: Sequence[str] = ()
-    rows: list[list[str]] = field(default_factory=list)
+    columns: tuple[Column[Any], ...] = ()
+    rows: list[list[Value]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    left: int = 1
-    sentences: int | tuple[int, ...] | None = None
-    formulas: tuple[int, ...] | None = None
-    joined: tuple[int, ...] = ()
+    keys: int = 1
     headings: dict[int, str] = field(default_factory=dict)
     each: tuple[str, str] | None = None
-    units: Sequence[str] = ()
     name: str = ""
-
-    def _repr_html_(self) -> str:
-        return table_html(self.title, self.columns, self.rows, self.notes, self.left)
+    headed: bool = True
+    formulas: bool = False
+    names_kept: bool = False
 
     @property
-    def sentence_columns(self) -> tuple[int, ...]:
-        """Numbers of the columns that may be broken into lines."""
-        if self.sentences is None:
-            return ()
-        return (self.sentences,) if isinstance(self.sentences, int) else self.sentences
+    def headers(self) -> list[str]:
+        """The headers with units, as printed; [] where they are not."""
+        return [column.head for column in self.columns] if self.headed else []
+
+    @property
+    def texts(self) -> list[list[str]]:
+        """The rows as people read them."""
+        return [[c.text(value) for c, value in zip(self.columns, row, strict=True)] for row in self.rows]
+
+    def column(self, name: str) -> list[Value]:
+        """Return the values of a column by its name in files."""
+        at = [column.in_files for column in self.columns].index(name)
+        return [row[at] for row in self.rows]
+
+    def in_words(self, say: Callable[[str], str]) -> Table:
+        """Return the table with its texts said in another way; numbers stay."""
+        return replace(
+            self,
+            title=say(self.title),
+            columns=tuple(replace(column, header=say(column.header)) for column in self.columns),
+            rows=[[_said(value, say) for value in row] for row in self.rows],
+            notes=[say(note) for note in self.notes],
+        )
+
+    def _repr_html_(self) -> str:
+        return table_html(self.title, self.headers, self.texts, self.notes, self.keys)
 
 
-AnyTable = Table | spec.Table
+def state_of(value: Value) -> State:
+    """Return whether a value is a good, bad or open verdict, "" for any other value."""
+    return value.state if isinstance(value, Cell) else ""
 
 
-def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible: float = 0.0) -> str:
-    """Return a number with significant digits, "-" for None.
-
-    Args:
-        value: in SI.
-        scale: the unit shown, in SI (1e3 for kN).
-        negligible: smaller values, in SI, are rounding and are shown as 0.
-    """
-    if value is None:
-        return "-"
-    if abs(value) < negligible:
-        return NumberText("0", 0.0)
-    shown = value / scale
-    return NumberText(significant(shown, digits), float(shown))
-
-
-def formatted(value: float | None, form: str) -> str:
-    """Return a number in a form of Python's, "-" for None.
-
-    Args:
-        value: in the unit shown; whole numbers stay whole.
-        form: `.2f`, `.4g`, `d`.
-    """
-    if value is None:
-        return "-"
-    return NumberText(format(value, form), int(value) if isinstance(value, (int, np.integer)) else float(value))
-
-
-def marked(text: str, mark: str, unit: str = "") -> str:
-    """Return a number with a mark or its unit behind it, still as a number: `1.2*`, `3.4 %`; a text with the same."""
-    shown = f"{text}{mark}{' ' * bool(unit)}{unit}"
-    return NumberText(shown, text.value, unit) if isinstance(text, NumberText) else shown
-
-
-def said_of(cell: str, words: str) -> str:
-    """Return the text of a number with words behind it, still as a number: `3.4 % (mean of 20)`.
-
-    Args:
-        words: the words behind the number, with the blank before them.
-    """
-    return NumberText(f"{cell}{words}", cell.value, cell.unit) if isinstance(cell, NumberText) else f"{cell}{words}"
-
-
-def whole(value: float | None) -> str:
-    """Return a count, "-" for None."""
-    if value is None:
-        return "-"
-    return NumberText(f"{value:.0f}", int(value) if float(value).is_integer() else float(value))
-
-
-def seconds(value: float | None) -> str:
-    """Return a time in s to the millisecond, so that a column of them can be compared; "-" for None."""
-    return formatted(value, ".3f")
+def _said(value: Value, say: Callable[[str], str]) -> Value:
+    if isinstance(value, str):
+        return say(value)
+    return value.in_words(say) if isinstance(value, Cell) else value
 
 
 @dataclass(frozen=True)
-class _Shown(Cell):
-    """The number of a table of texts: as it is printed, and its value in the unit that is printed."""
+class TableSpec(Generic[Item]):
+    """What a table is: its name, its title, its columns.
 
-    shown: str
-    value: float
-    unit: str
+    Attributes:
+        name: by which the table is known, and of its file.
+        title: one line; it may have words in braces that `of` is given, as may headers and notes: `{whose}: periods`.
+        columns: in the order in which they are printed.
+        notes: lines below, where there are rows.
+        signs: notes on marks of values, `*: of the foot`; each is printed where a value has the mark it begins with.
+        keys: number of columns, from the first, that name the rows.
+        each: title of the one table that files have where each analysis or member has one.
+        formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
+        headed: whether headers are printed; a table of notes alone has none.
+        optional: whether each column is left out where no row has a value.
+        named_by_title: whether files are named by the title, as it tells studies apart.
+        named_as: name of the file of tables that share one; "": `name`.
+        names_kept: see `Table`.
+        most: rows that are printed; 0: all.
+        cut: note of a table with more rows: `The first {shown} of {all} feet.`, or `and {more} more`
+    """
 
-    def text(self, column: Column) -> str:
-        """Return the text."""
-        return self.shown
+    name: str
+    title: str
+    columns: tuple[Column[Item], ...]
+    notes: Sequence[str] = ()
+    signs: tuple[str, ...] = ()
+    keys: int = 1
+    each: str = ""
+    formulas: bool = False
+    headed: bool = True
+    optional: bool = False
+    named_by_title: bool = False
+    named_as: str = ""
+    names_kept: bool = False
+    most: int = 0
+    cut: str = ""
 
-    def data(self, column: Column) -> Plain:
-        """Return the number."""
-        return self.value
+    def of(
+        self,
+        items: Iterable[Item],
+        *,
+        more: Sequence[Column[Item]] = (),
+        without: Collection[str] = (),
+        notes: Iterable[str] = (),
+        units: Mapping[str, Unit] | None = None,
+        heading: Callable[[Item], str] | None = None,
+        whose: str = "",
+        **words: object,
+    ) -> Table:
+        """Return the table of some items.
 
-    def own_unit(self) -> str:
-        """Return the unit that the text ends in."""
-        return self.unit
-
-
-def typed(table: Table | spec.Table) -> spec.Table:
-    """Return a table of texts as one of values: units are found in headers, verdicts by their words."""
-    if isinstance(table, spec.Table):
-        return table
-    width = max((len(row) for row in (table.columns, *table.rows)), default=0)
-    headers = list(table.columns) or ["what", "value", *(f"value {i}" for i in range(2, width))][:width]
-    columns = tuple(_column(table, i, header) for i, header in enumerate(headers))
-    rows = [[_cell(cell) for cell in row] for row in table.rows]
-    return spec.Table(
-        title=table.title,
-        columns=columns,
-        rows=rows,
-        notes=table.notes,
-        keys=table.left,
-        headings=table.headings,
-        each=table.each,
-        name=table.name,
-        headed=bool(table.columns),
-        formulas=table.formulas is not None,
-        names_kept=bool(table.columns) and table.columns[0] == "name of the analysis",
-    )
-
-
-def _column(table: Table, number: int, header: str) -> Column:
-    name, unit = _name_and_unit(header)
-    cells = [row[number] for row in table.rows]
-    right = number >= table.left and all(_NUMERIC.fullmatch(cell) for cell in cells)
-    said = table.units[number] if table.units else ""
-    order = table.sentence_columns
-    return Column(
-        header,
-        kind="number" if right else "text",
-        unit=Unit(unit or said),
-        name=name,
-        broken=order.index(number) + 1 if number in order else 0,
-        joined=number in table.joined,
-        silent=True,
-        symbols=number in (table.formulas or ()),
-    )
-
-
-def _cell(cell: str) -> Value:
-    if isinstance(cell, NumberText):
-        return _Shown(str(cell), cell.value, cell.unit)
-    state = _state(cell)
-    return Verdict(cell, state) if state else cell
+        Args:
+            items: a row each; one may be a tuple of the values (`Row`), in the order of the columns.
+            more: columns that only this table has, in the place of `MORE`.
+            without: names of columns that it has not.
+            notes: lines below those of the declaration.
+            units: of columns that leave them open, by their key.
+            heading: of an item; where it changes, it stands across the table.
+            whose: the analysis or member whose table it is, where each has one; `{whose}` in the title.
+            **words: for what is in braces in title, headers and notes.
+        """
+        words = {"whose": whose, **words}
+        declared = [column for column in self.columns if column.in_files not in without]
+        at = declared.index(MORE) if MORE in declared else len(declared)
+        made = [*declared[:at], *more, *declared[at + 1 :]]
+        chosen = list(items)
+        shown = chosen[: self.most] if self.most else chosen
+        rows = [[column.of(item, number) for number, column in enumerate(made)] for item in shown]
+        needed = [not (self.optional or column.optional) for column in made]
+        kept = [i for i, always in enumerate(needed) if always or any(row[i] is not None for row in rows)]
+        lines = [note.format(**words) for note in self.notes] if rows else []
+        if len(shown) < len(chosen):
+            counts = {"shown": len(shown), "all": len(chosen), "more": len(chosen) - len(shown)}
+            lines.append(self.cut.format(**counts, **words))
+        marks = {value.after.strip()[:1] for row in rows for value in row if isinstance(value, Marked)}
+        lines += [note for note in self.signs if note[0] in marks]
+        return Table(
+            title=self.title.format(**words),
+            columns=tuple(_worded(made[i], words, units or {}) for i in kept),
+            rows=[[row[i] for i in kept] for row in rows],
+            notes=[*lines, *notes],
+            keys=self.keys,
+            headings=_headings(shown, heading) if heading is not None else {},
+            each=(self.each, whose) if self.each else None,
+            name="" if self.named_by_title else self.named_as or self.name,
+            headed=self.headed and bool(kept),
+            formulas=self.formulas or any(column.symbols for column in made),
+            names_kept=self.names_kept,
+        )
 
 
-def _state(cell: str) -> State:
-    word = cell.rstrip("0123456789.<> ").strip().lower()  # of cells as `not met 1.20` too
-    return "good" if word in _GOOD else "bad" if word in _BAD else "open" if word in _OPEN else ""
+def _worded(column: Column[Item], words: Mapping[str, object], units: Mapping[str, Unit]) -> Column[Item]:
+    unit = units[column.unit] if isinstance(column.unit, str) else column.unit
+    header = column.header.format(**words) if "{" in column.header else column.header
+    return replace(column, unit=unit, header=header)
 
 
-def _name_and_unit(header: str) -> tuple[str, str]:
-    """The parts of `drift [%]`, and of `root %`, as tables with many columns have it; `[-]` is no unit."""
-    match = _UNIT.search(header) or _BARE_UNIT.search(header)
-    if match is None:
-        return header.strip(), ""
-    unit = match[1].strip()
-    return (header[: match.start()] + header[match.end() :]).strip(), "" if unit == "-" else unit
+def _headings(items: Sequence[Item], heading: Callable[[Item], str]) -> dict[int, str]:
+    found: dict[int, str] = {}
+    last = ""
+    for number, item in enumerate(items):
+        words = heading(item)
+        if words != last:
+            found[number] = last = words
+    return found

@@ -11,8 +11,7 @@ from itertools import zip_longest
 from shutil import get_terminal_size
 from typing import TextIO
 
-from edesign.report.tables import table as texts
-from edesign.report.tables.spec import Table, state_of
+from edesign.report.tables.table import Table, state_of
 from edesign.report.tables.visible import visible, visible_line
 
 PAPER = 80  # characters of a line of text, and of what is printed in short
@@ -50,11 +49,10 @@ class Printed:
     colours: Sequence[Mapping[str, str]] = ()
 
 
-def printed(table: Table | texts.Table | Printed) -> Printed:
+def printed(table: Table | Printed) -> Printed:
     """Return a table as texts, with control characters written out, so that columns are as wide as they look."""
     if isinstance(table, Printed):
         return table
-    table = texts.typed(table)
     broken_ = sorted((column.broken, i) for i, column in enumerate(table.columns) if column.broken)
     colours: list[dict[str, str]] = [{} for _ in table.columns]
     rows = [[visible_line(text) for text in row] for row in table.texts]
@@ -75,7 +73,7 @@ def printed(table: Table | texts.Table | Printed) -> Printed:
     )
 
 
-def print_tables(tables: Iterable[Table | texts.Table], stream: TextIO | None = None, widest: int = WIDEST) -> None:
+def print_tables(tables: Iterable[Table], stream: TextIO | None = None, widest: int = WIDEST) -> None:
     """Print tables, none wider than the terminal: with rich where the stream is one, as plain aligned text elsewhere.
 
     Args:
@@ -148,7 +146,7 @@ def in_facts(label: str, text: str, indent: int, width: int) -> list[str]:
     return lines
 
 
-def fitted(table: Table | texts.Table | Printed, width: int) -> list[Printed]:
+def fitted(table: Table | Printed, width: int) -> list[Printed]:
     """Return a table as one or more tables below each other that are no wider than a line.
 
     Columns of sentences are broken into lines first; what is still too wide is cut between columns; what is too wide
@@ -234,7 +232,7 @@ def _in_lines(table: Printed, rooms: dict[int, int], wrap: Callable[[str, int], 
     return replace(table, rows=rows, headings=headings)
 
 
-def plain(table: Table | texts.Table | Printed) -> str:
+def plain(table: Table | Printed) -> str:
     """Return a table as aligned text without colours."""
     shown = printed(table)
     lines = [shown.title] if shown.title else []

@@ -11,6 +11,7 @@ from pathlib import Path
 import h5py
 import pytest
 from building_examples import SMALL
+from plain_tables import plain_table
 
 from edesign.archive.reader import Archive, open_archive
 from edesign.building.building_file import load_building
@@ -18,7 +19,6 @@ from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import building_tables
-from edesign.report.tables.table import Table
 from edesign.report.tables.text import broken, plain, print_tables, printed
 from edesign.study.run.building import run_building
 
@@ -55,7 +55,7 @@ def test_tables_fit_on_80_columns(archive: Archive) -> None:
 
 
 def test_sentences_are_broken_where_the_table_is_too_wide() -> None:
-    table = Table("T", ("a", "rule", "b"), [["1", "one two three four five six", "x"]], left=2, sentences=1)
+    table = plain_table("T", ("a", "rule", "b"), [["1", "one two three four five six", "x"]], keys=2, broken=(1,))
     assert broken(shown := printed(table), 40) is shown
     found = broken(printed(table), 26)
     assert found.rows == [["1", "one two three four", "x"], ["", "five six", ""]]
@@ -64,7 +64,7 @@ def test_sentences_are_broken_where_the_table_is_too_wide() -> None:
 
 def test_a_second_column_is_broken_where_the_first_is_not_enough() -> None:
     rows = [["a criterion with a long name", "DBE", "ImperialValley1979_H-EMO000"]]
-    table = Table("T", ("criterion", "level", "motion"), rows, left=3, sentences=(0, 2))
+    table = plain_table("T", ("criterion", "level", "motion"), rows, keys=3, broken=(0, 2))
     found = broken(printed(table), 50)
     assert max(map(len, plain(found).splitlines())) <= 50
     assert " ".join(row[0] for row in found.rows if row[0]) == rows[0][0] and len(found.rows) > 1

@@ -37,7 +37,7 @@ from edesign.report.calibration.view import View, outline
 from edesign.report.calibration.words import searched
 from edesign.report.html.render import render
 from edesign.report.page.calibration import calibration_page
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.report.tables.text import plain
 
 SHOWN = 5e-3  # relative: three digits are shown

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain_tables import plain_table
 from unit.report.figure_archive import small_archive
 
 import edesign
@@ -21,7 +22,10 @@ from edesign.report.export.export_table import ExportColumn, ExportTable, as_one
 from edesign.report.export.names import LONGEST_FILE, slug, table_names
 from edesign.report.export.tables_by_name import tables_by_name
 from edesign.report.export.workbook import number_format, sheet_names
-from edesign.report.tables.table import NumberText, Table, formatted, marked, number, whole
+from edesign.report.tables.cell import Quantity, Value
+from edesign.report.tables.column import col, text
+from edesign.report.tables.table import Table
+from edesign.report.tables.unit import MM, MS, ONE, PERCENT, M
 
 REPORT = Path(edesign.__file__).parent / "report"
 openpyxl = pytest.importorskip("openpyxl")
@@ -47,23 +51,19 @@ def _exact(path: Path) -> tuple[np.ndarray, list[str]]:
     return np.array(values), names
 
 
-def test_a_cell_keeps_the_number_that_it_shows() -> None:
-    cell = number(12345.678, 4, 1e3)
-    assert cell == "12.35" and isinstance(cell, NumberText) and cell.value == 12345.678 / 1e3
-    star = marked(number(0.12345, 3), "*")
-    assert star == "0.123*" and isinstance(star, NumberText) and star.value == 0.12345
-    share = marked(formatted(3.25, ".1f"), "", "%")
-    assert share == "3.2 %" and isinstance(share, NumberText) and (share.value, share.unit) == (3.25, "%")
-    assert number(None) == whole(None) == "-" and not isinstance(number(None), NumberText)
-
-
 def test_columns_have_numbers_units_and_no_dashes() -> None:
-    table = Table("Peaks", ("analysis", "drift [%]", "value", "delay ms", "with [m] sign"))
-    table.rows = [
-        ["a", number(0.01234, scale=0.01), marked(number(5.0, 2), "", "%"), formatted(3.0, ".1f"), "x"],
-        ["b", "-", marked(number(2.0, 2), "", "mm"), formatted(4.0, ".1f"), "-"],
+    columns = (
+        text("analysis"),
+        col("drift", PERCENT),
+        col("value", ONE),
+        col("delay", MS, form=".1f", bare=True),
+        col("with [] sign", M),
+    )
+    rows: list[list[Value]] = [
+        ["a", 0.01234, Quantity(0.05, PERCENT, 2), 0.003, "x"],
+        ["b", None, Quantity(0.002, MM, 2), 0.004, None],
     ]
-    found = export_table("peaks", table)
+    found = export_table("peaks", Table("Peaks", columns, rows))
     assert [(column.header, list(column.values)) for column in found.columns] == [
         ("analysis", ["a", "b"]),
         ("drift [%]", [0.01234 / 0.01, None]),
@@ -76,8 +76,8 @@ def test_columns_have_numbers_units_and_no_dashes() -> None:
 
 
 def test_tables_that_each_analysis_has_are_one() -> None:
-    one = Table("a: periods", ("mode", "T [s]"), [["1", "2.0"]], ["a note"], left=0)
-    other = Table("b: periods", ("mode", "f [Hz]"), [["1", "0.5"]], ["a note"], left=0)
+    one = plain_table("a: periods", ("mode", "T [s]"), [["1", "2.0"]], ["a note"], keys=0)
+    other = plain_table("b: periods", ("mode", "f [Hz]"), [["1", "0.5"]], ["a note"], keys=0)
     made = as_one("Periods", [("a", one), ("b", other)])
     assert made.headers == ["of", "mode", "T [s]", "f [Hz]"] and made.keys == 1 and made.notes == ["a note"]
     assert made.rows == [["a", "1", "2.0", None], ["b", "1", None, "0.5"]]

@@ -6,11 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain_tables import plain_table
 from unit.report.figure_archive import small_archive
 
 import edesign
 from edesign.errors import ArchiveError, InputError
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.column import col, text
+from edesign.report.tables.table import Table
+from edesign.report.tables.unit import PERCENT
 
 pytest.importorskip("pandas")
 xarray = pytest.importorskip("xarray")
@@ -51,7 +54,7 @@ def test_an_open_archive_gives_data_frames_and_datasets(archive: Path) -> None:
 
 def test_notebooks_show_archives_groups_and_tables_with_texts_escaped(archive: Path) -> None:
     evil = "<script>alert(1)</script>"
-    shown = Table(evil, (evil, "n"), [[evil, "1"]], [evil])._repr_html_()
+    shown = plain_table(evil, (evil, "n"), [[evil, "1"]], [evil])._repr_html_()
     assert evil not in shown and shown.count("&lt;script&gt;") == 4
     with edesign.open_archive(archive) as opened:
         assert archive.name in repr(opened) and len(repr(opened)) < 100
@@ -71,7 +74,7 @@ def test_notebooks_show_projects_in_short(tmp_path: Path) -> None:
 
 def test_tables_of_any_report_are_data_frames() -> None:
     tables = [
-        Table("Errors (NRMS)", ("test", "error [%]"), [["a", number(0.0123, 2, 0.01)]]),
+        Table("Errors (NRMS)", (text("test"), col("error", PERCENT, digits=2)), [["a", 0.0123]]),
         Table("Empty", notes=["-"]),
     ]
     frames = edesign.data_frames(tables)

@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 
 import pytest
+from plain_tables import plain_table
 
 from edesign.report.html.render import Cover, alignments, render, typeset
 from edesign.report.html.section import Section
-from edesign.report.tables.spec import state_of
-from edesign.report.tables.table import Table, typed
+from edesign.report.tables.cell import Verdict
+from edesign.report.tables.column import col, count, text, verdict
+from edesign.report.tables.table import Row, TableSpec
+from edesign.report.tables.unit import ONE
 
 HOSTILE = "<img src=x onerror=alert(1)> & \"quotes\" 'too' -> T_B"
 
@@ -33,19 +36,11 @@ def test_numbers_have_the_signs_of_print_and_names_stay(plain: str, printed: str
 
 def test_numbers_stand_right_words_left_sentences_in_lines() -> None:
     rows = [
-        ["a", "1.2e-05", "0.4 -> 0.5", "4 of 4", "met", "a sentence that is longer than a column should be"],
-        ["b", "-", "+12.5", "-3", "-", "short"],
+        ("a", 1.2e-05, 4, Verdict("met", "good"), "a sentence that is longer than a column should be"),
+        ("b", None, -3, None, "short"),
     ]
-    table = Table("t", ("name", "x", "pair", "count", "verdict", "text"), rows)
-    assert alignments(typed(table)) == ["text", "right", "right", "right", "text", "long"]
-
-
-@pytest.mark.parametrize(
-    ("cell", "found"),
-    [("met", "good"), ("NOT MET", "bad"), ("failed", "bad"), ("open", "open"), ("metal", ""), ("-", "")],
-)
-def test_verdicts(cell: str, found: str) -> None:
-    assert state_of(typed(Table("t", ("verdict",), [[cell]])).rows[0][0]) == found
+    columns = (text("name"), col("x", ONE), count("count"), verdict("verdict"), text("text"))
+    assert alignments(TableSpec[Row]("t", "t", columns).of(rows)) == ["text", "right", "right", "text", "long"]
 
 
 def test_signs_of_print_and_escaping() -> None:
@@ -58,7 +53,7 @@ def test_signs_of_print_and_escaping() -> None:
 
 
 def test_everything_in_a_page_is_escaped_and_verdicts_are_words() -> None:
-    table = Table(HOSTILE, ("a", HOSTILE), [[HOSTILE, "not met"]], [HOSTILE])
+    table = plain_table(HOSTILE, ("a", HOSTILE), [[HOSTILE, Verdict("not met", "bad")]], [HOSTILE])
     section = Section("one", HOSTILE, (HOSTILE,), (table,), (HOSTILE,))
     page = render(Cover(HOSTILE, HOSTILE, HOSTILE, HOSTILE, HOSTILE), [section])
     assert "<img" not in page and page.count("&lt;img src=x onerror=alert(1)&gt;") >= 12

@@ -11,6 +11,7 @@ import matplotlib.font_manager
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.textpath import TextPath
+from plain_tables import plain_table
 
 from edesign.errors import ArchiveError, InputError
 from edesign.report.html.inline_svg import picture_of
@@ -21,7 +22,6 @@ from edesign.report.pdf.document import check_pdf_engine, print_text, write_page
 from edesign.report.pdf.fit import fit_table, picture_size, text_width
 from edesign.report.pdf.fonts import fonts_folder
 from edesign.report.pdf.paper import MARGIN_SIDE, PAPERS, PrintOptions
-from edesign.report.tables.table import Table
 
 TITLE = 'Tower "A" of <b>Fort-de-France</b> & annexes, which has a title that is longer than the head of a page can be'
 COVER = Cover(
@@ -33,10 +33,12 @@ COVER = Cover(
     origin="edesign 9.8 · 2026-03-31",
     created="2026-03-31T12:00:00+00:00",
 )
-LONG = Table(
+LONG = plain_table(
     "Storeys of the tower", ("storey", "drift [%]", "verdict"), [[f"s{i}", f"{i}.5", "met"] for i in range(60)]
 )
-WIDE = Table("Twenty measures", [f"measure{i} [kN·m]" for i in range(20)], [[f"{i}12345.678" for i in range(20)]] * 3)
+WIDE = plain_table(
+    "Twenty measures", [f"measure{i} [kN·m]" for i in range(20)], [[f"{i}12345.678" for i in range(20)]] * 3
+)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -202,7 +204,7 @@ def test_tables_get_smaller_type_before_they_lie_down() -> None:
     assert fits[0].size > fits[1].size
     for fit in fits:
         assert fit.size * sum(fit.widths) <= (paper.long_line if fit.wide else paper.line) + 1e-9  # rounding of doubles
-    broken = fit_table(Table("t", ["w" * 200] * 30, [["1" * 40] * 30]), paper)
+    broken = fit_table(plain_table("t", ["w" * 200] * 30, [["1" * 40] * 30]), paper)
     assert broken.wide and broken.size * sum(broken.widths) <= paper.long_line + 1e-9
 
 

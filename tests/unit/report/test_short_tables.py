@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from plain_tables import plain_table
 from unit.assess.assessed import FRAME, frame, history, part
 
 from edesign.archive.dataset import Group
@@ -21,7 +22,6 @@ from edesign.report.assessment.measure_tables import DIFFERENCE, statistics_tabl
 from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.verdict_tables import verdicts_tables
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
-from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER, fitted, plain, print_tables
 
 LONG = "ImperialValley1979_H-CHI012"  # as long as names of recordings become
@@ -109,10 +109,10 @@ def test_no_cut_parts_a_difference_from_its_variant(width: int) -> None:
 
 def test_a_path_that_is_longer_than_a_line_is_broken_inside_of_a_cell_only() -> None:
     name = "a" * 90
-    (part_of,) = fitted(Table("T", ("file", "n"), [[name, "1"]]), 60)
+    (part_of,) = fitted(plain_table("T", ("file", "n"), [[name, "1"]]), 60)
     assert max(map(len, plain(part_of).splitlines())) <= 60
     assert "".join(row[0] for row in part_of.rows) == name
-    heading = Table("T", (), [["archive", name]], left=2)  # to be copied
+    heading = plain_table("T", (), [["archive", name]], keys=2)  # to be copied
     assert name in plain(fitted(heading, 60)[0])
 
 

@@ -27,7 +27,7 @@ from edesign.report.substructure.curves import TOLERANCE, _fewer, window
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, undetermined_table
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import other_methods
-from edesign.report.tables.table import number
+from edesign.report.tables.number import significant
 from edesign.report.tables.text import print_tables
 from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.run import run_tests
@@ -243,7 +243,7 @@ def test_other_methods_have_a_section_and_a_rig_without_specimen_no_loops(tmp_pa
     assert ", 100 % of the force" in captions["force_pushed"]
     error = 100.0 * float(slow.variables["response_error"].values)
     (row,) = (row for row in methods.texts if row[0] == "slow")
-    assert row[2:] == ["response error, rms [%]", number(error, 3), "good" if error <= 5.0 else "too wrong"]
+    assert row[2:] == ["response error, rms [%]", significant(error, 3), "good" if error <= 5.0 else "too wrong"]
     stream = io.StringIO()
     print_tables([methods], stream)
     assert max(map(len, stream.getvalue().splitlines())) <= 80

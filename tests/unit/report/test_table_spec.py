@@ -15,7 +15,7 @@ from edesign.report.export.tables_by_name import tables_by_name
 from edesign.report.html.render import alignments, cells
 from edesign.report.tables.cell import Listed, Marked, Quantity, Rounded, Span, Value, Verdict
 from edesign.report.tables.column import bounded, col, count, formula, known, literal, text, verdict
-from edesign.report.tables.spec import MORE, Row, TableSpec
+from edesign.report.tables.table import MORE, Row, TableSpec
 from edesign.report.tables.text import plain
 from edesign.report.tables.unit import KN, MM, ONE, PERCENT, Unit
 

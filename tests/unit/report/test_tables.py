@@ -7,12 +7,14 @@ import re
 
 import numpy as np
 import pytest
+from plain_tables import plain_table
 
 from edesign.archive.dataset import Group, Variable
 from edesign.report.response.analysis_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
-from edesign.report.tables.table import Table, number, seconds
+from edesign.report.tables.column import col
 from edesign.report.tables.text import filled, folded, in_facts, print_tables, printed, told
+from edesign.report.tables.unit import ONE
 
 
 @pytest.mark.parametrize(
@@ -29,19 +31,14 @@ from edesign.report.tables.text import filled, folded, in_facts, print_tables, p
     ],
 )
 def test_numbers_have_four_significant_digits(value: float | None, said: str) -> None:
-    assert number(value, negligible=1e-9) == said
+    assert col("x", ONE, negligible=1e-9).text(value) == said
 
 
-def test_seconds_stand_below_each_other() -> None:
-    assert [seconds(value) for value in (None, 8.9e-05, 0.0569, 12.3456)] == ["-", "0.000", "0.057", "12.346"]
-
-
-WIDE = Table(
+WIDE = plain_table(
     "Peaks",
     ("analysis", "roof u [m]", "base shear [kN]", "status"),
     [["modes", "0.1234", "1234", "completed"], ["el_centro", "0.0001", "-", "failed"]],
     ["* a note"],
-    left=1,
 )
 
 
@@ -63,16 +60,18 @@ def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
 def test_columns_that_tell_rows_apart_are_repeated() -> None:
     """The third cycle of a test and the mean of all have one name."""
     rows = [["sine", "3", "1.2", "8.8"], ["sine", "1-18", "1.2", "8.9"]]
-    parts = folded(printed(Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), rows, left=2)), 28)
+    parts = folded(printed(plain_table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), rows, keys=2)), 28)
     assert [list(part.columns) for part in parts] == [["test", "cycle", "x0 [mm]"], ["test", "cycle", "k' [kN/mm]"]]
     assert [part.left for part in parts] == [2, 2]
-    much = Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), [[10 * "x", *row[1:]] for row in rows], left=2)
+    much = plain_table(
+        "Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), [[10 * "x", *row[1:]] for row in rows], keys=2
+    )
     assert [list(part.columns)[0:2] for part in folded(printed(much), 28)][-1] == ["test", "k' [kN/mm]"]
 
 
 def test_a_column_that_is_wider_than_the_terminal_stands_alone() -> None:
     assert [len(part.columns) for part in folded(printed(WIDE), 10)] == [2, 2, 2]
-    heading = printed(Table("t", (), [["archive", "x" * 100]], left=2))
+    heading = printed(plain_table("t", (), [["archive", "x" * 100]], keys=2))
     assert folded(heading, 10) == [heading]
 
 
@@ -87,7 +86,7 @@ def test_no_table_in_a_pipe_is_wider_than_120_characters() -> None:
     stream = io.StringIO()
     note = "a sentence that is longer than a line of a file, " * 4
     columns = ["storey", *(f"quantity number {i}" for i in range(20))]
-    print_tables([Table("Wide", columns, [[str(i) for i in range(21)]], [note])], stream)
+    print_tables([plain_table("Wide", columns, [[str(i) for i in range(21)]], [note])], stream)
     lines = stream.getvalue().splitlines()
     assert max(map(len, lines)) <= 120
     assert " ".join(lines).count("quantity number") == 20 and " ".join(lines).count("a sentence that is longer") == 4

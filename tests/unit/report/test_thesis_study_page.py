@@ -9,7 +9,7 @@ import pytest
 from edesign.errors import InputError
 from edesign.project.study.reference_loader import load_reference
 from edesign.report.tables.column import count, text
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from tools.thesis_study_page import BLOCK, markdown, replaced
 
 ROOT = Path(__file__).parents[3]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from plain_tables import plain_table
+
 from edesign.archive.dataset import Group
 from edesign.report.html.section import Facts, Folded, Section, Warnings
-from edesign.report.page.words import KEPT, analysis_words, in_words, words_of
-from edesign.report.tables import spec
+from edesign.report.page.words import analysis_words, in_words, words_of
 from edesign.report.tables.table import Table
 
 TABAS = "suite/Tabas1978_FER-L1"
@@ -44,8 +47,8 @@ def test_what_would_become_alike_is_left_as_it_is() -> None:
 def test_every_text_of_a_section_is_said_in_words_but_the_table_of_names() -> None:
     words = words_of({NAME: group("history", "damped", TABAS, "DBE", temperature_C=35.0)}, [TABAS])
     said = "damped at 35 °C, DBE, Tabas 1978 FER-L1"
-    table = Table(f"{NAME}: dampers", ("analysis",), [[NAME]], [f"most in {NAME}."])
-    kept = Table("All", (KEPT,), [[NAME]])
+    table = plain_table(f"{NAME}: dampers", ("analysis",), [[NAME]], [f"most in {NAME}."])
+    kept = replace(plain_table("All", ("name",), [[NAME]]), names_kept=True)
     parts = (
         table,
         kept,
@@ -56,7 +59,7 @@ def test_every_text_of_a_section_is_said_in_words_but_the_table_of_names() -> No
     found = in_words(Section("id", "Title", (f"In {NAME}, {TABAS}.",), parts), words)
     assert found.intro == (f"In {said}, Tabas 1978 FER-L1.",)
     first, second, folded, facts, warnings = found.parts
-    assert isinstance(first, spec.Table) and isinstance(second, spec.Table) and isinstance(folded, Folded)
+    assert isinstance(first, Table) and isinstance(second, Table) and isinstance(folded, Folded)
     assert (first.title, first.texts, first.notes) == (f"{said}: dampers", [[said]], [f"most in {said}."])
     assert second.texts == [[NAME]]
     assert folded.summary == said and folded.text == NAME  # a file to the letter stays
@@ -65,6 +68,6 @@ def test_every_text_of_a_section_is_said_in_words_but_the_table_of_names() -> No
 
 def test_notes_broken_for_a_terminal_are_one_again() -> None:
     long = "Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled and has to"
-    section = Section("id", "T", (), (Table("", ("a",), [["1"]], [long, "stay elastic.", "Another note."]),))
+    section = Section("id", "T", (), (plain_table("", ("a",), [["1"]], [long, "stay elastic.", "Another note."]),))
     (table,) = in_words(section, {}).parts
-    assert isinstance(table, spec.Table) and table.notes == [f"{long} stay elastic.", "Another note."]
+    assert isinstance(table, Table) and table.notes == [f"{long} stay elastic.", "Another note."]

@@ -42,7 +42,7 @@ from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.space.structure.frame import AXES
 
 Parts = Callable[[Source, BuildingResults], Iterable[Part]]

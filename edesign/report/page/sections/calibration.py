@@ -7,7 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from edesign._version import __version__
-from edesign.calibration.results.result import Calibration, Subject
+from edesign.calibration.residual.series import Series
+from edesign.calibration.results.result import Subject
 from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.error_tables import (
     LAW_FILES,
@@ -29,7 +30,10 @@ from edesign.report.calibration.view import View
 from edesign.report.calibration.words import name_of, searched
 from edesign.report.html.section import Facts, Headline, Headlines, Part, Section
 from edesign.report.page.source import drawn
-from edesign.report.tables.table import AnyTable, Table, formatted, number, whole
+from edesign.report.tables.cell import Quantity
+from edesign.report.tables.column import Column, col, count, text
+from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.unit import DEGC, KN, MM, MM_S, ONE, S, Unit
 
 _VERDICTS = {
     "none": ("None", "no effect is missing", "good"),
@@ -48,6 +52,55 @@ _NOISE: dict[Subject, str] = {
     "structure": "of each channel its broadband noise, at least 0.2 % of its rms: steps of records and of the "
     "integration leave so much",
 }
+
+
+def _in_its_unit(value: Callable[[Series], float], digits: int) -> Callable[[Series], Quantity]:
+    """A value of what a series measures, in the unit that stands in a column of its own."""
+
+    def of(series: Series) -> Quantity:
+        scale, unit = scale_of(series)
+        return Quantity(value(series), Unit(unit, scale), digits, beside=True)
+
+    return of
+
+
+def _most(name: str) -> Callable[[Series], float]:
+    return lambda series: float(np.max(np.abs(getattr(series, name))))
+
+
+_OF_ANY_SERIES: tuple[Column[Series], ...] = (
+    text("use"),
+    col("duration", S, lambda series: float(np.ptp(series.time)), 3),
+    count("samples", "time.size"),
+)
+LARGEST_OF_CHANNELS = TableSpec[Series](
+    "largest_values_of_channels",
+    "Largest absolute values",
+    (
+        text("channel", label_of),
+        *_OF_ANY_SERIES,
+        col("largest", ONE, _in_its_unit(_most("measured"), 3)),
+        col("noise", ONE, _in_its_unit(lambda series: series.noise, 2)),
+        text("unit", lambda series: scale_of(series)[1]),
+    ),
+    keys=2,
+    named_as="largest_values",
+)
+LARGEST_OF_TESTS = TableSpec[Series](
+    "largest_values_of_tests",
+    "Largest absolute values",
+    (
+        text("test", label_of),
+        *_OF_ANY_SERIES,
+        col("displacement", MM, _most("displacement"), 3),
+        col("velocity", MM_S, _most("velocity"), 3),
+        col("force", KN, _most("measured"), 3),
+        col("temperature", DEGC, lambda series: float(np.mean(series.temperature)), form=".1f"),
+        col("noise of the force", KN, "noise", 3),
+    ),
+    keys=2,
+    named_as="largest_values",
+)
 
 
 def verdict(view: View) -> Section:
@@ -129,8 +182,9 @@ def residuals(view: View) -> Section:
 
 def campaign(view: View) -> Section:
     """Return what was measured, and the error of each test."""
-    tables: tuple[AnyTable, ...] = (
-        (_channels_table if view.calibration.subject == "structure" else _tests_table)(view.calibration),
+    largest = LARGEST_OF_CHANNELS if view.calibration.subject == "structure" else LARGEST_OF_TESTS
+    tables: tuple[Table, ...] = (
+        largest.of(view.calibration.series),
         each_test_table(view.calibration),
         starts_table(view.calibration),
     )
@@ -174,35 +228,6 @@ def provenance(view: View) -> Section:
         ),
     )
     return Section("provenance", "Provenance and definitions", (), (Facts(rows),))
-
-
-def _channels_table(found: Calibration) -> Table:
-    """Largest values and noise of each channel."""
-    columns = ("channel", "use", "duration [s]", "samples", "largest", "noise", "unit")
-    table = Table("Largest absolute values", columns, left=2, name="largest_values")
-    for one in found.series:
-        scale, unit = scale_of(one)
-        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), whole(one.time.size)]
-        largest = float(np.max(np.abs(one.measured)))
-        table.rows.append([*row, number(largest, 3, scale), number(one.noise, 2, scale), unit])
-    return table
-
-
-def _tests_table(found: Calibration) -> Table:
-    """Range and noise of each test."""
-    columns = ("test", "use", "duration [s]", "samples", "displacement [mm]", "velocity [mm/s]", "force [kN]")
-    table = Table(
-        "Largest absolute values",
-        (*columns, "temperature [degC]", "noise of the force [kN]"),
-        left=2,
-        name="largest_values",
-    )
-    for one in found.series:
-        largest = [float(np.max(np.abs(values))) for values in (one.displacement, one.velocity, one.measured)]
-        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), whole(one.time.size)]
-        row += [number(value, 3, scale) for value, scale in zip(largest, (1e-3, 1e-3, 1e3), strict=True)]
-        table.rows.append([*row, formatted(float(np.mean(one.temperature)), ".1f"), number(one.noise, 3, 1e3)])
-    return table
 
 
 def _pictures(view: View, *makers: Figures) -> tuple[Part, ...]:

@@ -15,10 +15,9 @@ from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.inputs.variants_table import variants_table
 from edesign.report.page.project_facts import project_rows
 from edesign.report.page.source import Source
-from edesign.report.page.words import KEPT
 from edesign.report.response.analysis_tables import analyses_table
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 
 NAMES = (
     ("Columns", "C_B_3 stands on line B in storey 3."),
@@ -47,7 +46,7 @@ def inputs(source: Source) -> Section:
     if source.frames is not None and source.entries:
         parts += _of_frames(source, source.frames)
     if source.entries:
-        table = replace(analyses_table(source.entries, KEPT), names_kept=True)
+        table = replace(analyses_table(source.entries, "name of the analysis"), names_kept=True)
         parts.append(Folded(f"All {len(source.entries)} analyses", (table,)))
     for name, what in (("study_text", "The study file"), ("project_text", "The project file")):
         text = source.text(name)

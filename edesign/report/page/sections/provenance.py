@@ -10,7 +10,7 @@ from edesign.report.html.section import Facts, Folded, Part, Section, Warnings
 from edesign.report.page.source import Source
 from edesign.report.response.analysis_tables import fallbacks_table, statistics_table
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import TableSpec
+from edesign.report.tables.table import TableSpec
 
 ROOT = (
     ("edesign", "edesign_version"),

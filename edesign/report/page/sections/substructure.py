@@ -32,7 +32,7 @@ from edesign.report.substructure.results import NONE, SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
 from edesign.report.substructure.tables import Run, substructure_tables
 from edesign.report.substructure.tracking_figures import synchronisation_figures, tracking_figures
-from edesign.report.tables.spec import Table
+from edesign.report.tables.table import Table
 from edesign.substructure.archived import INDICATORS
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from edesign.report.page.source import Source
 from edesign.report.tables.cell import Quantity, Value
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.number import significant
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import MRAD, PERCENT, Unit
 
 Measured = tuple[HistorySet, dict[str, Statistics]]

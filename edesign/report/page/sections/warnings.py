@@ -11,7 +11,7 @@ from edesign.report.archive_view import design_warnings, input_warnings
 from edesign.report.html.section import Facts, Section
 from edesign.report.page.source import Source
 from edesign.report.tables.column import text
-from edesign.report.tables.spec import Table, TableSpec
+from edesign.report.tables.table import Table, TableSpec
 from edesign.study.results.kinds import RECORDS
 from edesign.study.results.warnings import grouped_warnings
 
