@@ -10,6 +10,7 @@ import unicodedata
 from pathlib import Path
 
 import pytest
+from support.plain_tables import plain_table
 from unit.assess.known_history import known_history
 
 from edesign.archive.dataset import Group
@@ -17,7 +18,6 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.cli.shared.progress import listener
 from edesign.cli.shared.streams import visible_streams
-from edesign.report.tables.table import Table
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.visible import visible, visible_line
 from edesign.study.run.progress import Progress
@@ -129,7 +129,7 @@ def test_a_stream_of_ascii_takes_all_texts(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(raw, encoding="ascii", newline="\n"))
     with visible_streams():
         print(json.dumps("m² 😀 \x9b", ensure_ascii=False), flush=True)
-        print_tables([Table("中", ("m²",), [["1"]])])
+        print_tables([plain_table("中", ("m²",), [["1"]])])
         sys.stdout.flush()
         assert not hasattr(sys.stdout, "buffer")  # by which bytes would pass
     lines = raw.getvalue().decode("ascii").splitlines()
