@@ -41,7 +41,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts laboratories setup test slow test-setup lint types layers ctest pytest format docs docs-keys law-parameters bench memcheck wheel coverage clean distclean
+.PHONY: help run study causes blind blind-rts laboratories setup test slow test-setup lint types layers ctest pytest format docs docs-keys messages law-parameters bench memcheck wheel coverage clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -64,6 +64,7 @@ help:
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
 	@echo "make docs-keys write docs/reference/keys and the tables of docs/reference/effects, out of the models"
+	@echo "make messages  write tests/unit/messages/sentences.txt: every message that has a code, after one has changed"
 	@echo "make law-parameters  write the parameters of damper laws and amendments for the core, out of edesign/damper"
 	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
@@ -227,6 +228,9 @@ law-parameters: setup
 docs-keys: setup
 	@$(PY) -m tools.docs_keys
 	@$(PY) -m tools.effect_pages
+
+messages: setup
+	@$(PY) -m tools.messages --write
 
 # The theme tells at each build of its successor: we know (pyproject.toml). With --quiet warnings would not count.
 docs: $(STAMPS)/docs

@@ -63,7 +63,7 @@ def without_repeats(body: Body, names: Callable[[str], bool]) -> Body:
             raise InputError(
                 f"{body.text.path}:{body.numbers[i]}: another table begins here, with other headers than in line "
                 f"{body.form.header_line}; `table: {{skip: {body.numbers[i] - 1}}}` reads it alone, and the one above "
-                "needs a file of its own"
+                "needs a file of its own [E-TABLE-06]"
             )
         if row[0] not in titles:
             kept.append(i)

@@ -70,12 +70,16 @@ def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str,
             found[quantity] = factor * table.rows[:, i] + zero
         if (beyond := np.flatnonzero(~np.isfinite(found[quantity]))).size:
             row = int(beyond[0])
-            raise InputError(f"{table.where(i, row)}: {table.rows[row, i]:g} is beyond all numbers in SI units")
+            raise InputError(
+                f"{table.where(i, row)}: {table.rows[row, i]:g} is beyond all numbers in SI units [E-TABLE-08]"
+            )
         if quantity in chosen.reversed:
             found[quantity] = -found[quantity]
     for quantity in (*chosen.units, *chosen.reversed):
         if quantity not in found:
-            raise InputError(f"{table.where()}: the unit or sign of {quantity} is said, but there is no column of it")
+            raise InputError(
+                f"{table.where()}: the unit or sign of {quantity} is said, but there is no column of it [E-TABLE-10]"
+            )
     return found, [header for i, header in enumerate(table.headers) if i not in places.values()]
 
 
@@ -120,7 +124,7 @@ def need(table: Table, columns: Mapping[str, np.ndarray], *quantities: str) -> N
             example = f"{quantity}_{next(iter(QUANTITIES[quantity]))}"
             raise InputError(
                 f"{table.where()}: there is no column of {quantity}, such as `{example}` "
-                f"(the columns are: {', '.join(table.headers)})"
+                f"(the columns are: {', '.join(table.headers)}) [E-TABLE-10]"
             )
 
 
@@ -137,12 +141,13 @@ def _found(table: Table) -> dict[str, int]:
             raise InputError(
                 f"{table.where(i)}: the column is unknown; did you mean `{meant}`? (allowed: "
                 f"{', '.join(QUANTITIES)}, with their unit: `force_kN`); or say by `columns` which ones are read"
+                " [E-TABLE-11]"
             )
     for quantity, (first, *others) in found.items():
         if others:
             raise InputError(
                 f"{table.where(others[0])}: column {first + 1} (`{table.headers[first]}`) may be the {quantity} too; "
-                f"say which one by `columns`, such as `columns: {{{say}}}`"
+                f"say which one by `columns`, such as `columns: {{{say}}}` [E-TABLE-11]"
             )
     return {quantity: places[0] for quantity, places in found.items()}
 
@@ -155,17 +160,18 @@ def _said(table: Table, columns: Mapping[str, int | str]) -> dict[str, int]:
         if isinstance(wanted, int) and not where:
             raise InputError(
                 f"{table.where()}: there is no column {wanted} ({quantity}); the columns are numbered 1 to "
-                f"{len(table.headers)}"
+                f"{len(table.headers)} [E-TABLE-10]"
             )
         if len(where) != 1:
             hint = did_you_mean(str(wanted), table.headers)
             said = f"there are {len(where)} columns" if where else "there is no column"
             raise InputError(
                 f"{table.where()}: {said} `{wanted}` ({quantity}){hint} (the columns are: {', '.join(table.headers)})"
+                " [E-TABLE-10]"
             )
         at = where[0]
         if at in places.values():
-            raise InputError(f"{table.where(at)}: the column cannot be two quantities")
+            raise InputError(f"{table.where(at)}: the column cannot be two quantities [E-TABLE-11]")
         places[quantity] = at
     return places
 
@@ -187,7 +193,7 @@ def _said_unit(table: Table, i: int, quantity: str, unit: str) -> tuple[float, f
     if factor is None:
         raise InputError(
             f"{table.where(i)}: `{unit}` is no unit of {quantity} (allowed: {', '.join(units)}, also with a number: "
-            f"`{next(iter(units))}/10`)"
+            f"`{next(iter(units))}/10`) [E-TABLE-12]"
         )
     return factor, 0.0
 
@@ -201,7 +207,9 @@ def _factors(table: Table, i: int, name: str) -> tuple[float, float]:
     if unit is None and i in table.clocks:
         return 1.0, 0.0
     if unit is None:
-        raise InputError(f"{table.where(i)}: the unit is missing; write {_listed(name)}, or say it by `units`")
+        raise InputError(
+            f"{table.where(i)}: the unit is missing; write {_listed(name)}, or say it by `units` [E-TABLE-12]"
+        )
     plain = spelled(unit)
     if plain in units:
         return units[plain]

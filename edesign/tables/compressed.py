@@ -45,7 +45,7 @@ def _decompressed(path: Path) -> bytes:
         with gzip.GzipFile(fileobj=io.BytesIO(data)) as file:  # a file in several parts tells the size of the last one
             text = read_up_to(file, TABLE_BYTES)
     except (OSError, EOFError, zlib.error):
-        raise InputError(f"{path}: this is no compressed file (gzip)") from None
+        raise InputError(f"{path}: this is no compressed file (gzip) [E-TABLE-02]") from None
     if len(text) > TABLE_BYTES:
         raise too_large(path, WHAT, len(text), TABLE_BYTES)
     return text

@@ -233,7 +233,7 @@ def decimal_of(
         at = text.numbers[text.lines.index(line)] if line in text.lines else first
         raise InputError(
             f"{text.path}:{at}, column {column + 1}: `{row[column][:40]}` has a point where commas stand before "
-            "decimals; export the table without signs between thousands"
+            "decimals; export the table without signs between thousands [E-TABLE-09]"
         )
     if given is not None:
         return given
@@ -248,6 +248,6 @@ def decimal_of(
         raise InputError(
             f"{text.path}:{first}: is `{commas[0]}` {commas[0].replace(',', '.')} or {commas[0].replace(',', '')}? "
             "every comma of the table has three digits behind it; write `table: {decimal: comma}` if commas stand "
-            "before decimals; if they part thousands, export the table without them"
+            "before decimals; if they part thousands, export the table without them [E-TABLE-09]"
         )
     return "comma"

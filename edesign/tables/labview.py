@@ -55,7 +55,9 @@ def plain_table(text: TableText) -> TableText:
             sign = "," if cells[1:2] == ["Comma"] else "\t"
         elif cells[0] == _TIME:
             if names and cells != names:
-                raise InputError(f"{text.path}:{number}: other channels than in line {header_line}; write them apart")
+                raise InputError(
+                    f"{text.path}:{number}: other channels than in line {header_line}; write them apart [E-TABLE-06]"
+                )
             names, header_line = cells, header_line or number
             in_header, in_section = False, len(rows)
         elif in_header or not (cells[0] == "" or is_number(cells[0].replace(",", "."))):
@@ -65,7 +67,9 @@ def plain_table(text: TableText) -> TableText:
             rows.append(_row(cells, names, keys, len(rows) - in_section))
             numbers.append(number)
     if not rows:
-        raise InputError(f"{text.path}:{text.last}: the LabVIEW measurement has no rows below a line `{_TIME}`")
+        raise InputError(
+            f"{text.path}:{text.last}: the LabVIEW measurement has no rows below a line `{_TIME}` [E-TABLE-04]"
+        )
     kept = _kept(text, names, rows, numbers)
     headers = [_header(names, keys, i) for i in kept]
     lines = ["\t".join(row[i] if i < len(row) else "" for i in kept) for row in rows]
@@ -105,7 +109,7 @@ def _kept(text: TableText, names: list[str], rows: list[list[str]], numbers: lis
             if other is not None:
                 raise InputError(
                     f"{text.path}:{numbers[other]}: column {i + 1} has times of its own (`X_Columns` is `Multi`); "
-                    "write the channels with one column of times"
+                    "write the channels with one column of times [E-TABLE-13]"
                 )
     return [
         i

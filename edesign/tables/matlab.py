@@ -58,27 +58,29 @@ def read_signals(path: Path, content: bytes) -> tuple[list[str], np.ndarray]:
     try:
         variables = loadmat(BytesIO(content), struct_as_record=False, squeeze_me=True)
     except Exception as error:  # scipy raises whatever its parser meets
-        raise InputError(f"{path}: the MATLAB file is damaged: {error}") from None
+        raise InputError(f"{path}: the MATLAB file is damaged: {error} [E-TABLE-02]") from None
     found = {name: value for name, value in variables.items() if not name.startswith("__")}
     captures = {name: value for name, value in found.items() if hasattr(value, "X") and hasattr(value, "Y")}
     if len(captures) != 1:
         said = f"{len(captures)} captures of dSPACE" if captures else "no capture of dSPACE, a structure with X and Y"
         raise InputError(
             f"{path}: the MATLAB file holds {said} (it has: {', '.join(found) or 'nothing'}); write one as CSV, in "
-            "MATLAB by `writetable`"
+            "MATLAB by `writetable` [E-TABLE-14]"
         )
     ((name, capture),) = captures.items()
     axes = [_numbers(path, f"{name}.X({i})", one) for i, one in enumerate(np.atleast_1d(capture.X), 1)]
     signals = np.atleast_1d(capture.Y)
     if any(not np.array_equal(axes[0], axis) for axis in axes[1:]):
-        raise InputError(f"{path}: {name} has {len(axes)} columns of times that differ; export signals of one raster")
+        raise InputError(
+            f"{path}: {name} has {len(axes)} columns of times that differ; export signals of one raster [E-TABLE-13]"
+        )
     headers, columns = ["time (s)"], [axes[0]]
     for i, signal in enumerate(signals, 1):
         values = _numbers(path, f"{name}.Y({i})", signal)
         if values.shape != axes[0].shape:
             raise InputError(
                 f"{path}: {name}.Y({i}) has {values.size} samples, and the times {axes[0].size}; export signals of one "
-                "raster"
+                "raster [E-TABLE-13]"
             )
         headers.append(_header(signal, i))
         columns.append(values)
@@ -105,7 +107,7 @@ def _check_size(path: Path, content: bytes) -> None:
 def _numbers(path: Path, what: str, thing: Any) -> np.ndarray:
     data = np.atleast_1d(np.asarray(getattr(thing, "Data", np.nan)))
     if data.ndim != 1 or data.dtype.kind not in "iufb" or not np.isfinite(data).all():
-        raise InputError(f"{path}: {what}.Data is no series of finite numbers")
+        raise InputError(f"{path}: {what}.Data is no series of finite numbers [E-TABLE-13]")
     return data.astype(float)
 
 

@@ -92,7 +92,9 @@ def _row(
         hint = ""
         if delimiter == "comma" and len(found) > len(headers):
             hint = "; if these are decimal commas, write points, or semicolons between the columns"
-        raise InputError(f"{path}:{line}: {len(found)} cells; the headers name {len(headers)} columns{hint}")
+        raise InputError(
+            f"{path}:{line}: {len(found)} cells; the headers name {len(headers)} columns{hint} [E-TABLE-07]"
+        )
     values = []
     for i, (header, cell) in enumerate(zip(headers, found, strict=True), 1):
         if i - 1 not in read and not is_number(cell):
@@ -102,13 +104,13 @@ def _row(
             cell = cell.replace(",", "")
         place = f"{path}:{line}, column {i} (`{header}`)"
         if not cell:
-            raise InputError(f"{place}: the cell is empty")
+            raise InputError(f"{place}: the cell is empty [E-TABLE-08]")
         if not is_number(cell):
             hint = "; decimals stand behind a point, not a comma" if "," in cell else ""
             if ":" in cell:
                 hint = "; clock times stand as 13:05:07.250, a date before them as 2024-05-01 or 01.05.2024"
-            raise InputError(f"{place}: `{cell[:40]}` is not a number{hint}")
+            raise InputError(f"{place}: `{cell[:40]}` is not a number{hint} [E-TABLE-08]")
         if not np.isfinite(float(cell)):
-            raise InputError(f"{place}: `{cell[:40]}` is not a finite number")
+            raise InputError(f"{place}: `{cell[:40]}` is not a finite number [E-TABLE-08]")
         values.append(float(cell))
     return values

@@ -99,7 +99,7 @@ def read_table(
         return _of_signals(path, data, given)
     text = table_text(path, what, given, content=data)
     if not text.lines:
-        raise InputError(f"{path}: the {what} is empty; its first line is like `{example}`")
+        raise InputError(f"{path}: the {what} is empty; its first line is like `{example}` [E-TABLE-04]")
     if labview.is_labview(text.lines):
         text = labview.plain_table(text)
     body = (
@@ -109,13 +109,13 @@ def read_table(
     )
     body = without_repeats(body, names) if names is not None else body
     if not body.lines:
-        raise InputError(f"{path}:{body.form.header_line}: there is no row below the headers")
+        raise InputError(f"{path}:{body.form.header_line}: there is no row below the headers [E-TABLE-04]")
     body = without_empty_columns(body)
     headers, delimiter, first = body.headers, body.form.delimiter, body.numbers[0]
     if "" in headers:
         raise InputError(
             f"{path}:{body.form.header_line}: column {headers.index('') + 1} has no header "
-            f"(a `{SIGNS[delimiter]}` too many?)"
+            f"(a `{SIGNS[delimiter]}` too many?) [E-TABLE-05]"
         )
     lines = body.lines
     if delimiter != "comma":
@@ -125,7 +125,9 @@ def read_table(
         if decimal == "comma":
             lines = [line.replace(",", ".") for line in lines]
     elif given and given.decimal == "comma":
-        raise InputError(f"{path}:{first}: decimal commas and commas between the columns cannot be told apart")
+        raise InputError(
+            f"{path}:{first}: decimal commas and commas between the columns cannot be told apart [E-TABLE-09]"
+        )
     lines, clocks = clocks_in_seconds(path, lines, body.numbers, delimiter)
     rows = rows_of_numbers(
         path, headers, body.numbers, lines, delimiter, range(len(headers)) if read is None else read(headers)
@@ -137,7 +139,9 @@ def read_table(
 def _of_signals(path: Path, content: bytes, given: TableFormat | None) -> Table:
     """The signals of a MATLAB file of dSPACE; its rows are numbered as its samples are."""
     if given is not None and given.model_fields_set:
-        raise InputError(f"{path}: this is a MATLAB file, and `table` says how a text stands; leave the key out")
+        raise InputError(
+            f"{path}: this is a MATLAB file, and `table` says how a text stands; leave the key out [E-TABLE-15]"
+        )
     headers, rows = matlab.read_signals(path, content)
     form = Form("utf-8", 1, None, 1, "comma", mark=matlab.MARK, says_itself=True, file="MATLAB 5")
     return Table(path, 1, tuple(headers), rows, np.arange(1, len(rows) + 1), form)
@@ -159,24 +163,24 @@ def _below_headers(
     path, numbers, lines = text.path, text.numbers, text.lines
     top, delimiter = _top(lines, names, given)
     if top and not _below_preamble(lines[:top], delimiter):
-        raise InputError(f"{path}:{numbers[0]}: numbers stand above the headers in line {numbers[top]}")
+        raise InputError(f"{path}:{numbers[0]}: numbers stand above the headers in line {numbers[top]} [E-TABLE-05]")
     rest = lines[top + 1 :]
     width = next((len(row) for row in map(str.split, rest) if all(map(like_number, row))), None)
     headers = header_cells(lines[top], delimiter, width)
     if len(headers) == 1 and len(headers[0].split()) > 2:
         raise InputError(
-            f"{path}:{numbers[top]}: there is one column; commas, semicolons or tabs stand between columns"
+            f"{path}:{numbers[top]}: there is one column; commas, semicolons or tabs stand between columns [E-TABLE-05]"
         )
     known = 0 if names is None else sum(map(names, headers))
     if any(map(is_number, headers)) and known < 2:  # transducers may be called by their numbers, beside known names
-        raise InputError(f"{path}:{numbers[top]}: headers are missing; the first line is like `{example}`")
+        raise InputError(f"{path}:{numbers[top]}: headers are missing; the first line is like `{example}` [E-TABLE-05]")
     units_line = None
     below = header_cells(rest[0], delimiter, len(headers)) if rest else []
     said = given.units_row if given else None
     if said and rest and len(below) != len(headers):
         raise InputError(
             f"{path}:{numbers[top + 1]}: a line of {len(headers)} units is needed here, as `units_row` says; it has "
-            f"{len(below)} cells"
+            f"{len(below)} cells [E-TABLE-05]"
         )
     if said or said is None and names is not None and are_units(below, len(headers)):
         units_line = numbers[top + 1] if rest else None

@@ -117,9 +117,13 @@ def lines_of(path: Path, text: str) -> list[str]:
         text = _PAGE_END.sub("", text).replace("\f", "\n")
     text = text.replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
     if text.count("\n") > TABLE_LINES:
-        raise InputError(f"{path}:{TABLE_LINES + 1}: more lines than the {TABLE_LINES} that are read: {TABLE_ADVICE}")
+        raise InputError(
+            f"{path}:{TABLE_LINES + 1}: more lines than the {TABLE_LINES} that are read: {TABLE_ADVICE} [E-TABLE-03]"
+        )
     if (count := max(map(text.count, ",;\t"))) > TABLE_CELLS:
-        raise InputError(f"{path}: the table has {count} cells; at most {TABLE_CELLS} are read: {TABLE_ADVICE}")
+        raise InputError(
+            f"{path}: the table has {count} cells; at most {TABLE_CELLS} are read: {TABLE_ADVICE} [E-TABLE-03]"
+        )
     if any(sign in text for sign in ("D+", "D-", "d+", "d-")):
         text = _D_EXPONENT.sub(r"\1E\2", text)
     lines = text.split("\n")
@@ -133,13 +137,13 @@ def _check_line(where: str, line: str) -> None:
     if len(line) > LINE_CHARACTERS:
         raise InputError(
             f"{where}: the line has {len(line)} characters; at most {LINE_CHARACTERS} are read: is this a table of "
-            "numbers?"
+            "numbers? [E-TABLE-03]"
         )
     width = max(len(line.split()), *(1 + line.count(sign) for sign in ",;\t"))
     if width > TABLE_COLUMNS:
         raise InputError(
             f"{where}: the line has {width} cells; at most {TABLE_COLUMNS} are read: write samples below each other, "
-            "or export less channels"
+            "or export less channels [E-TABLE-03]"
         )
 
 
@@ -160,7 +164,7 @@ def decoded(path: Path, data: bytes, given: Encoding | None = None) -> tuple[Enc
     encoding = given or encoding_of(data)
     if encoding is None:
         seen = describe_binary(data) or "a text file in UTF-8 or UTF-16 is expected"
-        raise InputError(f"{path}: this is not a text file; {seen}")
+        raise InputError(f"{path}: this is not a text file; {seen} [E-TABLE-01]")
     codec = _CODECS[encoding]
     if encoding == "utf-16" and not data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         codec = "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"
@@ -169,9 +173,9 @@ def decoded(path: Path, data: bytes, given: Encoding | None = None) -> tuple[Enc
     except UnicodeDecodeError as error:
         line = len(_LINE_END.findall(data[: error.start].decode(codec, errors="replace"))) + 1
         how = "as `encoding` says" if given else "as its beginning has it; is the file cut off or damaged?"
-        raise InputError(f"{path}:{line}: this is no text in {encoding}, {how}") from None
+        raise InputError(f"{path}:{line}: this is no text in {encoding}, {how} [E-TABLE-01]") from None
     if "\0" in text:
-        raise InputError(f"{path}: this is not a text file in {encoding}")
+        raise InputError(f"{path}: this is not a text file in {encoding} [E-TABLE-01]")
     return encoding, text
 
 
@@ -232,10 +236,10 @@ def number(word: str, path: Path, line: int, what: str = "an acceleration") -> f
         InputError: `word` is none; the message names file, line (from 1) and what was expected.
     """
     if not is_number(word):
-        raise InputError(f"{path}:{line}: `{word[:40]}` is not a number; {what} is expected here")
+        raise InputError(f"{path}:{line}: `{word[:40]}` is not a number; {what} is expected here [E-TABLE-08]")
     value = float(word)
     if not math.isfinite(value):
-        raise InputError(f"{path}:{line}: `{word[:40]}` is not a finite number; {what} is expected here")
+        raise InputError(f"{path}:{line}: `{word[:40]}` is not a finite number; {what} is expected here [E-TABLE-08]")
     return value
 
 
@@ -262,7 +266,9 @@ def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> l
     for cell, line in zip(cells, numbers, strict=True):
         match = _CLOCK.fullmatch(cell.strip())
         if match is None:
-            raise InputError(f"{path}:{line}: `{cell[:40]}` is no clock time, as `{cells[0].strip()}` in the first row")
+            raise InputError(
+                f"{path}:{line}: `{cell[:40]}` is no clock time, as `{cells[0].strip()}` in the first row [E-TABLE-16]"
+            )
         day = 0
         try:
             if match["year"]:
@@ -270,10 +276,12 @@ def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> l
             elif match["year_last"]:  # with points the day stands first in every country that writes so
                 day = date(int(match["year_last"]), int(match["month_second"]), int(match["day_first"])).toordinal()
         except ValueError:
-            raise InputError(f"{path}:{line}: `{cell[:40]}`: there is no such day") from None
+            raise InputError(f"{path}:{line}: `{cell[:40]}`: there is no such day [E-TABLE-16]") from None
         first_day = day if first_day is None else first_day
         if (day == 0) != (first_day == 0):
-            raise InputError(f"{path}:{line}: `{cell[:40]}`: some clock times have a date, and others none")
+            raise InputError(
+                f"{path}:{line}: `{cell[:40]}`: some clock times have a date, and others none [E-TABLE-16]"
+            )
         of_day = 3600.0 * int(match["hour"]) + 60.0 * int(match["minute"]) + float(match["second"].replace(",", "."))
         since_first = _DAY * (day - first_day + midnights) + of_day
         if day == 0 and seconds and -_DAY < since_first - seconds[-1] < -_DAY / 2.0:

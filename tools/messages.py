@@ -1,0 +1,141 @@
+"""List the messages of errors with their codes, from the source.
+
+Every sentence that refuses an input or explains a failure ends with a code in brackets, such as `[E-TABLE-07]`. A code
+names a mistake and its remedy, both listed in docs/reference/messages.md; sentences with one remedy share a code.
+
+    python tools/messages.py                 the sentences by code, as in tests/unit/messages/sentences.txt
+    python tools/messages.py --write         write that file anew
+    python tools/messages.py --uncoded PATH  sentences below a path that have no code yet
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SENTENCES = ROOT / "tests" / "unit" / "messages" / "sentences.txt"
+CODE = re.compile(r"\[(E-[A-Z0-9]+-\d\d)\]")
+
+ERRORS = {"InputError", "AnalysisError", "ArchiveError", "CampaignError", "SuiteError", "NoSuchMaterial"}
+ERRORS |= {"NotTranslated", "DamagedArchive", "RefusedClient", "RefusedMotion", "SessionError", "RtsFileError"}
+"""Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
+METHODS = {"refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
+"""Functions that take the sentence of a problem."""
+WORDS = re.compile(r"[A-Za-z]{2,}[^A-Za-z{}]+[A-Za-z]{2,}")
+
+
+def text_of(node: ast.expr) -> str:
+    """Return a string expression as a template: its literal parts, and `{...}` for its values."""
+    if isinstance(node, ast.Constant):
+        return node.value if isinstance(node.value, str) else ""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(text_of(part) for part in node.values)
+    if isinstance(node, ast.FormattedValue):
+        return f"{{{ast.unparse(node.value)}}}"
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        return text_of(node.left) + text_of(node.right)
+    return f"{{{ast.unparse(node)}}}"
+
+
+def is_text(node: ast.AST) -> bool:
+    """Return whether an expression is a string that is written here, at least in part."""
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, str)
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        return is_text(node.left) or is_text(node.right)
+    return isinstance(node, ast.JoinedStr)
+
+
+def sentences(package: Path) -> list[tuple[str, str]]:
+    """Return code and template of each sentence below a folder, sorted, each once."""
+    found: set[tuple[str, str]] = set()
+    for path in package.rglob("*.py"):
+        for node in _outermost(ast.parse(path.read_text(encoding="utf-8"))):
+            text = text_of(node)
+            found |= {(code, text.replace("\n", "\\n")) for code in CODE.findall(text)}
+    return sorted(found)
+
+
+def _outermost(node: ast.AST) -> Iterator[ast.expr]:
+    """The string expressions below a node, not the parts of them; docstrings are not among them."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Expr) and isinstance(child.value, ast.Constant):
+            continue
+        if isinstance(child, ast.expr) and is_text(child):
+            yield child
+        else:
+            yield from _outermost(child)
+
+
+def uncoded(path: Path) -> list[ast.expr]:
+    """Return the string expressions of a file that a user reads as a message, and that have no code.
+
+    A sentence may be given to an error or to a collector of problems, or stand in a variable, a constant or the return
+    of a function of the file that is given to one. A text without two words, such as a place before the message of
+    another error, needs no code.
+    """
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    functions = {node.name: node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+    found: dict[int, ast.expr] = {}
+    for scope in ast.walk(tree):
+        if isinstance(scope, (ast.FunctionDef, ast.Module)):
+            for call in _calls(scope):
+                for argument in [*call.args, *(keyword.value for keyword in call.keywords)]:
+                    found |= {id(one): one for one in _sources(argument, scope, tree, functions)}
+    return sorted(found.values(), key=lambda node: (node.lineno, node.col_offset))
+
+
+def _calls(scope: ast.AST) -> Iterator[ast.Call]:
+    for node in ast.walk(scope):
+        if isinstance(node, ast.Call):
+            name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+            if name in ERRORS or name in METHODS:
+                yield node
+
+
+def _sources(
+    node: ast.expr, scope: ast.AST, tree: ast.Module, functions: dict[str, ast.FunctionDef], deep: bool = True
+) -> Iterator[ast.expr]:
+    """The strings without a code that an argument may be."""
+    if is_text(node):
+        if WORDS.search(re.sub(r"\{[^{}]*\}", "{}", text_of(node))) and not CODE.search(text_of(node)):
+            yield node
+    elif isinstance(node, ast.IfExp):
+        yield from _sources(node.body, scope, tree, functions, deep)
+        yield from _sources(node.orelse, scope, tree, functions, deep)
+    elif isinstance(node, ast.Name) and deep:
+        for place in (scope, tree):
+            for one in ast.walk(place) if place is scope else tree.body:
+                if isinstance(one, ast.Assign) and any(getattr(target, "id", "") == node.id for target in one.targets):
+                    yield from _sources(one.value, scope, tree, functions, False)
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions and deep:
+        for one in ast.walk(functions[node.func.id]):
+            if isinstance(one, ast.Return) and one.value is not None:
+                yield from _sources(one.value, functions[node.func.id], tree, functions, False)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--uncoded", type=Path, metavar="PATH")
+    given = parser.parse_args()
+    if given.uncoded:
+        for path in sorted(given.uncoded.rglob("*.py")) if given.uncoded.is_dir() else [given.uncoded]:
+            for node in uncoded(path):
+                print(f"{path}:{node.lineno}:{node.col_offset}\t{text_of(node)!r}")
+        return 0
+    text = "".join(f"{code}  {sentence}\n" for code, sentence in sentences(ROOT / "edesign"))
+    if given.write:
+        SENTENCES.write_text(text, encoding="utf-8")
+    else:
+        sys.stdout.write(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
