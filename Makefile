@@ -41,7 +41,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts laboratories setup test slow test-setup lint types layers ctest pytest format docs docs-keys messages law-parameters bench memcheck wheel coverage clean distclean
+.PHONY: help run study causes blind blind-rts laboratories setup test slow test-setup lint types layers ctest pytest format docs docs-keys messages law-parameters bench memcheck wheel tag coverage clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -58,6 +58,7 @@ help:
 	@echo "make docs      the documentation as a site that opens without a server: build/site/index.html"
 	@echo "make memcheck  C tests under valgrind, then random calls of the core under sanitizers"
 	@echo "make wheel     a source distribution and a wheel with SuiteSparse and SUNDIALS inside, in dist; what is in it"
+	@echo "make tag       the tag of the version, if its changelog section has a day and nothing is uncommitted"
 	@echo "make coverage  the Python tests with the lines that they run, of the package; build/coverage"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
@@ -205,6 +206,15 @@ slow: $(STAMPS)/peers $(STAMPS)/wheel
 wheel: $(STAMPS)/wheel
 	$(SAY) building a source distribution and a wheel
 	@$(PY) tools/wheel.py --folder dist
+
+# How a release is made: docs/develop/versioning.md
+tag: VERSION = $(shell sed -n 's/^__version__ = "\(.*\)"/\1/p' edesign/_version.py)
+tag:
+	@[ -z "$$(git status --porcelain)" ] || { echo "edesign: there are changes that are not committed" >&2; exit 1; }
+	@grep -Eq '^## \[$(VERSION)\] - [0-9]{4}-[0-9]{2}-[0-9]{2}$$' CHANGELOG.md || \
+	    { echo "edesign: CHANGELOG.md has no section '## [$(VERSION)] - YEAR-MONTH-DAY'" >&2; exit 1; }
+	@git tag --annotate v$(VERSION) --message "edesign $(VERSION)"
+	$(SAY) v$(VERSION)
 
 # Statements of the package that the Python tests run. Processes that tests start count too.
 coverage: $(STAMPS)/peers
