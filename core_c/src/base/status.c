@@ -29,7 +29,7 @@ const char *ed_status_text(int status)
 
 const char *ed_version(void)
 {
-  return "0.1.0";
+  return "0.2.0";
 }
 
 int ed_library_versions(int size, char *suitesparse, char *sundials)

@@ -39,8 +39,10 @@ def text(name: str) -> str:
 
 def test_the_version_is_the_same_everywhere() -> None:
     assert yaml.safe_load(text("CITATION.cff"))["version"] == edesign.__version__
-    first = re.search(r"^## \[(.+?)\](.*)$", text("CHANGELOG.md"), re.MULTILINE)
-    assert first is not None and edesign.__version__ in first[1] + first[2]
+    assert f'return "{edesign.__version__}";' in text("core_c/src/base/status.c")
+    assert f"edesign-{edesign.__version__}-cp311" in text("docs/index.md")
+    released = re.findall(r"^## \[(\d.+?)\] - \d{4}-\d\d-\d\d$", text("CHANGELOG.md"), re.MULTILINE)
+    assert released[0] == edesign.__version__
 
 
 def test_the_citation_has_what_its_schema_requires() -> None:
