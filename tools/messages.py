@@ -27,6 +27,7 @@ ERRORS |= {"NotTranslated", "DamagedArchive", "RefusedClient", "RefusedMotion", 
 METHODS = {"refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
 """Functions that take the sentence of a problem."""
 WORDS = re.compile(r"[A-Za-z]{2,}[^A-Za-z{}]+[A-Za-z]{2,}")
+NO_WORDS = re.compile(r"\{[^{}]*\}|[A-Za-z]+(?:[._][A-Za-z]+)+")  # values, and names of keys
 
 
 def text_of(node: ast.expr) -> str:
@@ -76,7 +77,7 @@ def uncoded(path: Path) -> list[ast.expr]:
     """Return the string expressions of a file that a user reads as a message, and that have no code.
 
     A sentence may be given to an error or to a collector of problems, or stand in a variable, a constant or the return
-    of a function of the file that is given to one. A text without two words, such as a place before the message of
+    of a function of the file that is given to one, alone or behind its place. A text without two words, such as a place before the message of
     another error, needs no code.
     """
     tree = ast.parse(path.read_text(encoding="utf-8"))
@@ -103,8 +104,12 @@ def _sources(
 ) -> Iterator[ast.expr]:
     """The strings without a code that an argument may be."""
     if is_text(node):
-        if WORDS.search(re.sub(r"\{[^{}]*\}", "{}", text_of(node))) and not CODE.search(text_of(node)):
+        if WORDS.search(NO_WORDS.sub("{}", text_of(node))) and not CODE.search(text_of(node)):
             yield node
+        elif not CODE.search(text_of(node)) and isinstance(node, ast.JoinedStr):
+            for part in node.values:
+                if isinstance(part, ast.FormattedValue):
+                    yield from _sources(part.value, scope, tree, functions, deep)
     elif isinstance(node, ast.IfExp):
         yield from _sources(node.body, scope, tree, functions, deep)
         yield from _sources(node.orelse, scope, tree, functions, deep)
