@@ -20,13 +20,13 @@ from edesign.study.design.building import law_at, per_storey
 from edesign.study.design.damping import ModalDamping
 from edesign.study.design.designer import REACHABLE, Designer
 from edesign.study.design.elastomer.distribution import MOST, area_weight
+from edesign.study.design.elastomer.frequency_consistent import AtFrequency, agreed, at_consistent_frequency
 from edesign.study.design.elastomer.material import Moduli, law_moduli, material
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, Layers, effective_strain
-from edesign.study.design.elastomer.own_frequency import AtFrequency, agreed, at_own_frequency
-from edesign.study.design.elastomer.own_strain import at_own_strain, history_strain
 from edesign.study.design.elastomer.plausibility import elastomer_warnings
 from edesign.study.design.elastomer.results import ELASTOMER, store_steps
 from edesign.study.design.elastomer.simplified import simplified_warnings, size_simplified, static_drift
+from edesign.study.design.elastomer.strain_consistent import at_consistent_strain, history_strain
 from edesign.study.design.elastomer.strain_energy import size_by_strain_energy
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
@@ -136,13 +136,15 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
 
         def solve(strain: float) -> tuple[AtFrequency, FrameEstimate]:
             k_D, start = lambda moduli: ratio(moduli) * sizing.size, sizing.frequency
-            at = agreed(at_own_frequency(model, elastomer(strain), k_D, start))
+            at = agreed(at_consistent_frequency(model, elastomer(strain), k_D, start))
             return at, model.estimate(Layers(at.stiffness, model.braces, sizing.thickness), action)
 
         def reached(found: tuple[AtFrequency, FrameEstimate]) -> float:
             return model.share * effective_strain(model.at_places(sizing.size), found[1].dampers["strain"])
 
-        at, response = at_own_strain(model, solve, lambda found: found[0].last.moduli, reached, sizing.strain).found
+        at, response = at_consistent_strain(
+            model, solve, lambda found: found[0].last.moduli, reached, sizing.strain
+        ).found
         period = 2.0 * np.pi / float(at.modes.omega[0])
         return Bound(name, factor, temperature_C, ratio(at.last.moduli), period, at.last.damping, response)
 

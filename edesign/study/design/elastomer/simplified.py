@@ -14,10 +14,10 @@ from edesign.project.checks.designs import design_warnings
 from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
+from edesign.study.design.elastomer.frequency_consistent import agreed, at_consistent_frequency
 from edesign.study.design.elastomer.material import Elastomer, Material
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, Iteration
-from edesign.study.design.elastomer.own_frequency import agreed, at_own_frequency
-from edesign.study.design.elastomer.own_strain import AtStrain, at_own_strain, start_strain
+from edesign.study.design.elastomer.strain_consistent import AtStrain, at_consistent_strain, start_strain
 from edesign.study.design.estimate import Action
 
 _ROUNDING = 1e-9  # of the number of steps of beta
@@ -70,7 +70,7 @@ def size_simplified(
         def reached(found: StaticResponse) -> float:
             return model.share * model.estimated_strain(found.at.stiffness, found.at.moduli.loss_factor, thickness)
 
-        return at_own_strain(model, solve, lambda found: found.at.moduli, reached, start)
+        return at_consistent_strain(model, solve, lambda found: found.at.moduli, reached, start)
 
     iterations: list[Iteration] = []
     betas = [least, *(beta for beta in _betas(spec) if beta > least)]
@@ -152,7 +152,7 @@ def static_response(
     building, action = model.building, model.action
     assert action is not None, "check_design wants a level"
     frame = building.frame
-    at = agreed(at_own_frequency(model, elastomer, lambda moduli: k_D, model.bare.first_frequency))
+    at = agreed(at_consistent_frequency(model, elastomer, lambda moduli: k_D, model.bare.first_frequency))
     frequency, added = at.last.next_frequency, at.last.damping
     spectrum = action.spectrum.with_damping(min(action.inherent_damping + added, 1.0))
     corner = spectrum.corners["T_C"]

@@ -8,10 +8,10 @@ import numpy as np
 
 from edesign.project.dampers.designs import StrainEnergyDesign
 from edesign.study.design.elastomer.distribution import distribute
+from edesign.study.design.elastomer.frequency_consistent import at_consistent_frequency
 from edesign.study.design.elastomer.material import Moduli
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing
-from edesign.study.design.elastomer.own_frequency import at_own_frequency
-from edesign.study.design.elastomer.own_strain import at_own_strain, start_strain
+from edesign.study.design.elastomer.strain_consistent import at_consistent_strain, start_strain
 
 
 def size_by_strain_energy(
@@ -47,7 +47,7 @@ def size_by_strain_energy(
             return area_factor * wanted
 
         start, elastomer = model.bare.first_frequency, model.material(strain)
-        found = at_own_frequency(model, elastomer, k_D, start, braces=spec.braces_in_target)
+        found = at_consistent_frequency(model, elastomer, k_D, start, braces=spec.braces_in_target)
         last = found.last
         return ElastomerSizing(
             target=target,
@@ -64,5 +64,5 @@ def size_by_strain_energy(
     def reached(found: ElastomerSizing) -> float:
         return model.share * model.estimated_strain(found.size, found.moduli.loss_factor, thickness)
 
-    at = at_own_strain(model, solve, lambda found: found.moduli, reached, start_strain(model, thickness))
+    at = at_consistent_strain(model, solve, lambda found: found.moduli, reached, start_strain(model, thickness))
     return replace(at.found, reason=at.found.reason or at.reason, strain=at.strain, strain_steps=at.steps)

@@ -1,4 +1,4 @@
-"""Dampers of elastomer whose properties are those at the strain that they reach."""
+"""Strain-consistent iteration: dampers of elastomer with the properties at the strain that they reach."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def start_strain(model: ElastomerModel, thickness: float) -> float:
     return bare if spec.strain_limit is None else min(bare, spec.strain_limit)
 
 
-def at_own_strain(
+def at_consistent_strain(
     model: ElastomerModel,
     solve: Callable[[float], T],
     moduli: Callable[[T], Moduli],

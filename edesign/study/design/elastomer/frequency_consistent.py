@@ -1,4 +1,4 @@
-"""Dampers whose properties are those at the first frequency that the frame has with them."""
+"""Frequency-consistent iteration: dampers with the properties at the first frequency of the frame with them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class AtFrequency:
         return self.iterations[-1]
 
 
-def at_own_frequency(
+def at_consistent_frequency(
     model: ElastomerModel,
     elastomer: Elastomer,
     k_D: Callable[[Moduli], np.ndarray],
@@ -67,10 +67,10 @@ def at_own_frequency(
 
 
 def agreed(found: AtFrequency) -> AtFrequency:
-    """Return dampers at their own frequency.
+    """Return dampers whose properties are consistent with the frequency.
 
     Raises:
-        AnalysisError: no frequency agrees with itself.
+        AnalysisError: the iteration did not converge.
     """
     if found.reason:
         raise AnalysisError(found.reason)
