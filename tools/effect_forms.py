@@ -16,7 +16,7 @@ from edesign.calibration.dampers.acts import (
     LastingExtremes,
     LawParameters,
     MotionChannel,
-    OwnShares,
+    NuisanceAmplitudes,
     Placement,
     Rig,
 )
@@ -242,7 +242,7 @@ def _where(act: object) -> str:
         return "displacement channel" if act.of == "actuator" else "motion of the specimen"
     if isinstance(act, ForceChannel):
         return "force channel" if act.of == "channel" else "what moves with the actuator"
-    others = {Rig: "in series", LawParameters: "parameters of the law", OwnShares: "each test's own"}
+    others = {Rig: "in series", LawParameters: "parameters of the law", NuisanceAmplitudes: "nuisance amplitudes"}
     return "from test to test" if isinstance(act, LastingExtremes) else others.get(type(act), "")
 
 

@@ -64,7 +64,7 @@ class KnownForm:
         title: what it is.
         placements: where of the law it acts: whole, inside, springs, dashpots; () of what is no part of the law.
         in_law_files: whether law files and projects carry it.
-        parameters: what a calibration finds; () if there is only what is each test's own.
+        parameters: what a calibration finds; () if there are only nuisance amplitudes.
         source: paper, book.
         laws: names of the laws that it is made for; (): all.
     """

@@ -61,8 +61,8 @@ class Form(Generic[A, S]):
         return f"{self.name}.{self.form}"
 
     @property
-    def own(self) -> bool:
-        """Whether it adds shares that are each test's own."""
+    def nuisance(self) -> bool:
+        """Whether it acts through nuisance amplitudes of each test."""
         return False
 
     def of(self, sizes: S) -> FormInCampaign:
@@ -75,7 +75,7 @@ class Form(Generic[A, S]):
         first = parameters[0] if parameters else None
         linear = self.proportional and first is not None and not first.logarithmic and first.lower <= 0.0 <= first.upper
         starts, data, alike = self.starts(sizes), self.of(sizes), tuple(one.effect(sizes) for one in self.alike)
-        return Effect(self.name, self.form, self.kind, parameters, starts, linear, self.own, data, alike=alike)
+        return Effect(self.name, self.form, self.kind, parameters, starts, linear, self.nuisance, data, alike=alike)
 
 
 @dataclass(frozen=True, eq=False)

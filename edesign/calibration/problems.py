@@ -76,8 +76,8 @@ class EffectModel(Generic[P]):
         """Those of the base, and of the effects in their order."""
         return (*self.problem.base, *(one for effect in self.effects for one in effect.parameters))
 
-    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return None of each test: nothing is a test's own."""
+    def nuisance_columns(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return None of each test: there are no nuisance amplitudes."""
         return [None] * len(self.tests)
 
     def base_values(self, values: np.ndarray) -> dict[str, float]:

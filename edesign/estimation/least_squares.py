@@ -52,19 +52,19 @@ _INDEPENDENT = 1e-3
 
 @dataclass(frozen=True)
 class Weighted:
-    """Residuals of tests in units of their noise, freed of what is each test's own, and their slopes.
+    """Residuals of tests in units of their noise, freed of nuisance amplitudes, and their slopes.
 
     Attributes:
         residuals: (n_i,) of each test.
         slopes: (n_i, p) d residual / d z.
-        own: of each test, the log determinant that its own shares add.
-        shares: (k_i,) of each test's own columns, estimated.
+        determinants: log, of each test, that integrating out its nuisance amplitudes adds.
+        amplitudes: (k_i,) of each test's nuisance columns, estimated.
     """
 
     residuals: tuple[np.ndarray, ...]
     slopes: tuple[np.ndarray, ...]
-    own: tuple[float, ...]
-    shares: tuple[np.ndarray, ...]
+    determinants: tuple[float, ...]
+    amplitudes: tuple[np.ndarray, ...]
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class Fit:
         noise: by which residuals were weighted.
         z: (p,) coordinates.
         predicted: (n_i,) of each test.
-        slopes: (n_i, p) d predicted / d z, with each test's own shares held.
+        slopes: (n_i, p) d predicted / d z, with nuisance amplitudes held.
         evaluations: sets of parameters for which tests were predicted.
         steps: that the search tried.
         converged: whether the search ended by itself.
@@ -113,9 +113,9 @@ class Fit:
 
 
 def weighted(model: Model, noise: Noise, values: np.ndarray, predicted: Tests, slopes: Tests) -> Weighted:
-    """Return residuals and slopes in units of the noise, freed of what is each test's own.
+    """Return residuals and slopes in units of the noise, freed of nuisance amplitudes.
 
-    Shares of a test's own columns Z have the prior N(0, 1) and are integrated out: what is left is multiplied by
+    Amplitudes of the nuisance columns Z have the prior N(0, 1) and are integrated out: what is left is multiplied by
     (I + Z Z')^(-1/2).
 
     Args:
@@ -124,18 +124,18 @@ def weighted(model: Model, noise: Noise, values: np.ndarray, predicted: Tests, s
         slopes: (n_i, p) d predicted / d z.
     """
     found = []
-    for i, columns in enumerate(model.own(values)):
+    for i, columns in enumerate(model.nuisance_columns(values)):
         both = noise.weight(i) * np.column_stack((model.measured[i] - predicted[i], -slopes[i]))
-        determinant, share = 0.0, np.zeros(0)
+        determinant, amplitude = 0.0, np.zeros(0)
         if columns is not None:
             u, s, v = np.linalg.svd(noise.weight(i) * columns, full_matrices=False)
             shown = u.T @ both
-            share = v.T @ (s / (1.0 + s**2) * shown[:, 0])
+            amplitude = v.T @ (s / (1.0 + s**2) * shown[:, 0])
             both -= u @ ((1.0 - 1.0 / np.sqrt(1.0 + s**2))[:, np.newaxis] * shown)
             determinant = float(np.sum(np.log1p(s**2)))
-        found.append((both[:, 0], both[:, 1:], determinant, share))
-    residuals, rates, own, shares = zip(*found, strict=True)
-    return Weighted(residuals, rates, own, shares)
+        found.append((both[:, 0], both[:, 1:], determinant, amplitude))
+    residuals, rates, determinants, amplitudes = zip(*found, strict=True)
+    return Weighted(residuals, rates, determinants, amplitudes)
 
 
 def fit(
@@ -167,8 +167,8 @@ def fit(
         PredictionError: the model cannot predict at the start.
 
     Sources: Madsen, Nielsen and Tingleff (2004), Methods for non-linear least squares problems, sections 3.2 and 3.5;
-    More (1978), LNM 630, 105-116 (scaling); Kaufman (1975), BIT 15, 49-57 (slopes with own shares held); Stark and
-    Parker (1995), Computational Statistics 10, 129-141 (the step inside the bounds).
+    More (1978), LNM 630, 105-116 (scaling); Kaufman (1975), BIT 15, 49-57 (slopes with nuisance amplitudes held); Stark
+    and Parker (1995), Computational Statistics 10, 129-141 (the step inside the bounds).
     """
     search = _Search(model, noise, settings)
     most = settings.steps if steps is None else steps
@@ -216,7 +216,7 @@ class _Point:
     z: np.ndarray
     predicted: Tests
     objective: float
-    shares: Tests
+    amplitudes: Tests
 
 
 class _Search:
@@ -259,8 +259,8 @@ class _Search:
             here = self.weighted(_Point(z, predicted, np.inf, ()), [np.zeros((f.size, 0)) for f in predicted])
         except np.linalg.LinAlgError:  # columns are not finite
             return _Point(z, (), np.inf, ())
-        total = 0.5 * (sum(float(r @ r) for r in here.residuals) + sum(here.own) + float(self.prior @ z**2))
-        return _Point(z, predicted, total if np.isfinite(total) else np.inf, here.shares)
+        total = 0.5 * (sum(float(r @ r) for r in here.residuals) + sum(here.determinants) + float(self.prior @ z**2))
+        return _Point(z, predicted, total if np.isfinite(total) else np.inf, here.amplitudes)
 
     def weighted(self, here: _Point, slopes: Tests) -> Weighted:
         return weighted(self.model, self.noise, values_of(self.model.parameters, here.z), here.predicted, slopes)
@@ -302,12 +302,12 @@ class _Search:
         return bool(np.any((self.moved > _SHORTEST) & (self.moved * np.linalg.norm(root, axis=0) > 3.0)))
 
     def whole(self, there: _Point, here: _Point) -> Tests:
-        """Return predictions (n_i,) at a point with the shares that each test's own columns have at another one."""
-        if not any(share.size for share in here.shares):
+        """Return predictions (n_i,) at a point with the nuisance amplitudes at another one."""
+        if not any(amplitude.size for amplitude in here.amplitudes):
             return there.predicted
-        own = self.model.own(values_of(self.model.parameters, there.z))
-        both = zip(there.predicted, own, here.shares, strict=True)
-        return [f if columns is None else f + columns @ share for f, columns, share in both]
+        nuisance = self.model.nuisance_columns(values_of(self.model.parameters, there.z))
+        both = zip(there.predicted, nuisance, here.amplitudes, strict=True)
+        return [f if columns is None else f + columns @ amplitude for f, columns, amplitude in both]
 
     def updated(self, slopes: Tests, here: _Point, there: _Point) -> list[np.ndarray]:
         """Return slopes that give what a step changed, and are else as they were (Broyden's update)."""

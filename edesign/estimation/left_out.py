@@ -78,7 +78,7 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
             within.append(-math.inf)
             continue
         power = here.power(whole)
-        within.append(_student(power[i], _scale(power, i, others), others, n) - 0.5 * here.own[i])
+        within.append(_student(power[i], _scale(power, i, others), others, n) - 0.5 * here.determinants[i])
         at = here
         if refits and np.max(np.abs(step - whole), initial=0.0) > _NEAR:
             try:
@@ -90,7 +90,7 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
                 pass
         quadratic, determinant = at.predicted(i, step)
         density = _student(quadratic, _scale(at.power(step), i, others), others, n)
-        left_out.append(density - 0.5 * (at.own[i] + determinant))
+        left_out.append(density - 0.5 * (at.determinants[i] + determinant))
     return Score(np.array(left_out), np.array(within), evaluations)
 
 
@@ -109,7 +109,7 @@ class _Linear:
         squares: (tests,) of residuals in units of the noise.
         pulls: (tests, q) J_i' r_i.
         normals: (tests, q, q) J_i' J_i.
-        own: of each test, the log determinant that its own shares add.
+        determinants: log, of each test, that integrating out its nuisance amplitudes adds.
     """
 
     start: np.ndarray
@@ -117,7 +117,7 @@ class _Linear:
     squares: np.ndarray
     pulls: np.ndarray
     normals: np.ndarray
-    own: tuple[float, ...]
+    determinants: tuple[float, ...]
 
     @staticmethod
     def of(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None) -> _Linear:
@@ -130,7 +130,7 @@ class _Linear:
             np.array([float(r @ r) for r in here.residuals]),
             np.array([j.T @ r for j, r in zip(here.slopes, here.residuals, strict=True)]),
             np.array([j.T @ j for j in here.slopes]),
-            here.own,
+            here.determinants,
         )
 
     def step(self, without: int | None) -> np.ndarray | None:

@@ -28,11 +28,11 @@ class Model(Protocol):
     def predict(self, values: np.ndarray) -> Sequence[Sequence[np.ndarray] | PredictionError]:
         """Return the predicted values (n_i,) of each test for each set of parameters (m, p), or why there are none."""
 
-    def own(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
-        """Return columns (n_i, k) of each test whose shares are that test's own, as the phase of hum is; None: none.
+    def nuisance_columns(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
+        """Return columns (n_i, k) of the nuisance amplitudes of each test, as of the phase of hum; None: none.
 
-        A share has the prior N(0, 1): a column is as large as one standard deviation of what it stands for. A parameter
-        may act through columns alone, as the frequency of hum does.
+        An amplitude has the prior N(0, 1): a column is as large as one standard deviation of what it stands for. A
+        parameter may act through columns alone, as the frequency of hum does.
 
         Args:
             values: (p,) SI.

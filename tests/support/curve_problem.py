@@ -21,7 +21,7 @@ def effect(
     form: str,
     change: Change,
     shapes: Sequence[tuple[float, Sequence[float]]] = (),
-    own: bool = False,
+    nuisance: bool = False,
     kind: Kind = "damper",
     spread: float = 1.0,
 ) -> Effect:
@@ -29,7 +29,7 @@ def effect(
     size = Parameter("a", "", -50.0, 50.0, 0.0, spread)
     others = [Parameter(f"s{i}", "", 1e-3, 1e3, centre, 1.5, True) for i, (centre, _) in enumerate(shapes)]
     starts = tuple((0.1, *row) for row in itertools.product(*(starts for _, starts in shapes)))
-    if own:
+    if nuisance:
         return Effect(name, form, kind, (), ((),), False, True, change)
     return Effect(name, form, kind, (size, *others), starts, True, False, change)
 
@@ -40,7 +40,7 @@ DRAG = effect("drag", "square", lambda p, i, u, v: p[0] * v * np.abs(v))
 DRY = effect("friction", "tanh", lambda p, i, u, v: p[0] * np.tanh(v / p[1]), [(0.1, (0.03, 0.3))])
 GAIN = effect("gain", "from_3", lambda p, i, u, v: p[0] * (u + 0.3 * v) * (i >= 2), kind="instrument")
 SIGNED = effect("offset", "constant", lambda p, i, u, v: p[0] + 0.0 * u, kind="instrument")
-OWN = effect("zero", "each_own", lambda p, i, u, v: np.ones((u.size, 1)), own=True, kind="instrument")
+OWN = effect("zero", "each_own", lambda p, i, u, v: np.ones((u.size, 1)), nuisance=True, kind="instrument")
 EFFECTS = (CUBIC, FIFTH, DRAG, DRY, GAIN, SIGNED, OWN)
 
 
@@ -111,7 +111,7 @@ class CurveProblem:
         for i, (u, v) in enumerate(self.motions):
             y, at = values[0] * u + values[1] * v, 2
             for one in effects:
-                if not one.own:
+                if not one.nuisance:
                     y = y + one.data(values[at : at + len(one.parameters)], i, u, v)
                 at += len(one.parameters)
             found.append(y)
@@ -143,11 +143,11 @@ class CurveModel:
         """Predicted y (n,) of each test, of each row."""
         return [self.problem.forces(self.effects, one) for one in values]
 
-    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Columns (n, k) whose shares are each test's own; None: there are none."""
+    def nuisance_columns(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Columns (n, k) of the nuisance amplitudes of each test; None: there are none."""
         at, own = 2, list[tuple[Effect, np.ndarray]]()
         for one in self.effects:
-            if one.own:
+            if one.nuisance:
                 own.append((one, values[at : at + len(one.parameters)]))
             at += len(one.parameters)
         if not own:

@@ -27,7 +27,7 @@ class FormulaModel:
         self.batches.append(len(values))
         return [self.formula(one) for one in values]
 
-    def own(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
+    def nuisance_columns(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
         return self.columns(values) if self.columns else [None] * len(self.measured)
 
 

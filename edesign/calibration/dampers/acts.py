@@ -4,7 +4,7 @@ measured motion -> MotionChannel  the motion that the rig made, then the one of 
                 -> LawParameters  parameters of the law in this test
                 -> Amendment, Rig law with its amendments, in series with the rig: one history of the C core
                 -> ForceChannel   forces of what moves with the actuator, then what the channel makes of the sum
-                -> OwnShares      shares that are each test's own
+                -> NuisanceAmplitudes      amplitudes of histories, another in each test
 """
 
 from __future__ import annotations
@@ -197,14 +197,14 @@ class ForceChannel:
 
 
 @dataclass(frozen=True)
-class OwnShares:
-    """Histories whose shares are each test's own.
+class NuisanceAmplitudes:
+    """Histories whose amplitudes are nuisance parameters, others in each test.
 
     Attributes:
-        columns: (n, k) N at the samples of a test; a share has the prior N(0, 1).
+        columns: (n, k) N at the samples of a test; an amplitude has the prior N(0, 1).
     """
 
     columns: Callable[[Values, Experiment], np.ndarray]
 
 
-Act = Amendment | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | OwnShares
+Act = Amendment | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | NuisanceAmplitudes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from edesign.calibration.dampers.acts import Act, Amendment, OwnShares, Placement
+from edesign.calibration.dampers.acts import Act, Amendment, NuisanceAmplitudes, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
 
@@ -32,9 +32,9 @@ class EffectForm(Form[Act, Sizes]):
     refined: int = REFINED
 
     @property
-    def own(self) -> bool:
-        """Whether it adds shares that are each test's own."""
-        return any(isinstance(act, OwnShares) for act in self.acts)
+    def nuisance(self) -> bool:
+        """Whether it acts through nuisance amplitudes of each test."""
+        return any(isinstance(act, NuisanceAmplitudes) for act in self.acts)
 
     @property
     def amendments(self) -> tuple[Amendment, ...]:

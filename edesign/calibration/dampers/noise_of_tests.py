@@ -53,7 +53,7 @@ def with_noise(
 
     Args:
         problem: with all tests, at full rate.
-        predicted: (n_i,) N of every test, with what is each test's own.
+        predicted: (n_i,) N of every test, with nuisance amplitudes.
         forces_of: forces (n_i,) N of the model in all tests of such a problem.
 
     Raises:

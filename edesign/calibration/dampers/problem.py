@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import LastingExtremes, OwnShares
+from edesign.calibration.dampers.acts import LastingExtremes, NuisanceAmplitudes
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms
 from edesign.calibration.dampers.experiment import Experiment
@@ -163,7 +163,7 @@ class DamperProblem(TestedProblem):
 
     @cached_property
     def columns(self) -> Kept[tuple[np.ndarray | None, ...]]:
-        """Weighted columns (n_i, k) N of each test's own, by tests and effects that make them."""
+        """Weighted nuisance columns (n_i, k) N of each test, by tests and effects that make them."""
         return Kept(_COLUMNS)
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> DamperModel:
@@ -236,8 +236,8 @@ class DamperModel(EffectModel[DamperProblem]):
             for of_set in forces
         ]
 
-    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return weighted columns (n_i, k) N of each test whose shares, N(0, 1), are its own; None: there are none.
+    def nuisance_columns(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return weighted columns (n_i, k) N of the nuisance amplitudes, N(0, 1), of each test; None: there are none.
 
         They are those of the effects, and what uncertain inputs of the tests make of the force of the declared law.
 
@@ -248,26 +248,28 @@ class DamperModel(EffectModel[DamperProblem]):
         makers = [
             (of.form.label, *p.values())
             for of, p in self._of(values)[1]
-            if of.form.name in inputs or any(isinstance(act, OwnShares) for act in of.form.acts)
+            if of.form.name in inputs or any(isinstance(act, NuisanceAmplitudes) for act in of.form.acts)
         ]
         # a fit asks for them at each step, and mostly moves other parameters
-        return list(self.problem.columns.of((self.tests, *makers), lambda: self._own(values)))
+        return list(self.problem.columns.of((self.tests, *makers), lambda: self._nuisance(values)))
 
-    def _own(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
-        uncertain, shares = self.input_uncertainty(values), self.shares(values)
+    def _nuisance(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
+        uncertain, effects = self.input_uncertainty(values), self.effect_columns(values)
         found: list[np.ndarray | None] = []
         for k, weight in enumerate(self.weights):
-            columns = [each for each in (shares[k], uncertain[k]) if each is not None]
+            columns = [each for each in (effects[k], uncertain[k]) if each is not None]
             found.append(weight[:, np.newaxis] * np.hstack(columns) if columns else None)
         return tuple(found)
 
-    def shares(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return columns (n_i, k) N of each test by which effects add shares of its own, as hum; None: there are none.
+    def effect_columns(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return columns (n_i, k) N of each test whose nuisance amplitudes effects add, as hum; None: there are none.
 
         Args:
             values: (p,) SI.
         """
-        acts = [(act, p) for of, p in self._of(values)[1] for act in of.form.acts if isinstance(act, OwnShares)]
+        acts = [
+            (act, p) for of, p in self._of(values)[1] for act in of.form.acts if isinstance(act, NuisanceAmplitudes)
+        ]
         if not acts:
             return [None] * len(self.tests)
         return [np.hstack([act.columns(p, self.problem.experiments[i]) for act, p in acts]) for i in self.tests]

@@ -257,4 +257,6 @@ def problem_of(
 
 def _in_every_row(effect: Effect) -> bool:
     form: EffectForm = effect.data.form
-    return _ONE_TEST not in form.form and not form.own and not any(isinstance(a, LastingExtremes) for a in form.acts)
+    return (
+        _ONE_TEST not in form.form and not form.nuisance and not any(isinstance(a, LastingExtremes) for a in form.acts)
+    )

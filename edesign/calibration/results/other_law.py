@@ -67,9 +67,9 @@ class _Flat:
         """Return what the model predicts."""
         return self.model.predict(values)
 
-    def own(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
+    def nuisance_columns(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
         """Return the model's columns."""
-        return self.model.own(values)
+        return self.model.nuisance_columns(values)
 
 
 @dataclass(frozen=True, eq=False)

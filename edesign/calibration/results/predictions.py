@@ -16,7 +16,7 @@ from edesign.estimation.model import PredictionError
 
 
 def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndarray) -> list[np.ndarray]:
-    """Return the force (n_i,) N of every test, with what is each test's own taken from its residual.
+    """Return the force (n_i,) N of every test, with nuisance amplitudes estimated from its residual.
 
     Args:
         values: (p,) SI, of the law and the effects.
@@ -29,7 +29,7 @@ def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndar
     if isinstance(forces, PredictionError):
         raise forces
     found = []
-    for one, force, columns in zip(problem.experiments, forces, model.shares(values), strict=True):
+    for one, force, columns in zip(problem.experiments, forces, model.effect_columns(values), strict=True):
         if columns is not None:
             weights = one.weights
             share = np.linalg.lstsq(weights[:, np.newaxis] * columns, weights * (one.force - force), rcond=None)[0]

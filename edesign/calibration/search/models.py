@@ -88,11 +88,11 @@ class FittedModel:
 
     @cached_property
     def left(self) -> tuple[np.ndarray, ...]:
-        """Residuals (n_i,) of each test, freed of what is that test's own."""
-        own = self.fit.model.own(self.fit.values)
-        shares = self.fit.weighted().shares
-        both = zip(self.fit.left, own, shares, strict=True)
-        return tuple(r if columns is None else r - columns @ share for r, columns, share in both)
+        """Residuals (n_i,) of each test, freed of its nuisance amplitudes."""
+        nuisance = self.fit.model.nuisance_columns(self.fit.values)
+        amplitudes = self.fit.weighted().amplitudes
+        both = zip(self.fit.left, nuisance, amplitudes, strict=True)
+        return tuple(r if columns is None else r - columns @ amplitude for r, columns, amplitude in both)
 
     @cached_property
     def noise(self) -> Noise:
@@ -330,7 +330,7 @@ class Fitter:
         plain = [f - c for f, c in zip(model.fit.predicted, model.contribution(index), strict=True)]
         found = []
         for form in self.problem.effects:
-            if form.name != effect.name or form.label == effect.label or form.own or not form.parameters:
+            if form.name != effect.name or form.label == effect.label or form.nuisance or not form.parameters:
                 continue
             starts = np.array([[*values, *start] for start in form.starts])
             for start, there in zip(form.starts, self.predict((*others, form), starts), strict=True):

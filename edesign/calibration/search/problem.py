@@ -25,7 +25,7 @@ class Effect:
         parameters: its own; the first is its size.
         starts: (k, p) values, SI, to start from: a grid over what acts non-linearly, at a typical size.
         linear: whether what it does is proportional to its size, about no effect at zero.
-        own: whether it adds shares that are each test's own.
+        nuisance: whether it acts through nuisance amplitudes of each test.
         data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
         cost: of a prediction, in those of the base model.
         alike: what it may be by the tests that are fitted, which others tell apart; (): one thing alone.
@@ -37,7 +37,7 @@ class Effect:
     parameters: tuple[Parameter, ...]
     starts: tuple[tuple[float, ...], ...]
     linear: bool
-    own: bool = False
+    nuisance: bool = False
     data: Any = None
     cost: float = 1.0
     alike: tuple[Effect, ...] = ()

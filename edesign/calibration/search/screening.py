@@ -6,8 +6,8 @@ prior N(0, 1) and
 
     b = c'r / (1 + c'c)        gain = L(r'r) - L(r'r - (c'r)^2 / (1 + c'c)) - 1/2 log(1 + c'c)
 
-L is the log density with the scale of the noise integrated out. Pairs follow from the same products c_i'c_j. Shares
-that are each test's own, as of hum, whose phase is any, are integrated out of c and r.
+L is the log density with the scale of the noise integrated out. Pairs follow from the same products c_i'c_j.
+Nuisance amplitudes of each test, as of hum, whose phase is any, are integrated out of c and r.
 
 The noise is what all effects together leave. What one effect makes looks like slow noise as long as it is not there;
 under such noise nothing slow would be told from chance.
@@ -34,8 +34,8 @@ _TYPICAL = 0.1  # of what was measured: standard deviation of what an effect doe
 _SEEN = 1e-9  # of what was measured: what does less is not seen
 _LOOKED = 400  # times the number of pairs wanted, that are looked at
 
-Own = Sequence[np.ndarray | None]
-"""(n_i, k) of each test: columns whose shares, N(0, 1), are that test's own; None: there are none."""
+Nuisance = Sequence[np.ndarray | None]
+"""(n_i, k) of each test: columns whose nuisance amplitudes have the prior N(0, 1); None: there are none."""
 Single = tuple[Start, float]
 Pair = tuple[tuple[Start, Start], float]
 T = TypeVar("T")
@@ -64,15 +64,15 @@ def screen(fitter: Fitter, model: FittedModel, known: FittedModel) -> Screening:
     Args:
         known: a model whose equations may be wrong, which is allowed for.
     """
-    tests, starts, own, screened = _candidates(fitter, model, known)
-    plain = model.fit.model.own(model.fit.values)
-    every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in own), strict=True)]
+    tests, starts, nuisance, screened = _candidates(fitter, model, known)
+    plain = model.fit.model.nuisance_columns(model.fit.values)
+    every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in nuisance), strict=True)]
     noise = fitter.noise_of(_left(tests, every, Noise.white(fitter.problem.deviations)), known)
     alone = _Evidence.of(tests, plain, noise, len(starts))
     nothing = float(alone.log_of(0.0, 0.0))
     singles = alone.singles(starts)
     pairs = alone.pairs(starts, fitter.settings.pairs)
-    for start, columns in own:
+    for start, columns in nuisance:
         beside = _Evidence.of(tests, columns, noise, len(starts))
         singles.append((start, float(beside.log_of(0.0, 0.0))))
         pairs += [((start, one), log) for one, log in beside.singles(starts) if one.effect.name != start.effect.name]
@@ -88,17 +88,17 @@ def screen(fitter: Fitter, model: FittedModel, known: FittedModel) -> Screening:
 
 def _candidates(
     fitter: Fitter, model: FittedModel, known: FittedModel
-) -> tuple[list[np.ndarray], list[Start], list[tuple[Start, Own]], int]:
+) -> tuple[list[np.ndarray], list[Start], list[tuple[Start, Nuisance]], int]:
     """Return what the model leaves and what changes it, and the candidates.
 
     Returns:
         Columns (n_i, 1 + b + m) of each test: what is left; what each parameter of the model, and of the errors of
-        known equations, makes; what each start makes. Starts (m). Starts of effects that add shares of each test's own,
-        with all such columns. How many forms were predicted.
+        known equations, makes; what each start makes. Starts (m). Starts of effects that act through nuisance
+        amplitudes, with all such columns. How many forms were predicted.
     """
     measured = np.concatenate(model.fit.model.measured)
     size = float(np.linalg.norm(measured))
-    starts, own, screened = list[Start](), list[tuple[Start, Own]](), 0
+    starts, nuisance, screened = list[Start](), list[tuple[Start, Nuisance]](), 0
     columns = [[r[:, np.newaxis], j] for r, j in zip(model.fit.left, model.fit.slopes, strict=True)]
     for of_test, wrong in zip(columns, fitter.discrepancy(known) or (), strict=False):
         of_test.append(wrong)
@@ -108,10 +108,11 @@ def _candidates(
         screened += 1
         effects = (*model.effects, effect)
         values = np.array([[*model.fit.values, *start] for start in effect.starts])
-        if effect.own:
+        if effect.nuisance:
             fitter.effort.spend(len(values), effects)
-            own_of = fitter.problem.model(effects).own
-            own += [(Start(effect, np.array(s)), own_of(v)) for s, v in zip(effect.starts, values, strict=True)]
+            columns_at = fitter.problem.model(effects).nuisance_columns
+            of_effect = [Start(effect, np.array(s)) for s in effect.starts]
+            nuisance += [(start, columns_at(v)) for start, v in zip(of_effect, values, strict=True)]
             continue
         for start, there in zip(effect.starts, fitter.predict(effects, values), strict=True):
             if isinstance(there, PredictionError):
@@ -127,16 +128,16 @@ def _candidates(
             starts.append(Start(effect, np.array(start)))
             for of_test, of_change in zip(columns, change, strict=True):
                 of_test.append(of_change[:, np.newaxis] / unit)
-    return [np.hstack(of_test) for of_test in columns], starts, own, screened
+    return [np.hstack(of_test) for of_test in columns], starts, nuisance, screened
 
 
-def _left(tests: Sequence[np.ndarray], own: Own, noise: Noise) -> list[np.ndarray]:
+def _left(tests: Sequence[np.ndarray], nuisance: Nuisance, noise: Noise) -> list[np.ndarray]:
     """Return what all columns together, each with the prior N(0, 1), leave (n_i,) of each test."""
-    each = [_products(test, of_test, noise.weight(i))[0] for i, (test, of_test) in enumerate(_both(tests, own))]
+    each = [_products(test, of_test, noise.weight(i))[0] for i, (test, of_test) in enumerate(_both(tests, nuisance))]
     products = np.sum(each, axis=0)
     sizes = np.linalg.solve(products[1:, 1:] + np.eye(len(products) - 1), products[1:, 0])
     left = []
-    for i, (test, columns) in enumerate(_both(tests, own)):
+    for i, (test, columns) in enumerate(_both(tests, nuisance)):
         rest = test[:, 0] - test[:, 1:] @ sizes
         if columns is not None:
             u, s, _ = np.linalg.svd(noise.weight(i) * columns, full_matrices=False)
@@ -145,19 +146,19 @@ def _left(tests: Sequence[np.ndarray], own: Own, noise: Noise) -> list[np.ndarra
     return left
 
 
-def _products(test: np.ndarray, own: np.ndarray | None, weight: float) -> tuple[np.ndarray, float]:
-    """Return inner products of columns in units of the noise, own ones integrated out, and their log determinant."""
+def _products(test: np.ndarray, nuisance: np.ndarray | None, weight: float) -> tuple[np.ndarray, float]:
+    """Return inner products in units of the noise, nuisance columns integrated out, and their log determinant."""
     found = weight**2 * (test.T @ test)
-    if own is None:
+    if nuisance is None:
         return found, 0.0
-    u, s, _ = np.linalg.svd(weight * own, full_matrices=False)
+    u, s, _ = np.linalg.svd(weight * nuisance, full_matrices=False)
     along = weight * s[:, np.newaxis] / np.sqrt(1.0 + s[:, np.newaxis] ** 2) * (u.T @ test)
     return found - along.T @ along, float(np.sum(np.log1p(s**2)))
 
 
 @dataclass(frozen=True)
 class _Evidence:
-    """Evidence of a model with columns of each test's own, and of starts beside it.
+    """Evidence of a model with nuisance columns, and of starts beside it.
 
     Attributes:
         power: of what is left, freed of what the parameters of the model can make of it.
@@ -174,9 +175,9 @@ class _Evidence:
     freedom: float
 
     @staticmethod
-    def of(tests: Sequence[np.ndarray], own: Own, noise: Noise, starts: int) -> _Evidence:
-        """Integrate out the parameters of the model, and the columns that are each test's own."""
-        every = [_products(test, of_test, noise.weight(i)) for i, (test, of_test) in enumerate(_both(tests, own))]
+    def of(tests: Sequence[np.ndarray], nuisance: Nuisance, noise: Noise, starts: int) -> _Evidence:
+        """Integrate out the parameters of the model and the nuisance amplitudes."""
+        every = [_products(test, of_test, noise.weight(i)) for i, (test, of_test) in enumerate(_both(tests, nuisance))]
         products = np.sum([one for one, _ in every], axis=0)
         rest = [0, *range(len(products) - starts, len(products))]
         known = np.arange(1, len(products) - starts)
@@ -240,5 +241,5 @@ def _stacked(columns: Sequence[np.ndarray | None]) -> np.ndarray | None:
     return np.hstack(some) if some else None
 
 
-def _both(tests: Sequence[np.ndarray], own: Own) -> list[tuple[np.ndarray, np.ndarray | None]]:
-    return list(zip(tests, own, strict=True))
+def _both(tests: Sequence[np.ndarray], nuisance: Nuisance) -> list[tuple[np.ndarray, np.ndarray | None]]:
+    return list(zip(tests, nuisance, strict=True))

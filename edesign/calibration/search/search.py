@@ -156,8 +156,8 @@ class Search:
         fitter, forms = self._fitter, dict[str, int]()
         tried: list[tuple[Start, ...]] = []
         for start, _ in screening.singles:
-            # shares of each test's own are no function of a start: what they do is hardly seen to first order
-            forms[start.effect.name] = forms.get(start.effect.name, 0) + (not start.effect.own)
+            # nuisance amplitudes are no function of a start: what they do is hardly seen to first order
+            forms[start.effect.name] = forms.get(start.effect.name, 0) + (not start.effect.nuisance)
             if forms[start.effect.name] <= self._settings.forms:
                 tried.append((start,))
         tried = [*tried[: self._settings.singles], *(pair for pair, _ in screening.pairs)]

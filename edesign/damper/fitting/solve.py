@@ -77,7 +77,7 @@ class ErrorModel:
         """Return errors of each test, such that half their squares are the loss."""
         return list(in_threads(self._one, values, self.workers))
 
-    def own(self, values: np.ndarray) -> list[None]:
+    def nuisance_columns(self, values: np.ndarray) -> list[None]:
         """Return that tests have nothing of their own."""
         return [None] * len(self.sizes)
 

@@ -107,7 +107,7 @@ def test_shares_of_a_test_are_explicit_parameters_with_standard_normal_priors() 
         wide[-1][:, 2 + 2 * i : 4 + 2 * i] = c
     explicit = fit(linear(wide, measured, normal("abcdefghijkl")), noise, settings=TIGHT)
     np.testing.assert_allclose(own.values, explicit.values[:2], rtol=1e-7)
-    np.testing.assert_allclose(np.concatenate(own.weighted().shares), explicit.values[2:], rtol=1e-6)
+    np.testing.assert_allclose(np.concatenate(own.weighted().amplitudes), explicit.values[2:], rtol=1e-6)
     errors = [np.sqrt(np.diag(uncertainty(one).within))[:2] for one in (own, explicit)]
     np.testing.assert_allclose(*errors, rtol=0.02)  # degrees of freedom: 10 of 210 differ
     assert own.evaluations < explicit.evaluations

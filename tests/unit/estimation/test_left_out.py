@@ -73,7 +73,7 @@ def test_the_score_of_a_nonlinear_model_is_near() -> None:
     np.testing.assert_allclose(found.left_out, by_refits(model, noise), atol=0.2)
 
 
-def test_own_shares_count_as_parameters_of_a_test() -> None:
+def test_nuisance_amplitudes_count_as_parameters_of_a_test() -> None:
     """A share that no other test tells predicts with its prior alone."""
     matrices, measured = campaign(p=2)
     columns = [2.0 * np.ones((len(x), 1)) for x in matrices]

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import ForceChannel, MotionChannel, OwnShares
+from edesign.calibration.dampers.acts import ForceChannel, MotionChannel, NuisanceAmplitudes
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
@@ -79,7 +79,7 @@ _PER_TEST = replace(
     form="per_test",
     title="zero of the force channel, set anew for each test",
     signature="a constant force in each test, another one from test to test",
-    acts=(OwnShares(_own_zero),),
+    acts=(NuisanceAmplitudes(_own_zero),),
     parameters=lambda s: (),
     starts=lambda s: ((),),
     constants=_of_class,
@@ -132,14 +132,14 @@ _EACH_OWN = replace(
     title="drift of the force channel, another in each test",
     signature="a straight line over time in each test, from nothing at its first sample, another from test to test",
     source=_DOEBELIN,
-    acts=(OwnShares(_own_line),),
+    acts=(NuisanceAmplitudes(_own_line),),
 )
 _WARMING = replace(
     _EACH_OWN,
     form="warming",
     title="drift of the force channel that slows down, another in each test",
     signature="a line over time in each test, steeper in its beginning, another from test to test",
-    acts=(OwnShares(_own_warming),),
+    acts=(NuisanceAmplitudes(_own_warming),),
 )
 
 
@@ -161,7 +161,7 @@ def _hum(form: str, title: str, signature: str, number: int, orders: tuple[int, 
         title,
         signature,
         "Lomb (1976), Astrophys. Space Sci. 39, 447-462 (least squares of sines); EN 50160 (mains)",
-        (OwnShares(_waves),),
+        (NuisanceAmplitudes(_waves),),
         lambda s: (),
         lambda s: ((),),
         frequencies,

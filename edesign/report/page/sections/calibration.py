@@ -43,7 +43,7 @@ _VERDICTS = {
     "not_searched": ("Not searched", "the search ended before all effects were tried", "bad"),
 }
 _OWN: dict[Subject, str] = {
-    "damper": "; shares that are each test's own, such as the phase of hum, are taken from that test",
+    "damper": "; nuisance amplitudes, such as the phase of hum, are estimated from each test",
     "structure": "",
 }
 _NOISE: dict[Subject, str] = {

@@ -176,10 +176,12 @@ def test_an_error_of_the_thermometer_is_a_share_of_each_test():
     model, b = tests.model((effect,)), 0.03
     values = np.array([*(one.centre for one in tests.base), b])
     (forces,) = model.forces(values)
-    for column, force in zip(model.own(values), forces, strict=True):
+    for column, force in zip(model.nuisance_columns(values), forces, strict=True):
         # 0.2 K of a resistor of class A
         assert column[:, 0] == pytest.approx(force * np.expm1(-0.2 * b), abs=1e-9 * tests.typical.force)
-    assert tests.model(()).own(values[:2]) == [None] * 3
-    assert problem("mgmm").model(()).own(np.array([one.centre for one in problem("mgmm").base])) == [None] * 3
+    assert tests.model(()).nuisance_columns(values[:2]) == [None] * 3
+    assert (
+        problem("mgmm").model(()).nuisance_columns(np.array([one.centre for one in problem("mgmm").base])) == [None] * 3
+    )
     warm = problem("mgmm", degrees=(20.0, 30.0))
-    assert warm.model(()).own(np.array([one.centre for one in warm.base]))[0].shape == (750, 1)
+    assert warm.model(()).nuisance_columns(np.array([one.centre for one in warm.base]))[0].shape == (750, 1)

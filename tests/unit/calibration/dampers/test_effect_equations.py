@@ -483,10 +483,10 @@ def test_gas_is_compressed_by_the_rod_of_a_fluid_damper():
         ("hum.harmonics", [lambda t: np.sin(62.0 * np.pi * t), lambda t: np.cos(186.0 * np.pi * t)]),
     ],
 )
-def test_own_shares_are_five_per_cent_of_the_force(label, columns):
+def test_nuisance_amplitudes_are_five_per_cent_of_the_force(label, columns):
     effect = offered(label)
     model = PROBLEM.model((effect,))
-    found = model.own(np.array([one.centre for one in model.parameters]))
+    found = model.nuisance_columns(np.array([one.centre for one in model.parameters]))
     for m, own in zip(MOTIONS, found, strict=False):
         for column in columns:
             expected = 0.05 * S.force * column(m.time)

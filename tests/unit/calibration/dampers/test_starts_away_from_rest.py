@@ -1,4 +1,4 @@
-"""Tests that start away from rest: what is not judged, what is each test's own, what is said of it."""
+"""Tests that start away from rest: what is not judged, nuisance amplitudes, what is said of it."""
 
 from __future__ import annotations
 
@@ -68,14 +68,16 @@ def campaign(folder: Path, tests: list[DamperTest]) -> Campaign:
 def power_over_noise(problem: DamperProblem) -> list[float]:
     """Mean square of the weighted residuals of the law that made the tests, over that of noise, in each test.
 
-    Shares that are a test's own are those that leave least.
+    Nuisance amplitudes are those that leave least.
     """
     model = problem.model((), ("fit", "validate"))
     values = np.array([one.centre for one in problem.base])
     (predicted,) = model.predict(values[np.newaxis])
     assert isinstance(predicted, list)
     found = []
-    for y, f, own, one in zip(model.measured, predicted, model.own(values), problem.experiments, strict=True):
+    for y, f, own, one in zip(
+        model.measured, predicted, model.nuisance_columns(values), problem.experiments, strict=True
+    ):
         left = y - f
         if own is not None:
             left = left - own @ np.linalg.lstsq(own, left, rcond=None)[0]
@@ -115,7 +117,7 @@ def test_a_step_that_is_said_is_taken_as_said(tmp_path: Path) -> None:
     problem = damper_problem(campaign(tmp_path, stepped("at_rest")), threads=1)
     start = problem.experiments[0].start
     assert start is not None and start.known and start.prior_extremes[2] == pytest.approx(U0 * 500.0)
-    assert problem.model(()).own(np.array([one.centre for one in problem.base]))[0] is None
+    assert problem.model(()).nuisance_columns(np.array([one.centre for one in problem.base]))[0] is None
     assert power_over_noise(problem)[0] > 1.5
 
 

@@ -42,7 +42,7 @@ def test_what_a_fresh_specimen_went_through_is_no_matter_where_earlier_tests_sof
 def test_softening_before_a_record_is_a_share_of_its_own():
     tests = moving(NONE, False)
     values = np.array([one.centre for one in tests.base])
-    columns = tests.model(()).own(values)
+    columns = tests.model(()).nuisance_columns(values)
     own = tests.experiments[MOVING].motion.extremes
     far, fast = max(own[0], -own[1]), max(own[2], -own[3])
     plain = forces(tests)[MOVING]

@@ -260,7 +260,7 @@ def test_effects_are_screened_beside_what_is_each_tests_own() -> None:
 
 def test_what_is_slow_and_each_tests_own_is_seen_behind_better_guesses() -> None:
     """Under slow noise two lines are no evidence; noise by what all effects together leave shows them."""
-    line = effect("line", "own", lambda p, i, u, v: 40.0 * np.linspace(0.0, 1.0, u.size)[:, np.newaxis], own=True)
+    line = effect("line", "own", lambda p, i, u, v: 40.0 * np.linspace(0.0, 1.0, u.size)[:, np.newaxis], nuisance=True)
     up = effect("up", "x", lambda p, i, u, v: p[0] * (-1.0) ** i * np.linspace(0.0, 1.0, u.size))
     others = [linear(f"guess_{k}", columns(20 + k)) for k in range(3)]
     problem = CurveProblem(effects=(line, *others), truth=((up, (2.0,)),), tests=2)
