@@ -41,7 +41,9 @@ def show(
     ] = None,
     member: Annotated[
         str | None,
-        typer.Option("--member", "-m", metavar="NAME", help="Checks of one member of a building, written out."),
+        typer.Option(
+            "--member", "-m", metavar="NAME", help="Checks of one member of a building, one as a worked calculation."
+        ),
     ] = None,
     devices: Annotated[
         str | None,
@@ -67,8 +69,8 @@ def show(
             text = json.dumps(found, indent=2, allow_nan=False, ensure_ascii=False)
             return lambda: print(text)
         if member is not None:
-            written_out = member_tables(of_building, member)
-            return lambda: print_tables(written_out)
+            worked = member_tables(of_building, member)
+            return lambda: print_tables(worked)
         if analysis is None and not whole:
             short = short_tables(opened)
             return lambda: print_tables(short, widest=PAPER)

@@ -29,7 +29,7 @@ CHECKS = TableSpec[dict[str, Value]](
     ),
     notes=(
         "Combinations are numbered in the table of combinations; x / L is the place along the member.",
-        "The check that governs each group is written out, with demand and capacity, under Members.",
+        "The worked calculation of the governing check of each group, with demand and capacity, is under Members.",
     ),
     keys=4,
 )

@@ -1,4 +1,4 @@
-"""Checks of the members of a building written out with numbers, from the archive alone."""
+"""Worked calculations of the checks of members of a building, from the archive alone."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ CALCULATION = TableSpec[Step](
         formula("value", _shown),
     ),
     keys=3,
-    each="Checks written out",
+    each="Worked calculations of checks",
 )
 CHECKS = TableSpec[dict[str, Value]](
     "checks",
@@ -63,8 +63,8 @@ NO_FORCES = TableSpec[None]("no_member_forces", "{whose}: internal forces", (), 
 
 
 @dataclass(frozen=True)
-class WrittenCheck:
-    """A check of a member with the calculation of its utilisation.
+class WorkedCheck:
+    """A check of a member with the worked calculation of its utilisation.
 
     Attributes:
         member, group, kind, section, material: names.
@@ -90,8 +90,8 @@ class WrittenCheck:
     steps: tuple[Step, ...]
 
 
-def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
-    """Return a check of a member with each step of its calculation.
+def worked_check(results: BuildingResults, member: int, check: int) -> WorkedCheck:
+    """Return a check of a member with its worked calculation.
 
     Args:
         member: number of the member in the archive, from 0.
@@ -116,7 +116,7 @@ def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
     archived = float(results.values("members", "utilisation")[member, check])
     if found is None or not math.isclose(found, archived, rel_tol=SAME, abs_tol=SAME**2):
         trace.steps.clear()
-    return WrittenCheck(
+    return WorkedCheck(
         **{key: str(value) for key, value in of.items()},
         length=float(results.values("members", "length")[member]),
         check=name,
@@ -128,25 +128,25 @@ def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
     )
 
 
-def written_worst(results: BuildingResults) -> list[tuple[Worst, WrittenCheck]]:
-    """Return the governing check of each group, written out."""
-    return [(worst, written(results, worst.number, worst.check)) for worst in worst_of_groups(results)]
+def worked_worst(results: BuildingResults) -> list[tuple[Worst, WorkedCheck]]:
+    """Return the governing check of each group with its worked calculation."""
+    return [(worst, worked_check(results, worst.number, worst.check)) for worst in worst_of_groups(results)]
 
 
-def written_table(found: WrittenCheck) -> Table:
-    """Return the calculation of a check as a table."""
+def worked_table(found: WorkedCheck) -> Table:
+    """Return the worked calculation of a check as a table."""
     notes = ["the check does not apply"]
     if found.number:
         met = "met" if found.utilisation <= 1.0 else "NOT MET"
         notes = [f"combination {found.number}: {found.combination}"]
-        notes += [] if found.steps else ["no calculation is written out here for this check as it was made"]
+        notes += [] if found.steps else ["this version has no worked calculation of this check as it was made"]
         notes.append(f"utilisation {significant(finite(found.utilisation))}: {met} ({found.clause})")
     whose = f"{found.group}: {found.member}, {found.check}"
     return CALCULATION.of(found.steps, whose=whose, found=found, notes=notes)
 
 
-def written_data(found: WrittenCheck) -> list[dict[str, object]]:
-    """Return the calculation of a check for JSON, in SI units."""
+def worked_data(found: WorkedCheck) -> list[dict[str, object]]:
+    """Return the worked calculation of a check for JSON, in SI units."""
     return [
         {
             "symbol": step.symbol,
@@ -181,7 +181,7 @@ def governing(results: BuildingResults, member: int) -> int:
 
 
 def member_tables(results: BuildingResults, name: str) -> list[Table]:
-    """Return all checks of a member, and the one that governs written out.
+    """Return all checks of a member, and the worked calculation of the one that governs.
 
     Raises:
         InputError: there is no such member.
@@ -201,7 +201,7 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
     ]
     check = governing(results, member)
     checks = CHECKS.of(rows, whose=name)
-    return [checks, effects_table(results, member, check), written_table(written(results, member, check))]
+    return [checks, effects_table(results, member, check), worked_table(worked_check(results, member, check))]
 
 
 def effects_table(results: BuildingResults, member: int, check: int) -> Table:
@@ -238,14 +238,14 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:
     """Return all checks of a member for JSON, each with its calculation; errors as `member_tables`."""
     member = _member_number(results, name)
-    every = [written(results, member, check) for check in range(results.values("members", "check").size)]
+    every = [worked_check(results, member, check) for check in range(results.values("members", "check").size)]
     checks = [
         {
             "check": found.check,
             "clause": found.clause,
             "utilisation": finite(found.utilisation),
             "combination": found.combination,
-            "calculation": written_data(found),
+            "calculation": worked_data(found),
         }
         for found in every
         if found.number

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.archive.reader import Archive
-from edesign.report.building.checks import written_data, written_worst
+from edesign.report.building.checks import worked_data, worked_worst
 from edesign.report.building.deflection_table import worst_beams
 from edesign.report.building.foundation_table import foundation_summary
 from edesign.report.building.results import BuildingResults
@@ -42,9 +42,9 @@ def building_summary(archive: Archive) -> dict[str, object]:
             "clause": worst.clause,
             "member": worst.member,
             "combination": calculation.combination,
-            "calculation": written_data(calculation),
+            "calculation": worked_data(calculation),
         }
-        for worst, calculation in written_worst(results)
+        for worst, calculation in worked_worst(results)
     ]
     found["deflections"] = [
         {

@@ -18,7 +18,7 @@ from edesign.building.building_file import load_building
 from edesign.report.archive.document import page_text
 from edesign.report.archive.figures import all_figures
 from edesign.report.building.basis_tables import floors_table, joints_table, overstrength_table
-from edesign.report.building.checks import member_tables, written_table, written_worst
+from edesign.report.building.checks import member_tables, worked_table, worked_worst
 from edesign.report.building.curves import mode_shapes
 from edesign.report.building.other_tables import other_tables
 from edesign.report.building.plans import _different_storeys, _runs
@@ -91,8 +91,8 @@ def test_the_weakest_joint_of_a_floor(results: BuildingResults, ran: tuple[Path,
     assert rows[2, "x"][6] == "exempt"
 
 
-def test_a_written_check_ends_with_what_the_table_says(results: BuildingResults) -> None:
-    for worst, found in written_worst(results):
+def test_a_worked_check_ends_with_what_the_table_says(results: BuildingResults) -> None:
+    for worst, found in worked_worst(results):
         assert found.steps[-1].value == pytest.approx(worst.utilisation, rel=1e-9)
         assert (found.member, found.check, found.number) == (worst.member, worst.name, worst.combination)
     checks, effects, calculation = member_tables(results, "C_B2_1")
@@ -104,11 +104,11 @@ def test_a_written_check_ends_with_what_the_table_says(results: BuildingResults)
 def test_a_calculation_that_misses_the_utilisation_is_not_shown(results: BuildingResults) -> None:
     utilisation = results.group("members").variables["utilisation"]
     results.group("members").variables["utilisation"] = replace(utilisation, values=1.001 * utilisation.values)
-    written = written_worst(results)
-    assert written
-    for _, found in written:
+    worked = worked_worst(results)
+    assert worked
+    for _, found in worked:
         assert not found.steps
-        assert "no calculation is written out here" in written_table(found).notes[1]
+        assert "no worked calculation of this check" in worked_table(found).notes[1]
 
 
 def test_groups_without_a_table_of_their_own_have_one(results: BuildingResults, tmp_path: Path) -> None:

@@ -16,7 +16,7 @@ from edesign.report.building.basis_tables import (
     selection_table,
 )
 from edesign.report.building.check_table import check_words, group_checks_table
-from edesign.report.building.checks import effects_table, written_table, written_worst
+from edesign.report.building.checks import effects_table, worked_table, worked_worst
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
@@ -135,13 +135,13 @@ def _action(source: Source, results: BuildingResults) -> Iterable[Part]:
     yield base_shear_table(results)
 
 
-def _written(source: Source, results: BuildingResults) -> Iterable[Part]:
+def _worked(source: Source, results: BuildingResults) -> Iterable[Part]:
     """The governing check of each group; nothing of those to which no check applies."""
-    for worst, found in written_worst(results):
+    for worst, found in worked_worst(results):
         state = "" if worst.utilisation <= 1.0 else ", NOT MET"
         name = check_words(worst.name)
         summary = f"{worst.group} {worst.section}: {name} {worst.utilisation:.3f}{state} ({worst.member})"
-        yield Folded(summary, (effects_table(results, worst.number, worst.check), written_table(found)))
+        yield Folded(summary, (effects_table(results, worst.number, worst.check), worked_table(found)))
 
 
 def _others(source: Source, results: BuildingResults) -> Iterable[Part]:
@@ -176,7 +176,7 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
             _pictures(elevations),
             _table(partial(groups_table, say=check_words)),
             _table(selection_table),
-            _written,
+            _worked,
             _table(deflection_table),
         ),
     ),

@@ -1,4 +1,4 @@
-"""The steps of checks that reports print: formulas give their values, and lead to what archives have."""
+"""Worked calculations of checks that reports print: formulas give their values, and lead to what archives have."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from edesign.codes.ec3.lateral_torsional import buckling_moments, quarter_moment
 from edesign.codes.ec3.member import Member, Stability
 from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
 from edesign.codes.trace import Step, Trace
-from edesign.report.building.checks import written
+from edesign.report.building.checks import worked_check
 from edesign.report.building.results import BuildingResults
 from edesign.study.run.building import run_building
 
@@ -29,7 +29,7 @@ SAME = 1e-9
 def steps_of(
     member: Member, forces: ForcesAlong, check: str, station: int, free_beam: FreeBeam | None = None
 ) -> list[Step]:
-    """The calculation of a check."""
+    """The worked calculation of a check."""
     trace = Trace()
     assert utilisation(member, forces, check, station, free_beam, trace) == trace.steps[-1].value
     return trace.steps
@@ -94,7 +94,7 @@ def test_a_published_column() -> None:
 
 
 def test_formulas_of_a_free_beam_give_their_values() -> None:
-    """M_b,Rd of an IPE400 of 6 m, worked out from the written moments, which have four digits."""
+    """M_b,Rd of an IPE400 of 6 m, worked out from the printed moments, which have four digits."""
     member = Member(steel_section("IPE400"), 275e6, Stability(6.0, 6.0, 6.0), 1)
     steady, swing = np.zeros((2, 7, 6))
     steady[:, 4] = [-90e3, -14e3, 31e3, 46e3, 31e3, -14e3, -90e3]
@@ -167,7 +167,7 @@ design:
     ("directions", "members"),
     [("30 %", "interaction: annex_b"), ("srss", "interaction: annex_a, lateral_restraint: {beams: ends}")],
 )
-def test_every_check_of_an_archive_is_written_out(tmp_path: Path, directions: str, members: str) -> None:
+def test_every_check_of_an_archive_has_a_worked_calculation(tmp_path: Path, directions: str, members: str) -> None:
     """Of every member and check of a building with I, RHS, SHS and CHS sections, from its archive alone."""
     text = BUILDING.replace("directions: 30 %", f"directions: {directions}") + f"  members: {{{members}}}\n"
     if "ends" in members:
@@ -182,7 +182,7 @@ def test_every_check_of_an_archive_is_written_out(tmp_path: Path, directions: st
             for check, name in enumerate(design.members.checks):
                 if not design.members.combination[number, check]:
                     continue
-                found = written(results, number, check)
+                found = worked_check(results, number, check)
                 assert found.steps[-1].value == pytest.approx(design.members.utilisation[number, check], rel=SAME)
                 if "C_2 z_g" in {step.symbol for step in found.steps}:
                     place = next(step.value for step in found.steps if step.symbol == "M_b,Rd")
