@@ -77,8 +77,8 @@ def uncoded(path: Path) -> list[ast.expr]:
     """Return the string expressions of a file that a user reads as a message, and that have no code.
 
     A sentence may be given to an error or to a collector of problems, or stand in a variable, a constant or the return
-    of a function of the file that is given to one, alone or behind its place. A text without two words, such as a place before the message of
-    another error, needs no code.
+    of a function of the file that is given to one, alone or behind its place. A text without two words, such as a
+    place before the message of another error, needs no code.
     """
     tree = ast.parse(path.read_text(encoding="utf-8"))
     functions = {node.name: node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
@@ -115,7 +115,7 @@ def _sources(
         yield from _sources(node.orelse, scope, tree, functions, deep)
     elif isinstance(node, ast.Name) and deep:
         for place in (scope, tree):
-            for one in ast.walk(place) if place is scope else tree.body:
+            for one in tree.body if place is tree else ast.walk(place):
                 if isinstance(one, ast.Assign) and any(getattr(target, "id", "") == node.id for target in one.targets):
                     yield from _sources(one.value, scope, tree, functions, False)
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions and deep:

@@ -216,7 +216,7 @@ def _factors(table: Table, i: int, name: str) -> tuple[float, float]:
     other = next((quantity for quantity, them in QUANTITIES.items() if plain in them), None)
     said = f"`{unit}` is a unit of {other}, not of {name}" if other else f"the unit `{unit}` is unknown"
     near = did_you_mean(f"{name}_{unit}", _names(name))
-    raise InputError(f"{table.where(i)}: {said}{near} (allowed: {_listed(name)})")
+    raise InputError(f"{table.where(i)}: {said}{near} (allowed: {_listed(name)}) [E-TABLE-12]")
 
 
 def _names(quantity: str) -> list[str]:
