@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag
+from pydantic import Field, PrivateAttr
 from pydantic_core import PydanticCustomError
 
 from edesign.damper.effects_file import EffectsError, read_effects
@@ -28,8 +28,9 @@ from edesign.project.notation.quantities import FREQUENCY, LENGTH
 from edesign.project.notation.temperature import TEMPERATURE_TEXT, parse_temperature
 from edesign.project.notation.units import PositiveTime, parse_quantity, parse_ratio, written_ratio
 from edesign.project.notation.written import SchemaMaker, Written, given, one_or_list_of, quantity, ratio
-from edesign.project.reading.base import Model, by_key, refuse
+from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.file_bytes import is_file
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import FileProblems, Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
@@ -176,13 +177,7 @@ class RecordTest(_Test):
     file: Text
 
 
-TestPlan = Annotated[
-    Annotated[SineTest, Tag("?type=sine")]
-    | Annotated[SweepTest, Tag("?type=sweep")]
-    | Annotated[RandomTest, Tag("?type=random")]
-    | Annotated[RecordTest, Tag("?type=record")],
-    Discriminator(by_key("type")),
-]
+TestPlan = Annotated[SineTest | SweepTest | RandomTest | RecordTest, OneOf("type")]
 
 
 class Noise(Model):

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import BeforeValidator, Field
 
 from edesign.project.actions.hazard_base import Hazard, LevelName, Probability, Years
 from edesign.project.actions.national import NationalValues
@@ -19,7 +19,8 @@ from edesign.project.notation.units import (
     parse_ratio,
 )
 from edesign.project.notation.written import Written, given, ratio
-from edesign.project.reading.base import Model, by_key, refuse
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import Keys
 
 
@@ -275,14 +276,7 @@ class UserHazard(Hazard):
                 yield (*keys, "file"), table.file
 
 
-AnyHazard = Annotated[
-    Annotated[EC8Hazard, Tag("?code=ec8-2004")]
-    | Annotated[NtcHazard, Tag("?code=ntc-2018")]
-    | Annotated[AsceHazard, Tag("?code=asce7-16")]
-    | Annotated[AsceHazard, Tag("?code=asce7-22")]
-    | Annotated[UserHazard, Tag("?code=user")],
-    Discriminator(by_key("code")),
-]
+AnyHazard = Annotated[EC8Hazard | NtcHazard | AsceHazard | UserHazard, OneOf("code")]
 OTHER_CODES = ("ntc-2018", "asce7-16", "asce7-22", "user")
 """Codes of the seismic action that the checks of a steel building by EN 1998-1 do not know."""
 

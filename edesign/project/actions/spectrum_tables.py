@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveTime
-from edesign.project.reading.base import Model, keys_in
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 
 class _Table(Model):
@@ -44,11 +45,7 @@ class SpectrumFile(_Table):
     column: Annotated[str, Field(min_length=1)] | None = None
 
 
-def _which(value: Any) -> str:
-    keys = keys_in(value)
-    return "?file" if ("file" in keys or "column" in keys) and "periods" not in keys else "?values"
-
-
 SpectrumTable = Annotated[
-    Annotated[SpectrumValues, Tag("?values")] | Annotated[SpectrumFile, Tag("?file")], Discriminator(_which)
+    SpectrumValues | SpectrumFile,
+    OneOf(otherwise=SpectrumValues, periods=SpectrumValues, file=SpectrumFile, column=SpectrumFile),
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.pushover import Method, Pushover, Steps
@@ -17,7 +17,8 @@ from edesign.project.notation.units import (
     PositiveRatio,
     SignedFactor,
 )
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=64)]
 Label = Annotated[str, Field(max_length=64)]
@@ -136,13 +137,7 @@ class HistoryAnalysis(_Analysis):
     wave_passage: WavePassage | None = None
 
 
-Analysis = Annotated[
-    Annotated[ModalAnalysis, Tag("?kind=modal")]
-    | Annotated[GravityAnalysis, Tag("?kind=gravity")]
-    | Annotated[PushoverAnalysis, Tag("?kind=pushover")]
-    | Annotated[HistoryAnalysis, Tag("?kind=history")],
-    Discriminator(by_key("kind")),
-]
+Analysis = Annotated[ModalAnalysis | GravityAnalysis | PushoverAnalysis | HistoryAnalysis, OneOf("kind")]
 
 PlannedAnalysis = Analysis | TargetAnalysis
 """What a plan is made of."""

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import PositiveRatio, PositiveTime, UnitRatio
-from edesign.project.reading.base import Model, by_key, plain_or_list
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 ModeNumber = Annotated[int, Field(ge=1)]
 State = Literal["gravity", "initial"]
@@ -15,11 +16,7 @@ State = Literal["gravity", "initial"]
 DampingStiffness = Literal["initial", "committed", "current"]
 
 
-Ratios = Annotated[
-    Annotated[PositiveRatio, Tag("?plain")]
-    | Annotated[Annotated[tuple[UnitRatio, ...], Field(min_length=1)], Tag("?list")],
-    Discriminator(plain_or_list),
-]
+Ratios = Annotated[PositiveRatio | Annotated[tuple[UnitRatio, ...], Field(min_length=1)], OneOf()]
 """One ratio for all modes, or one for each."""
 
 
@@ -132,13 +129,7 @@ class CaugheyDamping(Model):
 
 ProportionalDamping = RayleighDamping | MassDamping | StiffnessDamping
 Damping = Annotated[
-    Annotated[NoDamping, Tag("?kind=none")]
-    | Annotated[RayleighDamping, Tag("?kind=rayleigh")]
-    | Annotated[MassDamping, Tag("?kind=mass_proportional")]
-    | Annotated[StiffnessDamping, Tag("?kind=stiffness_proportional")]
-    | Annotated[ModalDamping, Tag("?kind=modal")]
-    | Annotated[CaugheyDamping, Tag("?kind=caughey")],
-    Discriminator(by_key("kind")),
+    NoDamping | RayleighDamping | MassDamping | StiffnessDamping | ModalDamping | CaugheyDamping, OneOf("kind")
 ]
 
 

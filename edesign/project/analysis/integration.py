@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import PositiveTime, UnitRatio
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Tolerance = Annotated[float, Field(gt=0, lt=1)]
 
@@ -62,9 +63,4 @@ class GeneralisedAlphaIntegration(_Integration):
     rho_inf: UnitRatio = 0.9
 
 
-Integration = Annotated[
-    Annotated[NewmarkIntegration, Tag("?method=newmark")]
-    | Annotated[HHTIntegration, Tag("?method=hht")]
-    | Annotated[GeneralisedAlphaIntegration, Tag("?method=generalised_alpha")],
-    Discriminator(by_key("method")),
-]
+Integration = Annotated[NewmarkIntegration | HHTIntegration | GeneralisedAlphaIntegration, OneOf("method")]

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber
 from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.units import Factor, PositiveRatio, PushedDrift
 from edesign.project.notation.written import Written, one_or_list
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Steps = Annotated[int, Field(ge=1, le=1_000_000)]
 PUSHOVER_STEPS = 200
@@ -52,9 +53,7 @@ class GivenPattern(Model):
 
 
 Pattern = NamedPattern | GivenPattern
-_Choice = Annotated[
-    Annotated[NamedPattern, Tag("?plain")] | Annotated[GivenPattern, Tag("?mapping")], Discriminator(by_shape)
-]
+_Choice = Annotated[NamedPattern | GivenPattern, OneOf()]
 
 
 class Pushover(Model):

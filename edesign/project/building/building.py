@@ -8,7 +8,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag
+from pydantic import Field, PrivateAttr
 
 from edesign.project.actions.hazard import BuildingHazard
 from edesign.project.building.design import Design
@@ -22,8 +22,9 @@ from edesign.project.document import Document
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.notation.units import PositiveDensity, PositiveLength, PositiveStress
 from edesign.project.project import Identifier
-from edesign.project.reading.base import FormatVersion, Model, by_shape
+from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.one_of import OneOf
 
 MOST_BAYS = 100
 """In one direction, so that letters of lines and names of frames (`XA`, `YA`) are told apart."""
@@ -43,7 +44,7 @@ class EqualBays(Model):
 
 
 Widths = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_BAYS)]
-BayWidths = Annotated[Annotated[Widths, Tag("?plain")] | Annotated[EqualBays, Tag("?mapping")], Discriminator(by_shape)]
+BayWidths = Annotated[Widths | EqualBays, OneOf()]
 
 
 class EqualStoreys(Model):
@@ -135,14 +136,9 @@ class Building(FileModel):
     title: Annotated[str, Field(min_length=1)]
     document: Document = Document()
     plan: Plan
-    storeys: Annotated[
-        Annotated[Heights, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)
-    ]
+    storeys: Annotated[Heights | EqualStoreys, OneOf()]
     setbacks: tuple[Setback, ...] = ()
-    supports: Annotated[
-        Annotated[Literal["fixed", "pinned"], Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")],
-        Discriminator(by_shape),
-    ] = "fixed"
+    supports: Annotated[Literal["fixed", "pinned"] | dict[str, Support], OneOf()] = "fixed"
     diaphragms: NumbersOrNone = ALL_NUMBERS
     columns: Annotated[tuple[ColumnRun, ...], Field(min_length=1)]
     beams: Annotated[tuple[BeamRun, ...], Field(min_length=1)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.actions.loads import PointLoad
 from edesign.project.building.members import BeamPlaces
@@ -12,7 +12,8 @@ from edesign.project.building.places import ALL_BAYS, ALL_COLUMN_LINES, Bays, Co
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.units import AreaLoad as ForcePerArea
 from edesign.project.notation.units import Factor, Force, LineLoad, PositiveMass, PositiveRatio
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow"]
 """Of the use of a floor or roof, EN 1991-1-1, 6.3; snow by EN 1991-1-3."""
@@ -128,13 +129,7 @@ class MassCombination(Model):
     """
 
     G: Factor = 1.0
-    Q: (
-        Annotated[
-            Annotated[Factor, Tag("?plain")] | Annotated[dict[Category, Factor], Tag("?mapping")],
-            Discriminator(by_shape),
-        ]
-        | None
-    ) = None
+    Q: Annotated[Factor | dict[Category, Factor], OneOf()] | None = None
 
     def psi_2(self, category: str) -> float | None:
         """Return the factor of a category of Q, None where the country's holds; a mapping names all that there are."""

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Tag
-
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
 from edesign.project.notation.units import held
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 DIRECTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
 
@@ -47,10 +46,7 @@ FIXED = Springs()
 PINNED = Springs(rx="free", ry="free")
 """A pin about both horizontal axes; the turn about the vertical axis is held."""
 
-Support = Annotated[
-    Annotated[Literal["fixed", "pinned"], Tag("?plain")] | Annotated[Springs, Tag("?mapping")],
-    Discriminator(by_shape),
-]
+Support = Annotated[Literal["fixed", "pinned"] | Springs, OneOf()]
 
 
 def springs_of(support: Literal["fixed", "pinned"] | Springs) -> Springs:

@@ -8,9 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import (
     ConfigDict,
-    Discriminator,
     Field,
-    Tag,
     ValidationInfo,
     WithJsonSchema,
     field_validator,
@@ -25,7 +23,8 @@ from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, N
 from edesign.project.notation.several import several
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio, Rotation
 from edesign.project.notation.written import Written, given, one_or_list, text, words_or
-from edesign.project.reading.base import Model, keys_in, refuse
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import as_seen, unknown_name
 
 PerformanceLevel = Literal["IO", "LS", "CP"]
@@ -308,18 +307,14 @@ LimitCriterion = MeasureCriterion | QuantityCriterion
 """Limits, `most` and `least`, of what is measured."""
 
 
-def _which(value: Any) -> str:
-    given = keys_in(value)
-    kinds = ("performance", "plastic_hinges", "quantity")
-    return next((f"?{key}" for key in kinds if key in given), "?measure")
-
-
 Criterion = Annotated[
-    Annotated[MeasureCriterion, Tag("?measure")]
-    | Annotated[QuantityCriterion, Tag("?quantity")]
-    | Annotated[HingeCriterion, Tag("?plastic_hinges")]
-    | Annotated[PerformanceCriterion, Tag("?performance")],
-    Discriminator(_which),
+    MeasureCriterion | QuantityCriterion | HingeCriterion | PerformanceCriterion,
+    OneOf(
+        otherwise=MeasureCriterion,
+        performance=PerformanceCriterion,
+        plastic_hinges=HingeCriterion,
+        quantity=QuantityCriterion,
+    ),
 ]
 Criteria = tuple[Criterion, ...]
 Objectives = tuple[Objective, ...]

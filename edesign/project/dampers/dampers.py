@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.notation.selections import Numbers
@@ -20,7 +20,8 @@ from edesign.project.notation.units import (
     PositiveRatio,
     PositiveStiffness,
 )
-from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import listed
 
 Layers = Annotated[int, Field(ge=1, le=1000)]
@@ -103,10 +104,7 @@ class BraceStiffness(Model):
         play: clearance of the pins from end to end, within which the brace carries nothing.
     """
 
-    stiffness: Annotated[
-        Annotated[PositiveStiffness, Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
-        Discriminator(plain_or_list),
-    ]
+    stiffness: Annotated[PositiveStiffness | tuple[PositiveStiffness, ...], OneOf()]
     play: PositiveLength | None = None
 
 
@@ -122,32 +120,14 @@ class BraceSection(Model):
     material: str
 
 
-Areas = Annotated[
-    Annotated[PositiveArea, Tag("?plain")] | Annotated[tuple[PositiveArea, ...], Tag("?list")],
-    Discriminator(plain_or_list),
-]
-Lengths = Annotated[
-    Annotated[PositiveLength, Tag("?plain")] | Annotated[tuple[PositiveLength, ...], Tag("?list")],
-    Discriminator(plain_or_list),
-]
-Scales = Annotated[
-    Annotated[PositiveFactor, Tag("?plain")] | Annotated[tuple[PositiveFactor, ...], Tag("?list")],
-    Discriminator(plain_or_list),
-]
-
-
-def _brace_shape(value: Any) -> str:
-    if by_shape(value) == "?plain":
-        return "?plain"
-    keys = keys_in(value)
-    return "?section" if "section" in keys or "material" in keys else "?stiffness"
+Areas = Annotated[PositiveArea | tuple[PositiveArea, ...], OneOf()]
+Lengths = Annotated[PositiveLength | tuple[PositiveLength, ...], OneOf()]
+Scales = Annotated[PositiveFactor | tuple[PositiveFactor, ...], OneOf()]
 
 
 Brace = Annotated[
-    Annotated[Literal["rigid"], Tag("?plain")]
-    | Annotated[BraceStiffness, Tag("?stiffness")]
-    | Annotated[BraceSection, Tag("?section")],
-    Discriminator(_brace_shape),
+    Literal["rigid"] | BraceStiffness | BraceSection,
+    OneOf(otherwise=BraceStiffness, section=BraceSection, material=BraceSection),
 ]
 
 
@@ -233,15 +213,7 @@ class DamperBetween(_Sized):
     nodes: Annotated[tuple[str, str], Field(strict=False)]
 
 
-Device = Annotated[
-    Annotated[DamperRun, Tag("?kind=chevron")]
-    | Annotated[DamperRun, Tag("?kind=chevron_braces")]
-    | Annotated[DamperRun, Tag("?kind=rising")]
-    | Annotated[DamperRun, Tag("?kind=falling")]
-    | Annotated[DamperRun, Tag("?kind=storey")]
-    | Annotated[DamperBetween, Tag("?kind=nodes")],
-    Discriminator(by_key("kind")),
-]
+Device = Annotated[DamperRun | DamperBetween, OneOf("kind")]
 
 
 class TunedMass(Model):
@@ -284,10 +256,7 @@ class TunedLiquid(Model):
     damping: PositiveRatio
 
 
-Attachment = Annotated[
-    Annotated[TunedMass, Tag("?kind=tuned_mass")] | Annotated[TunedLiquid, Tag("?kind=tuned_liquid")],
-    Discriminator(by_key("kind")),
-]
+Attachment = Annotated[TunedMass | TunedLiquid, OneOf("kind")]
 
 
 class Dampers(Model):

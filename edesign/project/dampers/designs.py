@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.analysis.damping import State
 from edesign.project.dampers.placement import PlacementDesign
@@ -26,18 +25,11 @@ from edesign.project.notation.units import (
     parse_ratio,
 )
 from edesign.project.notation.written import Written, ratio, words_or
-from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list, refuse
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import did_you_mean, listed
 
 Count = Annotated[int, Field(ge=1, le=1000)]
-
-
-def _by_keys(value: Any) -> str:
-    """Tag of properties: the word `law`, or the key that a mapping has."""
-    if not isinstance(value, (Mapping, BaseModel)):
-        return "?plain"
-    keys = keys_in(value)
-    return next((f"?{key}" for key in ("table", "file") if key in keys), "?values")
 
 
 FOLLOWED = ("spectrum", "histories")
@@ -84,11 +76,8 @@ class FixedProperties(Model):
 
 
 Properties = Annotated[
-    Annotated[Literal["law"], Tag("?plain")]
-    | Annotated[TableProperties, Tag("?table")]
-    | Annotated[FileProperties, Tag("?file")]
-    | Annotated[FixedProperties, Tag("?values")],
-    Discriminator(_by_keys),
+    Literal["law"] | TableProperties | FileProperties | FixedProperties,
+    OneOf(otherwise=FixedProperties, table=TableProperties, file=FileProperties),
 ]
 
 
@@ -102,10 +91,7 @@ class BraceRatio(Model):
     ratio: LeastBrace
 
 
-Brace = Annotated[
-    Annotated[Literal["rigid"], Tag("?plain")] | Annotated[BraceRatio, Tag("?mapping")],
-    Discriminator(by_shape),
-]
+Brace = Annotated[Literal["rigid"] | BraceRatio, OneOf()]
 
 
 class Extremes(Model):
@@ -166,10 +152,7 @@ class _Design(Model):
     number: Count = 1
     temperature: Temperature | None = None
     drift: PositiveRatio | None = None
-    storey_stiffness: Annotated[
-        Annotated[Literal["computed"], Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
-        Discriminator(plain_or_list),
-    ] = "computed"
+    storey_stiffness: Annotated[Literal["computed"] | tuple[PositiveStiffness, ...], OneOf()] = "computed"
     state: State = "gravity"
     level: str | None = None
     inherent_damping: UnitRatio | None = None
@@ -197,14 +180,7 @@ class _ElastomerDesign(_Design):
         float | Literal["spectrum", "histories"],
         Written(_strain, words_or(ratio(0.0, math.inf, low_allowed=False), *FOLLOWED)),
     ]
-    frequency: (
-        Annotated[
-            Annotated[PositiveFrequency, Tag("?plain")]
-            | Annotated[tuple[PositiveFrequency, PositiveFrequency], Tag("?list")],
-            Discriminator(plain_or_list),
-        ]
-        | None
-    ) = None
+    frequency: Annotated[PositiveFrequency | tuple[PositiveFrequency, PositiveFrequency], OneOf()] | None = None
     layer_thickness: PositiveLength | None = None
     strain_limit: PositiveFactor | None = None
     verify: Verify | None = None
@@ -271,18 +247,8 @@ class DriftAmplitude(Model):
     drift: PositiveRatio
 
 
-def _amplitude(value: Any) -> str:
-    if by_shape(value) == "?plain":
-        return "?plain"
-    keys = keys_in(value)
-    return "?drift" if "drift" in keys else "?roof_displacement"
-
-
 Amplitude = Annotated[
-    Annotated[Literal["spectrum"], Tag("?plain")]
-    | Annotated[RoofAmplitude, Tag("?roof_displacement")]
-    | Annotated[DriftAmplitude, Tag("?drift")],
-    Discriminator(_amplitude),
+    Literal["spectrum"] | RoofAmplitude | DriftAmplitude, OneOf(otherwise=RoofAmplitude, drift=DriftAmplitude)
 ]
 
 VISCOUS_LAWS = ("viscous", "viscous_power", "maxwell", "maxwell_power")
@@ -352,14 +318,7 @@ class HystereticDesign(_Design):
     shear_share: PositiveRatio | None = None
     damping: PositiveRatio | None = None
     optimum: Optimum | None = None
-    shear: (
-        Annotated[
-            Annotated[Literal["spectrum", "first_mode"], Tag("?plain")]
-            | Annotated[tuple[PositiveForce, ...], Tag("?list")],
-            Discriminator(plain_or_list),
-        ]
-        | None
-    ) = None
+    shear: Annotated[Literal["spectrum", "first_mode"] | tuple[PositiveForce, ...], OneOf()] | None = None
     amplitude: Amplitude = "spectrum"
     equivalent_damping: Literal["amplitude", "average"] = "amplitude"
     brace: Brace = "rigid"
@@ -371,10 +330,5 @@ ElastomerDesign = StrainEnergyDesign | SimplifiedDesign
 SizedDesign = ElastomerDesign | ViscousDesign | HystereticDesign
 """Designs that find the size of one kind of damper in given places."""
 Design = Annotated[
-    Annotated[StrainEnergyDesign, Tag("?method=strain_energy")]
-    | Annotated[SimplifiedDesign, Tag("?method=simplified")]
-    | Annotated[ViscousDesign, Tag("?method=viscous")]
-    | Annotated[HystereticDesign, Tag("?method=hysteretic")]
-    | Annotated[PlacementDesign, Tag("?method=placement")],
-    Discriminator(by_key("method")),
+    StrainEnergyDesign | SimplifiedDesign | ViscousDesign | HystereticDesign | PlacementDesign, OneOf("method")
 ]

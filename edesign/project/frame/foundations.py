@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Tag
-
 from edesign.project.notation.units import (
     NotNegativeLength,
     PoissonRatio,
@@ -18,7 +16,8 @@ from edesign.project.notation.units import (
     PositiveVelocity,
     UnitRatio,
 )
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Formula = Literal["pais_kausel", "gazetas"]
 
@@ -61,12 +60,7 @@ class GivenStrain(Model):
     modulus_ratio: PositiveRatio
 
 
-Strain = Annotated[
-    Annotated[Eurocode8Strain, Tag("?code=en1998_5")]
-    | Annotated[Asce7Strain, Tag("?code=asce7")]
-    | Annotated[GivenStrain, Tag("?code=given")],
-    Discriminator(by_key("code")),
-]
+Strain = Annotated[Eurocode8Strain | Asce7Strain | GivenStrain, OneOf("code")]
 
 
 class Soil(Model):

@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import accumulate
 from typing import Annotated
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag
+from pydantic import Field, PrivateAttr
 
 from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.leaning_column import LeaningColumn
@@ -18,7 +18,8 @@ from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
 from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
 from edesign.project.notation.units import PositiveLength
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Count = Annotated[int, Field(ge=1, le=1000)]
 Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
@@ -85,13 +86,9 @@ class Frame(Model):
         leaning_column: gravity loads beside the frame that it must hold upright.
     """
 
-    bays: Annotated[Annotated[Lengths, Tag("?plain")] | Annotated[EqualBays, Tag("?mapping")], Discriminator(by_shape)]
-    storeys: Annotated[
-        Annotated[Lengths, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)
-    ]
-    supports: Annotated[
-        Annotated[SupportKind, Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")], Discriminator(by_shape)
-    ] = "fixed"
+    bays: Annotated[Lengths | EqualBays, OneOf()]
+    storeys: Annotated[Lengths | EqualStoreys, OneOf()]
+    supports: Annotated[SupportKind | dict[str, Support], OneOf()] = "fixed"
     diaphragms: NumbersOrNone = NO_NUMBERS
     columns: tuple[ColumnRun, ...]
     beams: tuple[BeamRun, ...]

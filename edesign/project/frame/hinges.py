@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Tag
-
 from edesign.project.frame.members import BeamPlaces, ColumnPlaces
 from edesign.project.notation.selections import ALL_LINES, Lines, Numbers
 from edesign.project.notation.units import (
@@ -17,7 +15,8 @@ from edesign.project.notation.units import (
     PositiveRotationalStiffness,
     UnitRatio,
 )
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Ends = Literal["both", "start", "end"]
 
@@ -110,10 +109,7 @@ class Hinges(Model):
     beams: BeamPlaces | None = None
     columns: ColumnPlaces | None = None
     ends: Ends = "both"
-    parameters: Annotated[
-        Annotated[Literal["lignos_krawinkler_2011"], Tag("?plain")] | Annotated[HingeValues, Tag("?mapping")],
-        Discriminator(by_shape),
-    ]
+    parameters: Annotated[Literal["lignos_krawinkler_2011"] | HingeValues, OneOf()]
     reduced_section: ReducedSection | None = None
     distance: PositiveLength | None = None
     unbraced_length: PositiveLength | None = None

@@ -4,20 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import Mass, NotNegativeForce
-from edesign.project.reading.base import Model, plain_or_list
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
-FloorForces = Annotated[
-    Annotated[NotNegativeForce, Tag("?plain")]
-    | Annotated[Annotated[tuple[NotNegativeForce, ...], Field(min_length=1)], Tag("?list")],
-    Discriminator(plain_or_list),
-]
-FloorMasses = Annotated[
-    Annotated[Mass, Tag("?plain")] | Annotated[Annotated[tuple[Mass, ...], Field(min_length=1)], Tag("?list")],
-    Discriminator(plain_or_list),
-]
+FloorForces = Annotated[NotNegativeForce | Annotated[tuple[NotNegativeForce, ...], Field(min_length=1)], OneOf()]
+FloorMasses = Annotated[Mass | Annotated[tuple[Mass, ...], Field(min_length=1)], OneOf()]
 
 
 class LeaningColumn(Model):

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import Hardening, PositiveStress
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 
 class ElasticMaterial(Model):
@@ -60,9 +61,4 @@ class MenegottoPintoMaterial(Model):
     cR2: Annotated[float, Field(gt=0)] = 0.15
 
 
-Material = Annotated[
-    Annotated[ElasticMaterial, Tag("?law=elastic")]
-    | Annotated[BilinearMaterial, Tag("?law=bilinear")]
-    | Annotated[MenegottoPintoMaterial, Tag("?law=menegotto_pinto")],
-    Discriminator(by_key("law")),
-]
+Material = Annotated[ElasticMaterial | BilinearMaterial | MenegottoPintoMaterial, OneOf("law")]

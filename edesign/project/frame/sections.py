@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Annotated, Any, Literal, Protocol
+from typing import Annotated, Literal, Protocol
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import Length, PositiveArea, PositiveInertia, PositiveLength
-from edesign.project.reading.base import Model, keys_in
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import did_you_mean, listed
 
 SectionAxis = Literal["strong", "weak"]
@@ -67,18 +68,9 @@ class ElasticSection(Model):
     inertia: PositiveInertia | None = None
 
 
-def _which(value: Any) -> str:
-    keys = keys_in(value)
-    if "rectangles" in keys:
-        return "?rectangles"
-    return "?elastic" if "area" in keys or "inertia" in keys else "?plates"
-
-
 Section = Annotated[
-    Annotated[PlateSection, Tag("?plates")]
-    | Annotated[RectangleSection, Tag("?rectangles")]
-    | Annotated[ElasticSection, Tag("?elastic")],
-    Discriminator(_which),
+    PlateSection | RectangleSection | ElasticSection,
+    OneOf(otherwise=PlateSection, rectangles=RectangleSection, area=ElasticSection, inertia=ElasticSection),
 ]
 
 

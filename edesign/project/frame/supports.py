@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
-
-from pydantic import Discriminator, Tag
+from typing import Annotated, Literal
 
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
@@ -16,7 +14,8 @@ from edesign.project.notation.units import (
     PositiveStiffness,
     held,
 )
-from edesign.project.reading.base import Model, by_shape, keys_in
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 SupportKind = Literal["fixed", "pinned", "roller"]
 
@@ -61,20 +60,11 @@ class YieldingRotation(Model):
 
 Held = Literal["fixed", "free"] | float
 _DIRECTION = "a direction is `fixed`, `free`, a stiffness, or a mapping with one", "fixed", "free"
-_Translation = Annotated[Annotated[Held, held(STIFFNESS, *_DIRECTION)], Tag("?plain")]
-_Rotation = Annotated[Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)], Tag("?plain")]
-Horizontal = Annotated[
-    _Translation | Annotated[YieldingTranslation, Tag("?mapping")],
-    Discriminator(by_shape),
-]
-Vertical = Annotated[
-    _Translation | Annotated[VerticalSpring, Tag("?mapping")],
-    Discriminator(by_shape),
-]
-Turning = Annotated[
-    _Rotation | Annotated[YieldingRotation, Tag("?mapping")],
-    Discriminator(by_shape),
-]
+_Translation = Annotated[Held, held(STIFFNESS, *_DIRECTION)]
+_Rotation = Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)]
+Horizontal = Annotated[_Translation | YieldingTranslation, OneOf()]
+Vertical = Annotated[_Translation | VerticalSpring, OneOf()]
+Turning = Annotated[_Rotation | YieldingRotation, OneOf()]
 
 
 class SupportSprings(Model):
@@ -91,15 +81,8 @@ class SupportSprings(Model):
     rotation: Turning = "fixed"
 
 
-def _support_shape(value: Any) -> str:
-    return "?footing" if by_shape(value) == "?mapping" and "footing" in keys_in(value) else by_shape(value)
-
-
 Support = Annotated[
-    Annotated[SupportKind, Tag("?plain")]
-    | Annotated[SupportSprings, Tag("?mapping")]
-    | Annotated[FootingSupport, Tag("?footing")],
-    Discriminator(_support_shape),
+    SupportKind | SupportSprings | FootingSupport, OneOf(otherwise=SupportSprings, footing=FootingSupport)
 ]
 
 

@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
 from pydantic_core import PydanticCustomError
-
-TAG = "?"
-"""First character of the tags of alternatives, so that they are told apart from keys in the path of a problem."""
 
 
 class Model(BaseModel):
@@ -28,33 +24,6 @@ def _whole_number(value: Any) -> Any:
 
 FormatVersion = Annotated[Literal[1], BeforeValidator(_whole_number)]
 """Version of a file format."""
-
-
-def by_key(key: str) -> Callable[[Any], str]:
-    """Return the discriminator that chooses the model by the value of `key`; the tags are `?key=value`."""
-
-    def choose(value: Any) -> str:
-        chosen = value.get(key, "") if isinstance(value, Mapping) else getattr(value, key, "")
-        return f"{TAG}{key}={chosen}"
-
-    return choose
-
-
-def keys_in(value: Any) -> Collection[str]:
-    """Return the keys of a mapping or the fields of a model, for discriminators; none of anything else."""
-    if isinstance(value, Mapping):
-        return value.keys()
-    return type(value).model_fields if isinstance(value, BaseModel) else ()
-
-
-def by_shape(value: Any) -> str:
-    """Return the tag of a mapping (`?mapping`) or of anything else (`?plain`), for discriminators."""
-    return TAG + ("mapping" if isinstance(value, (Mapping, BaseModel)) else "plain")
-
-
-def plain_or_list(value: Any) -> str:
-    """Return the tag of a list (`?list`) or of anything else (`?plain`), for discriminators."""
-    return TAG + ("list" if isinstance(value, (list, tuple)) else "plain")
 
 
 def refuse(message: str, *at: str | int) -> PydanticCustomError:

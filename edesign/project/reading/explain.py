@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel, Tag, ValidationError
 from pydantic_core import ErrorDetails
 
-from edesign.project.reading.base import TAG
+from edesign.project.reading.one_of import LIST, MAPPING, PLAIN, TAG, with_tags
 from edesign.project.reading.problems import Keys, Problems, as_seen, did_you_mean, listed, nearest
 
 _VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_rts",))
@@ -67,7 +67,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         return  # pydantic counts good items only, and the bad ones have their own problems
     elif kind == "project":
         problems.at_value((*keys, *context["at"]), _as_written(context["message"], detail["input"], context["at"]))
-    elif kind == "tuple_type" and loc[-1] == f"{TAG}plain":
+    elif kind == "tuple_type" and loc[-1] == LIST:
         other = _other_shape(model, loc) or "a mapping"
         problems.at_value(keys, f"a list, or {other}, is needed here, not {as_seen(detail['input'])}")
     elif kind == "literal_error" and keys in _VERSIONS and str(detail["input"]) == "1":
@@ -81,7 +81,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         problems.at_key(keys, f"a name is made of letters, digits and `_`, `-`, `+`, `.`, at most {most} of them")
     elif kind == "literal_error":
         allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
-        other = f", or {shape}" if loc[-1] == f"{TAG}plain" and (shape := _other_shape(model, loc)) else ""
+        other = f", or {shape}" if loc[-1] == PLAIN and (shape := _other_shape(model, loc)) else ""
         hint = did_you_mean(str(detail["input"]), allowed)
         problems.at_value(keys, f"{as_seen(detail['input'])} is unknown{hint} (allowed: {listed(allowed)}{other})")
     elif kind == "tuple_type" and _of_mappings(model, loc):
@@ -108,7 +108,7 @@ def _as_written(message: str, value: Any, at: Keys) -> str:
 
 def _other_shape(model: type[BaseModel], loc: tuple[int | str, ...]) -> str:
     """What may stand as a mapping where something plain does, "" if nothing may."""
-    annotation = _annotation_at(model, (*loc[:-1], f"{TAG}mapping"))
+    annotation = _annotation_at(model, (*loc[:-1], MAPPING))
     keys = _allowed_keys(next((kind for kind in _alternatives(annotation) if _is_model(kind)), None))
     if keys:
         return f"a mapping of {listed(keys)}"
@@ -225,7 +225,8 @@ def _step(annotation: Any, part: str | int) -> Any:
             if part in [tag.tag for tag in getattr(kind, "__metadata__", ()) if isinstance(tag, Tag)]:
                 return kind
         elif _is_model(bare := _bare(kind)) and isinstance(part, str) and (named := _named(bare, part)):
-            return bare.model_fields[named].annotation
+            field = bare.model_fields[named]
+            return with_tags(field.annotation, field.metadata)
         elif get_origin(bare) is tuple and isinstance(part, int):
             return get_args(bare)[0]
         elif get_origin(bare) is dict:
@@ -234,7 +235,7 @@ def _step(annotation: Any, part: str | int) -> Any:
 
 
 def _alternatives(annotation: Any) -> list[Any]:
-    bare = _bare(annotation)
+    bare = with_tags(_bare(annotation), getattr(annotation, "__metadata__", ()))
     if get_origin(bare) is Union or get_origin(bare) is UnionType:
         return [inner for kind in get_args(bare) for inner in ([kind] if _has_tag(kind) else _alternatives(kind))]
     return [bare]

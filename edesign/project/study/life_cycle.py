@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.actions.hazard_base import YEAR, LevelName
 from edesign.project.notation.several import ShortName
 from edesign.project.notation.units import Factor, PositiveAcceleration, PositiveTime, UnitRatio
-from edesign.project.reading.base import Model, keys_in
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Dispersion = Annotated[Factor, Field(le=1.0)]
 """Standard deviation of a logarithm, at most 1, a factor of e. The three sources of FEMA P-695, 7.3.4, requirements,
@@ -38,14 +39,7 @@ class CurveOfIntensities(Model):
     return_periods: Annotated[tuple[PositiveTime, ...], Field(min_length=2)]
 
 
-def _curve_shape(value: object) -> str:
-    return "?levels" if "levels" in keys_in(value) else "?intensities"
-
-
-HazardCurve = Annotated[
-    Annotated[CurveOfLevels, Tag("?levels")] | Annotated[CurveOfIntensities, Tag("?intensities")],
-    Discriminator(_curve_shape),
-]
+HazardCurve = Annotated[CurveOfLevels | CurveOfIntensities, OneOf(otherwise=CurveOfIntensities, levels=CurveOfLevels)]
 
 
 class LifeCycle(Model):

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag, WithJsonSchema
+from pydantic import AfterValidator, Field, PrivateAttr, WithJsonSchema
 
 from edesign.project.criteria.measures import SHORT_NAMES
 from edesign.project.notation.units import PositiveFactor
 from edesign.project.project import Identifier
-from edesign.project.reading.base import FormatVersion, Model, by_key, by_shape, refuse
+from edesign.project.reading.base import FormatVersion, Model, refuse
 from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import did_you_mean, listed
 
 Text = Annotated[str, Field(min_length=1)]
@@ -40,15 +41,9 @@ class Cell(Model):
     note: Text | None = None
 
 
-Printed = Annotated[Annotated[float, Tag("?plain")] | Annotated[Cell, Tag("?mapping")], Discriminator(by_shape)]
-LevelBar = Annotated[
-    Annotated[PositiveFactor, Tag("?plain")] | Annotated[dict[Identifier, PositiveFactor], Tag("?mapping")],
-    Discriminator(by_shape),
-]
-Bar = Annotated[
-    Annotated[PositiveFactor, Tag("?plain")] | Annotated[dict[Identifier, LevelBar], Tag("?mapping")],
-    Discriminator(by_shape),
-]
+Printed = Annotated[float | Cell, OneOf()]
+LevelBar = Annotated[PositiveFactor | dict[Identifier, PositiveFactor], OneOf()]
+Bar = Annotated[PositiveFactor | dict[Identifier, LevelBar], OneOf()]
 """One for all, or by variant, or by variant and level."""
 
 
@@ -198,10 +193,7 @@ class VariableTable(Model):
         return next((bar for bar in (cell.within, row.within, self.within) if bar is not None), None)
 
 
-ReferenceTable = Annotated[
-    Annotated[ResponseTable, Tag("?kind=responses")] | Annotated[VariableTable, Tag("?kind=variables")],
-    Discriminator(by_key("kind")),
-]
+ReferenceTable = Annotated[ResponseTable | VariableTable, OneOf("kind")]
 
 
 class Reference(FileModel):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio, PositiveStiffness, PositiveTime
 from edesign.project.notation.written import Written, as_kept, words_or
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 from edesign.project.substructure.quantities import (
     Alpha,
     AlphaList,
@@ -287,18 +288,18 @@ class PiPhaseLeadCompensator(Model):
 
 
 Compensator = Annotated[
-    Annotated[NoCompensator, Tag("?kind=none")]
-    | Annotated[PolynomialCompensator, Tag("?kind=polynomial")]
-    | Annotated[LeastSquaresPolynomialCompensator, Tag("?kind=least_squares_polynomial")]
-    | Annotated[LinearAccelerationCompensator, Tag("?kind=linear_acceleration")]
-    | Annotated[InverseCompensator, Tag("?kind=inverse")]
-    | Annotated[PhaseLeadCompensator, Tag("?kind=phase_lead")]
-    | Annotated[FixedAlphaCompensator, Tag("?kind=fixed_alpha")]
-    | Annotated[AtsCompensator, Tag("?kind=ats")]
-    | Annotated[ModifiedAtsCompensator, Tag("?kind=modified_ats")]
-    | Annotated[LiveDelayCompensator, Tag("?kind=live_delay")]
-    | Annotated[ModelFeedforwardCompensator, Tag("?kind=model_feedforward")]
-    | Annotated[SmithCompensator, Tag("?kind=smith")]
-    | Annotated[PiPhaseLeadCompensator, Tag("?kind=pi_phase_lead")],
-    Discriminator(by_key("kind")),
+    NoCompensator
+    | PolynomialCompensator
+    | LeastSquaresPolynomialCompensator
+    | LinearAccelerationCompensator
+    | InverseCompensator
+    | PhaseLeadCompensator
+    | FixedAlphaCompensator
+    | AtsCompensator
+    | ModifiedAtsCompensator
+    | LiveDelayCompensator
+    | ModelFeedforwardCompensator
+    | SmithCompensator
+    | PiPhaseLeadCompensator,
+    OneOf("kind"),
 ]

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.notation.units import (
     Duration,
@@ -17,7 +16,8 @@ from edesign.project.notation.units import (
     PositiveTime,
     UnitRatio,
 )
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 from edesign.project.substructure.quantities import (
     Band,
     Hertz,
@@ -95,18 +95,7 @@ class CommandInFile(Model):
     displacement: PositiveLength | None = None
 
 
-def _which(value: Any) -> str:
-    in_file = "file" in value if isinstance(value, Mapping) else isinstance(value, CommandInFile)
-    return "?file" if in_file else by_key("type")(value)
-
-
-Command = Annotated[
-    Annotated[RandomCommand, Tag("?type=random")]
-    | Annotated[SineCommand, Tag("?type=sine")]
-    | Annotated[SweepCommand, Tag("?type=sweep")]
-    | Annotated[CommandInFile, Tag("?file")],
-    Discriminator(_which),
-]
+Command = Annotated[RandomCommand | SineCommand | SweepCommand | CommandInFile, OneOf("type", file=CommandInFile)]
 
 
 class _Test(Model):
@@ -193,12 +182,7 @@ class ControlNoise(Model):
     seed: Annotated[int, Field(ge=0)] = 1
 
 
-AnyControlError = Annotated[
-    Annotated[Undershoot, Tag("?kind=undershoot")]
-    | Annotated[Lag, Tag("?kind=lag")]
-    | Annotated[ControlNoise, Tag("?kind=noise")],
-    Discriminator(by_key("kind")),
-]
+AnyControlError = Annotated[Undershoot | Lag | ControlNoise, OneOf("kind")]
 
 
 class PseudoDynamicTest(RecordTest):
@@ -265,11 +249,4 @@ class ShakingTableTest(RecordTest):
     iterations: Annotated[int, Field(ge=0, le=20)] = 0
 
 
-AnyTest = Annotated[
-    Annotated[CommandTest, Tag("?kind=command")]
-    | Annotated[RtsTest, Tag("?kind=rts")]
-    | Annotated[PseudoDynamicTest, Tag("?kind=pseudo_dynamic")]
-    | Annotated[EffectiveForceTest, Tag("?kind=effective_force")]
-    | Annotated[ShakingTableTest, Tag("?kind=shaking_table")],
-    Discriminator(by_key("kind")),
-]
+AnyTest = Annotated[CommandTest | RtsTest | PseudoDynamicTest | EffectiveForceTest | ShakingTableTest, OneOf("kind")]

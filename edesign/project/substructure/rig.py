@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, FiniteFloat, Tag
+from pydantic import Field, FiniteFloat
 
 from edesign.project.notation.units import (
     Duration,
@@ -16,7 +15,8 @@ from edesign.project.notation.units import (
     PositiveTime,
     PositiveVelocity,
 )
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 from edesign.project.substructure.quantities import (
     Alpha,
     Delay,
@@ -172,31 +172,14 @@ class RigInFile(_Rig):
     file: Annotated[str, Field(min_length=1)]
 
 
-def _which(value: Any) -> str:
-    in_file = "file" in value if isinstance(value, Mapping) else isinstance(value, RigInFile)
-    return "?file" if in_file else by_key("kind")(value)
-
-
 RigModel = Annotated[
-    Annotated[IdealRig, Tag("?kind=ideal")]
-    | Annotated[DelayRig, Tag("?kind=delay")]
-    | Annotated[FirstOrderRig, Tag("?kind=first_order")]
-    | Annotated[SecondOrderRig, Tag("?kind=second_order")]
-    | Annotated[TransferFunctionRig, Tag("?kind=transfer_function")]
-    | Annotated[ServoHydraulicRig, Tag("?kind=servo_hydraulic")],
-    Discriminator(by_key("kind")),
+    IdealRig | DelayRig | FirstOrderRig | SecondOrderRig | TransferFunctionRig | ServoHydraulicRig, OneOf("kind")
 ]
 """A rig whose behaviour is known."""
 
 AnyRig = Annotated[
-    Annotated[IdealRig, Tag("?kind=ideal")]
-    | Annotated[DelayRig, Tag("?kind=delay")]
-    | Annotated[FirstOrderRig, Tag("?kind=first_order")]
-    | Annotated[SecondOrderRig, Tag("?kind=second_order")]
-    | Annotated[TransferFunctionRig, Tag("?kind=transfer_function")]
-    | Annotated[ServoHydraulicRig, Tag("?kind=servo_hydraulic")]
-    | Annotated[RigInFile, Tag("?file")],
-    Discriminator(_which),
+    IdealRig | DelayRig | FirstOrderRig | SecondOrderRig | TransferFunctionRig | ServoHydraulicRig | RigInFile,
+    OneOf("kind", file=RigInFile),
 ]
 
 

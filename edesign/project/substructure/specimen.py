@@ -6,19 +6,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.dampers.dampers import Count, DamperLaw, Effect, Layers
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import PositiveArea, PositiveLength
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import Keys
 from edesign.project.reading.yaml_nodes import Node
 
-LawChoice = Annotated[
-    Annotated[Annotated[str, Field(min_length=1)], Tag("?plain")] | Annotated[DamperLaw, Tag("?mapping")],
-    Discriminator(by_shape),
-]
+LawChoice = Annotated[Annotated[str, Field(min_length=1)] | DamperLaw, OneOf()]
 
 
 class Specimen(Model):

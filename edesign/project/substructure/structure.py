@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber, NoDamping
 from edesign.project.notation.several import Names
 from edesign.project.notation.units import PositiveMass, PositiveRatio, PositiveStiffness
-from edesign.project.reading.base import Model, by_key, keys_in
+from edesign.project.reading.base import Model
+from edesign.project.reading.one_of import OneOf
 
 Text = Annotated[str, Field(min_length=1)]
 
@@ -58,12 +59,7 @@ class ShearModal(Model):
     modes: ModeNumber | None = None
 
 
-ShearDamping = Annotated[
-    Annotated[NoDamping, Tag("?kind=none")]
-    | Annotated[ShearRayleigh, Tag("?kind=rayleigh")]
-    | Annotated[ShearModal, Tag("?kind=modal")],
-    Discriminator(by_key("kind")),
-]
+ShearDamping = Annotated[NoDamping | ShearRayleigh | ShearModal, OneOf("kind")]
 
 
 class ShearBuilding(Model):
@@ -84,11 +80,7 @@ class ShearBuilding(Model):
     storey: Annotated[int, Field(ge=1)] = 1
 
 
-def _which(value: Any) -> str:
-    keys = keys_in(value)
-    return "?project" if "project" in keys or "physical" in keys or "analysis" in keys else "?shear"
-
-
 Structure = Annotated[
-    Annotated[ProjectStructure, Tag("?project")] | Annotated[ShearBuilding, Tag("?shear")], Discriminator(_which)
+    ProjectStructure | ShearBuilding,
+    OneOf(otherwise=ShearBuilding, project=ProjectStructure, physical=ProjectStructure, analysis=ProjectStructure),
 ]
