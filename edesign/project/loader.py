@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
@@ -19,6 +18,7 @@ from edesign.project.dampers.dampers import BraceSection
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import Catalogue
 from edesign.project.project import Project
+from edesign.project.reading.file_model import Reader
 from edesign.project.reading.partial import check_independent, readable_part
 from edesign.project.reading.problems import Problems, ProjectError
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
@@ -65,7 +65,7 @@ def parse_project(
     path = Path(path)
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
-    read = _Reader(path, profiles, files)
+    read = Reader(parse_project, path, {"profiles": profiles, "files": files}, _with_catalogue_names)
     if project is not None:
         project = read.completed(project)
     part = project if project is not None else readable_part(Project, problems)
@@ -92,28 +92,12 @@ def _cross_checks(
     )
 
 
-@dataclass(frozen=True)
-class _Reader:
-    """Reads another text in the place of one that was read; equal for projects that were read alike."""
-
-    path: Path
-    profiles: Catalogue | None
-    files: bool
-
-    def __call__(self, text: str) -> Project:
-        return parse_project(text, self.path, self.profiles, self.files)
-
-    def completed(self, model: Project) -> Project:
-        """The project with the catalogue's names of sections, if there is a catalogue."""
-        return model if self.profiles is None else _with_catalogue_names(model, self.profiles)
-
-
-def _with_catalogue_names(project: Project, catalogue: Catalogue) -> Project:
+def _with_catalogue_names(project: Project, catalogue: Catalogue | None) -> Project:
     """The project with the catalogue's own names of sections, however they are written; own sections go before."""
 
     def named(part: S) -> S:
         written = part.section
-        known = None if written in project.sections else catalogue.canonical(written)
+        known = None if catalogue is None or written in project.sections else catalogue.canonical(written)
         return part if known in (None, written) else part.model_copy(update={"section": known})
 
     frame = project.frame

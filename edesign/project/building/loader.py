@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
@@ -13,6 +12,7 @@ from edesign.project.building.checks_loads import check_loads
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.plausible import check_given_masses, check_plausible
 from edesign.project.frame.sections import Catalogue
+from edesign.project.reading.file_model import Reader
 from edesign.project.reading.problems import FileProblems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
@@ -62,7 +62,7 @@ def parse_building(
     path = Path(path)
     building, problems = check_model(text, Building, _WHAT, _BEGINS)
     if building is not None:
-        read = _Reader(path, profiles, files)
+        read = Reader(parse_building, path, {"profiles": profiles, "files": files}, _completed)
         building = read.completed(building)
         building.read_from(path, text, problems.root, read)
         # cross checks need a whole building, those of loads and design one whose members stand
@@ -77,27 +77,17 @@ def parse_building(
     return building
 
 
-@dataclass(frozen=True)
-class _Reader:
-    """Reads another text in the place of one that was read; equal for buildings that were read alike."""
+def _completed(building: Building, profiles: Catalogue | None) -> Building:
+    """The building with the catalogue's names of sections, if there is a catalogue, and with all groups named."""
 
-    path: Path
-    profiles: Catalogue | None
-    files: bool
-
-    def __call__(self, text: str) -> Building:
-        return parse_building(text, self.path, self.profiles, self.files)
-
-    def completed(self, model: Building) -> Building:
-        """The building with the catalogue's names of sections, if there is a catalogue, and with all groups named."""
-        return model.model_copy(
-            update={
-                "columns": tuple(self._named(run, f"C{i}") for i, run in enumerate(model.columns, 1)),
-                "beams": tuple(self._named(run, f"B{run.along.upper()}{i}") for i, run in enumerate(model.beams, 1)),
-                "braces": tuple(self._named(run, f"D{i}") for i, run in enumerate(model.braces, 1)),
-            }
-        )
-
-    def _named(self, run: R, group: str) -> R:
-        known = None if self.profiles is None else self.profiles.canonical(run.section)
+    def named(run: R, group: str) -> R:
+        known = None if profiles is None else profiles.canonical(run.section)
         return run.model_copy(update={"section": known or run.section, "group": run.group or group})
+
+    return building.model_copy(
+        update={
+            "columns": tuple(named(run, f"C{i}") for i, run in enumerate(building.columns, 1)),
+            "beams": tuple(named(run, f"B{run.along.upper()}{i}") for i, run in enumerate(building.beams, 1)),
+            "braces": tuple(named(run, f"D{i}") for i, run in enumerate(building.braces, 1)),
+        }
+    )

@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar, Protocol, Self
+from typing import Any, ClassVar, Self
 
 from pydantic import PrivateAttr
 
@@ -22,16 +23,29 @@ HEAD = ("title", "document")
 """Keys of a file that say what a report is called and for whom it is, and no result depends on."""
 
 
-class Reader(Protocol):
-    """A reader of other texts in the place of one that was read."""
+@dataclass(frozen=True)
+class Reader:
+    """Reads another text in the place of one that was read; equal for files that were read alike.
 
-    def __call__(self, text: str) -> Any:
-        """Return the model of another text, checked."""
-        ...
+    Attributes:
+        parse: returns the checked model of a text and a path.
+        path: of the file.
+        more: further arguments of `parse`.
+        complete: returns a model, by the catalogue of sections, with what reading adds to it; None: nothing.
+    """
+
+    parse: Callable[..., Any]
+    path: Path
+    more: Mapping[str, Any]
+    complete: Callable[[Any, Any], Any] | None = None
+
+    def __call__(self, text: str, **changed: Any) -> Any:
+        """Return the checked model of another text, with some of the further arguments changed."""
+        return self.parse(text, self.path, **{**self.more, **changed})
 
     def completed(self, model: Any) -> Any:
         """Return a model with the values that reading adds to it, such as names of a catalogue."""
-        ...
+        return self.complete(model, self.more["profiles"]) if self.complete is not None else model
 
 
 class FileModel(Model):

@@ -194,8 +194,8 @@ class Study(FileModel):
             StudyError: the study does not fit the project; the message lists all problems.
         """
         self.check_unchanged()
-        read: Any = self._read  # that of a study takes another project too
-        found: Study = read(self._text, base=base)
+        assert self._read is not None
+        found: Study = self._read(self._text, base=base)
         return found
 
     def afresh(self) -> Study:

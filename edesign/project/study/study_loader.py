@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.project.frame.sections import Catalogue
 from edesign.project.loader import load_project
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
+from edesign.project.reading.file_model import Reader
 from edesign.project.reading.problems import FileProblems, Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 from edesign.project.study.checks_study import check_study
@@ -64,7 +64,8 @@ def parse_study(
     if study is not None and (base is None or of not in (None, study.project)):
         base = _load_base(study, path, profiles, problems)
     if study is not None and base is not None:
-        read = _Reader(path, base, profiles, study.project)
+        more = {"base": base, "profiles": profiles, "of": study.project}
+        read = Reader(parse_study, path, more, _completed)
         study = read.completed(study)
         check_study(study.read_from(path, text, problems.root, read).set_base(base), problems)
     if study is None or problems.found:
@@ -81,18 +82,6 @@ def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: P
     return None
 
 
-@dataclass(frozen=True)
-class _Reader:
-    """Reads another text in the place of one that was read; equal for studies that were read alike."""
-
-    path: Path
-    base: Project
-    profiles: Catalogue | None
-    of: str
-
-    def __call__(self, text: str, base: Project | None = None) -> Study:
-        return parse_study(text, self.path, base or self.base, self.profiles, self.of)
-
-    def completed(self, model: Study) -> Study:
-        """The study with the variants that `vary` and `bounds` make."""
-        return model.with_derived()
+def _completed(study: Study, _profiles: Catalogue | None) -> Study:
+    """The study with the variants that `vary` and `bounds` make."""
+    return study.with_derived()

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from edesign.project.frame.sections import Catalogue
 from edesign.project.loader import load_project
 from edesign.project.project import Project
 from edesign.project.reading.checks_files import check_file
+from edesign.project.reading.file_model import Reader
 from edesign.project.reading.problems import FileProblems, Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 from edesign.project.substructure.checks_compensators import check_compensators
@@ -71,7 +70,7 @@ def parse_rts_file(text: str, path: Path | str = "rts.yaml", profiles: Catalogue
     path = Path(path)
     rts, problems = check_model(text, RtsFile, WHAT, _BEGINS)
     if rts is not None:
-        rts.read_from(path, text, problems.root, _Reader(path, profiles))
+        rts.read_from(path, text, problems.root, Reader(parse_rts_file, path, {"profiles": profiles}))
         rts.set_named(_project(rts, profiles, problems), _rig_file(rts, problems))
         _check(rts, problems)
     if rts is None or problems.found:
@@ -127,18 +126,3 @@ def _rig_file(rts: RtsFile, problems: Problems) -> RigFile | None:
         return None
     path = rts.folder / rts.rig.file
     return read_rig_file(path) if check_file(path, ("rig", "file"), problems, WHAT) else None
-
-
-@dataclass(frozen=True)
-class _Reader:
-    """Reads another text in the place of one that was read; equal for files that were read alike."""
-
-    path: Path
-    profiles: Catalogue | None
-
-    def __call__(self, text: str) -> RtsFile:
-        return parse_rts_file(text, self.path, self.profiles)
-
-    def completed(self, model: Any) -> Any:
-        """The file as it is: reading adds nothing to its own values."""
-        return model
