@@ -69,6 +69,7 @@ def spare_inputs(*paths: Path) -> None:
             other = "" if known == path else f" ({known})"
             raise InputError(
                 f"{path}: this is an input{other}, and no output takes its place; choose another name or folder"
+                " [E-FILE-06]"
             )
 
 

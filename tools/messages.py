@@ -16,6 +16,7 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import cast
 
 ROOT = Path(__file__).resolve().parent.parent
 SENTENCES = ROOT / "tests" / "unit" / "messages" / "sentences.txt"
@@ -24,6 +25,8 @@ CODE = re.compile(r"\[(E-[A-Z0-9]+-\d\d)\]")
 ERRORS = {"InputError", "AnalysisError", "ArchiveError", "CampaignError", "SuiteError", "NoSuchMaterial"}
 ERRORS |= {"NotTranslated", "DamagedArchive", "RefusedClient", "RefusedMotion", "SessionError", "RtsFileError"}
 """Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
+CODED = {*ERRORS, "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}
+"""Errors whose text has a code already: a sentence that passes it on needs none."""
 METHODS = {"refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
 """Functions that take the sentence of a problem."""
 WORDS = re.compile(r"[A-Za-z]{2,}[^A-Za-z{}]+[A-Za-z]{2,}")
@@ -82,13 +85,26 @@ def uncoded(path: Path) -> list[ast.expr]:
     """
     tree = ast.parse(path.read_text(encoding="utf-8"))
     functions = {node.name: node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+    passed_on = {id(node) for node in _passed_on(tree)}
     found: dict[int, ast.expr] = {}
     for scope in ast.walk(tree):
         if isinstance(scope, (ast.FunctionDef, ast.Module)):
             for call in _calls(scope):
                 for argument in [*call.args, *(keyword.value for keyword in call.keywords)]:
                     found |= {id(one): one for one in _sources(argument, scope, tree, functions)}
-    return sorted(found.values(), key=lambda node: (node.lineno, node.col_offset))
+    left = (node for key, node in found.items() if key not in passed_on)
+    return sorted(left, key=lambda node: (node.lineno, node.col_offset))
+
+
+def _passed_on(tree: ast.Module) -> Iterator[ast.AST]:
+    """Strings that hold the text of an error of edesign."""
+    for handler in ast.walk(tree):
+        if isinstance(handler, ast.ExceptHandler) and handler.name and handler.type is not None:
+            kinds = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
+            if all(isinstance(kind, ast.Name) and kind.id in CODED for kind in kinds):
+                for node in ast.walk(handler):
+                    if is_text(node) and f"{{{handler.name}}}" in text_of(cast(ast.expr, node)):
+                        yield node
 
 
 def _calls(scope: ast.AST) -> Iterator[ast.Call]:

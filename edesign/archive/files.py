@@ -49,11 +49,11 @@ def check_folder(folder: Path) -> None:
             os.stat(folder)  # refuses what is no path at all
         existing = _existing(folder)
         if not existing.is_dir():
-            raise ArchiveError(f"{folder}: {existing} is a file, and a folder is needed")
+            raise ArchiveError(f"{folder}: {existing} is a file, and a folder is needed [E-FILE-06]")
         if not os.access(existing, os.W_OK | os.X_OK):
-            raise ArchiveError(f"{folder}: the folder {existing} cannot be written to")
+            raise ArchiveError(f"{folder}: the folder {existing} cannot be written to [E-FILE-06]")
     except (OSError, ValueError) as error:
-        raise ArchiveError(f"{folder}: the folder cannot be used: {_words(error)}") from error
+        raise ArchiveError(f"{folder}: the folder cannot be used: {_words(error)} [E-FILE-06]") from error
 
 
 def try_folder(folder: Path) -> None:
@@ -69,7 +69,9 @@ def try_folder(folder: Path) -> None:
     try:
         os.rmdir(tempfile.mkdtemp(prefix=".edesign-", dir=existing))
     except OSError as error:
-        raise ArchiveError(f"{folder}: nothing can be made in the folder {existing}: {reason(error)}") from error
+        raise ArchiveError(
+            f"{folder}: nothing can be made in the folder {existing}: {reason(error)} [E-FILE-06]"
+        ) from error
 
 
 def check_file(path: Path) -> None:
@@ -81,13 +83,13 @@ def check_file(path: Path) -> None:
     check_folder(path.parent)
     try:
         if path.is_dir():
-            raise ArchiveError(f"{path}: cannot be written: it is a folder")
+            raise ArchiveError(f"{path}: cannot be written: it is a folder [E-FILE-06]")
         if path.exists() and not path.is_file():  # a file would take its place, and may be waited for before
-            raise ArchiveError(f"{path}: cannot be written: it is a pipe or a device")
+            raise ArchiveError(f"{path}: cannot be written: it is a pipe or a device [E-FILE-06]")
         with suppress(FileNotFoundError):
             os.lstat(_existing(path.parent) / _partial(path).name)  # refused where the name is too long
     except (OSError, ValueError) as error:
-        raise ArchiveError(f"{path}: cannot be written: {_words(error)}") from error
+        raise ArchiveError(f"{path}: cannot be written: {_words(error)} [E-FILE-06]") from error
 
 
 ARCHIVES = (".h5", ".hdf5", ".nc")
@@ -101,7 +103,7 @@ def check_archive_name(path: Path) -> None:
         InputError: it has another ending.
     """
     if path.suffix.lower() not in ARCHIVES:
-        raise InputError(f"{path}: the name of an archive ends in .h5, .hdf5 or .nc")
+        raise InputError(f"{path}: the name of an archive ends in .h5, .hdf5 or .nc [E-FILE-08]")
 
 
 def check_csv_name(path: Path) -> None:
@@ -111,7 +113,7 @@ def check_csv_name(path: Path) -> None:
         InputError: it has another ending, or an input of the command stands there.
     """
     if path.suffix.lower() != ".csv":
-        raise InputError(f"{path}: the name of a table ends in .csv")
+        raise InputError(f"{path}: the name of a table ends in .csv [E-FILE-08]")
     spare_inputs(path)
 
 
@@ -125,7 +127,7 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise ArchiveError(f"{folder}: the folder cannot be made: {reason(error)}") from error
+        raise ArchiveError(f"{folder}: the folder cannot be made: {reason(error)} [E-FILE-06]") from error
 
 
 def source_file(source: Path, result: Path) -> str:
@@ -158,7 +160,7 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
     if overwrite or other == source_file(source, path):
         return
     what = f"this is the result of {other}" if other else "edesign did not write this file"
-    raise InputError(f"{path}: {what}, and it is left as it is; choose another name, or --overwrite")
+    raise InputError(f"{path}: {what}, and it is left as it is; choose another name, or --overwrite [E-FILE-07]")
 
 
 def _named_source(first_line: str) -> str:
@@ -198,7 +200,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
         InputError: an input of the command stands there.
     """
     if is_hdf5(path):
-        raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is")
+        raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is [E-FILE-07]")
     spare_inputs(path)
     check_file(path)
     make_folder(path.parent)
@@ -213,7 +215,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
             if partial is not None:
                 partial.unlink(missing_ok=True)
         if isinstance(error, OSError):
-            raise ArchiveError(f"{path}: cannot be written: {reason(error)}") from error
+            raise ArchiveError(f"{path}: cannot be written: {reason(error)} [E-FILE-06]") from error
         raise
     note_output(path)
 

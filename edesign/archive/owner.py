@@ -46,19 +46,21 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
         except ArchiveError as error:
             if place != path and isinstance(error, DamagedArchive):
                 continue  # what an interrupted run left
-            raise ArchiveError(f"{error}; it is left as it is: choose another name, or --overwrite") from error
+            raise ArchiveError(
+                f"{error}; it is left as it is: choose another name, or --overwrite [E-FILE-07]"
+            ) from error
         lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
         same = old.get("project_checksum")
         if lost and same is not None and same == root.attributes.get("project_checksum"):
             raise ArchiveError(
                 f"{place}: this archive has {len(lost)} analyses that this run leaves out ({', '.join(lost[:3])}"
                 f"{' ...' if len(lost) > 3 else ''}), and it is left as it is; choose another name (--archive), or "
-                "--overwrite"
+                "--overwrite [E-ARCH-05]"
             )
         if _differs(old, root.attributes):
             raise ArchiveError(
                 f"{place}: this is the archive of another {_described(old)}, and it is left as it is; choose another "
-                "name or folder (`outputs: archive`, --archive, --output), or --overwrite"
+                "name or folder (`outputs: archive`, --archive, --output), or --overwrite [E-ARCH-05]"
             )
         gone = gone or lost
     return gone

@@ -62,7 +62,7 @@ class Archive:
             self._check(damaged)
         except OSError as error:
             self.close()
-            raise ArchiveError(f"{self.path}: cannot read the archive: {reason(error)}") from error
+            raise ArchiveError(f"{self.path}: cannot read the archive: {reason(error)} [E-FILE-02]") from error
         except Damaged as error:
             self.close()
             raise self._damaged(error) from error
@@ -147,7 +147,9 @@ class Archive:
 
         def asked(name: str, read: Callable[[str, str], Found]) -> Found:
             if self._closed:
-                raise ArchiveError(f"{self.path}: {name} of {place} is asked for after the archive was closed")
+                raise ArchiveError(
+                    f"{self.path}: {name} of {place} is asked for after the archive was closed [E-ARCH-06]"
+                )
             try:
                 return read(place, name)
             except Damaged as error:
@@ -190,7 +192,7 @@ class Archive:
         if not self.has(place):
             parent = path.rpartition("/")[0] or "/"
             have = ", ".join(self.names(parent)) or "none"
-            raise ArchiveError(f"{self.path}: there is no {path}; below {parent} there are: {have}")
+            raise ArchiveError(f"{self.path}: there is no {path}; below {parent} there are: {have} [E-ARCH-07]")
         try:
             return read(place)
         except Damaged as error:
@@ -205,25 +207,25 @@ class Archive:
                 raise ArchiveError(other_kind(self.path, kind, "archive"))
             return
         if self.path.is_dir():
-            raise ArchiveError(f"{self.path}: this is a folder, not an archive")
+            raise ArchiveError(f"{self.path}: this is a folder, not an archive [E-ARCH-01]")
         if self.path.exists():
-            raise ArchiveError(f"{self.path}: this is not a regular file, so no archive")
+            raise ArchiveError(f"{self.path}: this is not a regular file, so no archive [E-ARCH-01]")
         partial = partial_path(self.path)
         hint = f"; an incomplete one is there: {partial}" if partial.exists() else ""
-        raise ArchiveError(f"{self.path}: no such archive{hint}")
+        raise ArchiveError(f"{self.path}: no such archive{hint} [E-ARCH-01]")
 
     def _check(self, damaged: bool) -> None:
         found = self._tree.layout
         if found not in range(1, FORMAT + 1):
             what = "an HDF5 file, but not an archive of edesign" if found is None else f"an archive of layout {found}"
-            raise ArchiveError(f"{self.path}: this is {what}; this version reads layouts 1 to {FORMAT}")
+            raise ArchiveError(f"{self.path}: this is {what}; this version reads layouts 1 to {FORMAT} [E-ARCH-02]")
         if not self.sealed and found != 1 and self.complete and self.path.suffix != PARTIAL_SUFFIX:
             self._fault = "it is not as it was written (its seal does not fit); "
         if not damaged and self.damage_in_short():
             raise DamagedArchive(self.describe_damage())
 
     def _damaged(self, error: Damaged) -> DamagedArchive:
-        return DamagedArchive(f"{self.path}: the archive is damaged: {error}")
+        return DamagedArchive(f"{self.path}: the archive is damaged: {error} [E-ARCH-03]")
 
 
 def open_archive(path: str | os.PathLike[str], damaged: bool = False) -> Archive:
@@ -253,7 +255,7 @@ def refuse_calibration(archive: Archive) -> None:
         report = f"its report is {page}" if page.is_file() else f"there is no report {page}, which `calibrate` writes"
         raise ArchiveError(
             f"{archive.path}: this archive has the motions and forces of a calibration; {report}. "
-            f"`edesign export {shlex.quote(str(archive.path))} --histories '*'` writes them as tables"
+            f"`edesign export {shlex.quote(str(archive.path))} --histories '*'` writes them as tables [E-ARCH-08]"
         )
 
 
@@ -283,10 +285,10 @@ def _used(archive: Archive, use: Callable[[Archive], Found], told: str) -> Found
     except EdesignError as error:
         if not told:
             raise
-        raise ArchiveError(f"{told}\n  nothing of it can be shown: {error}") from error
+        raise ArchiveError(f"{told}\n  nothing of it can be shown: {error} [E-ARCH-03]") from error
     except Exception as error:
         if archive.sealed and not told:
             raise  # what edesign wrote, edesign reads: its own mistake
         what = f"its content does not fit together ({type(error).__name__}: {error})"
-        message = f"{told}\n  {what}" if told else f"{archive.path}: the archive is damaged: {what}"
+        message = f"{told}\n  {what}" if told else f"{archive.path}: the archive is damaged: {what} [E-ARCH-03]"
         raise DamagedArchive(message) from error

@@ -83,7 +83,7 @@ class ArchiveWriter:
             self._disk = PieceFile(self.partial)
         except BlockingIOError as error:
             raise ArchiveError(
-                f"{self.partial}: another run is writing this archive; wait for it, or stop it"
+                f"{self.partial}: another run is writing this archive; wait for it, or stop it [E-ARCH-04]"
             ) from error
         except (OSError, ValueError) as error:  # ValueError: Python's for a null byte in a path
             raise self._failure(error) from error
@@ -182,24 +182,26 @@ class ArchiveWriter:
             ArchiveError: everything else.
         """
         if self.path.is_dir():
-            raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder")
+            raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder [E-FILE-06]")
         if not self.path.parent.is_dir():
-            raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
+            raise ArchiveError(
+                f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist [E-FILE-06]"
+            )
         for place in (self.path, self.partial, _aside(self.path)):
             if not place.exists():
                 continue
             if not place.is_file():
-                raise ArchiveError(f"{place}: cannot write the archive: it is not a regular file")
+                raise ArchiveError(f"{place}: cannot write the archive: it is not a regular file [E-FILE-06]")
             lost = place != self.path and _was_never_written(place)
             if place.stat().st_size and not lost and not is_hdf5(place):
                 raise ArchiveError(
                     f"{place}: cannot write the archive: this file is no archive, and it is left as it is; "
-                    "choose another name"
+                    "choose another name [E-FILE-07]"
                 )
 
     def _check_open(self) -> None:
         if not self._open:
-            raise ArchiveError(f"{self.partial}: the archive is closed")
+            raise ArchiveError(f"{self.partial}: the archive is closed [E-ARCH-06]")
 
     def _stay(self) -> None:
         """See to it that the partial file is still where it was put, as a run may take hours.
@@ -219,14 +221,16 @@ class ArchiveWriter:
             now = self._disk.path
             if now is not None and not folder.is_dir():
                 self.partial = now
-                raise ArchiveError(f"{place}: the folder {folder} was renamed or removed during the run") from None
+                raise ArchiveError(
+                    f"{place}: the folder {folder} was renamed or removed during the run [E-ARCH-06]"
+                ) from None
             folder.mkdir(parents=True, exist_ok=True)
             self._disk.write_again(place)
             self.tell(f"{place.name} was deleted during the run, and was written again")
             return
         self.partial = self._free_name()
         self._disk.write_again(self.partial)
-        raise ArchiveError(f"{place}: another file has taken the place of this one during the run")
+        raise ArchiveError(f"{place}: another file has taken the place of this one during the run [E-ARCH-06]")
 
     def _free_name(self) -> Path:
         names = (partial_path(f"{self.path}.{number}") for number in count(1))
@@ -283,7 +287,7 @@ class ArchiveWriter:
 
     def _failure(self, error: OSError | ValueError) -> ArchiveError:
         words = reason(error) if isinstance(error, OSError) else str(error)
-        return ArchiveError(f"{self.path}: cannot write the archive: {words}")
+        return ArchiveError(f"{self.path}: cannot write the archive: {words} [E-FILE-06]")
 
 
 def renew_root(
@@ -307,7 +311,9 @@ def renew_root(
 
     def fill(file: h5py.File) -> None:
         if file.attrs.get("edesign_archive") != FORMAT:
-            raise ArchiveError(f"{path}: cannot renew its head: it has another layout; it is left as it was")
+            raise ArchiveError(
+                f"{path}: cannot renew its head: it has another layout; it is left as it was [E-ARCH-02]"
+            )
         for name in [name for name, item in file.items() if isinstance(item, h5py.Dataset) or name in others]:
             del file[name]
         for name in list(file.attrs):
@@ -323,7 +329,7 @@ def renew_root(
             finally:
                 partial_path(path).unlink()
     except OSError as error:
-        raise ArchiveError(f"{path}: cannot write the archive: {reason(error)}") from error
+        raise ArchiveError(f"{path}: cannot write the archive: {reason(error)} [E-FILE-06]") from error
 
 
 def _complete(path: Path, source: BinaryIO, size: int, fill: Callable[[h5py.File], None]) -> None:

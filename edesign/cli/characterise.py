@@ -100,7 +100,7 @@ def characterise(
         tables = [properties_table(title, found, notes)]
         print_tables([*tables, *(cycle_properties_table(name, columns) for name, columns in each.items())])
     if output is not None and table is None:
-        raise InputError(f"{output}: there are no properties to write\n" + "\n".join(notes))
+        raise InputError(f"{output}: there are no properties to write\n" + "\n".join(notes) + " [E-CLI-08]")
     if figures is not None:
         with optional("the figures", "the properties stand"):
             draw_tests(campaign, table, figures, figure_format)
@@ -109,7 +109,7 @@ def characterise(
 def _cycles(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"\s*(\d{1,6})\s*-\s*(\d{1,6})\s*", text)
     if not match:
-        raise InputError(f"--cycles: `{text}` is no range; write first and last, such as `5-15`")
+        raise InputError(f"--cycles: `{text}` is no range; write first and last, such as `5-15` [E-CLI-04]")
     return int(match[1]), int(match[2])
 
 
@@ -120,11 +120,11 @@ def _campaign(
     options = {"--layers": layers, "--layer-area": area, "--layer-thickness": thickness}
     if any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
         if len(inputs) > 1:
-            raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
+            raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns [E-CLI-05]")
         campaign = load_campaign(inputs[0])
         for option, value in {**options, "--temperature": temperature}.items():
             if value is not None:
-                raise InputError(f"{option}: the campaign says this; leave the option out")
+                raise InputError(f"{option}: the campaign says this; leave the option out [E-CLI-02]")
         return campaign
     for path in inputs:
         refuse_kind(path, kind_of(path), "test file or campaign file", ARCHIVE, *YAML_KINDS)
@@ -132,7 +132,7 @@ def _campaign(
     if missing:
         raise InputError(
             f"{', '.join(missing)}: test files do not say this; give it, or a campaign file; moduli are those of "
-            "layers, and `edesign sheet` finds stiffness and damping of a device without them"
+            "layers, and `edesign sheet` finds stiffness and damping of a device without them [E-CLI-03]"
         )
     assert layers is not None and area is not None and thickness is not None
     celsius = None
@@ -146,7 +146,7 @@ def _campaign(
     )
     for i, path in enumerate(inputs):
         if path in inputs[:i]:
-            raise InputError(f"{path}: the file is named twice")
+            raise InputError(f"{path}: the file is named twice [E-FILE-09]")
     tests = tuple(
         read_test(path, temperature_C=celsius, name=name, unsaid='say --temperature "20 degC"')
         for path, name in zip(inputs, short_names(inputs), strict=True)

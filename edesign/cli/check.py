@@ -33,7 +33,9 @@ def check(
 ) -> None:
     """Check a file of any kind: a project with its records and frame, tests, laws, suites, ...; print a summary."""
     if drawing is not None and not figure:
-        raise InputError(f"{drawing}: `check` takes one file; a second one is the drawing of its model: add --figure")
+        raise InputError(
+            f"{drawing}: `check` takes one file; a second one is the drawing of its model: add --figure [E-CLI-05]"
+        )
     target = None
     if figure:
         from edesign.report.model.write import check_figure_path, default_figure_path
@@ -85,6 +87,7 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
             if target is not None:
                 raise InputError(
                     f"{file}: --figure draws the models of projects, studies, buildings and substructure tests"
+                    " [E-CLI-05]"
                 )
             return found
     return check_project(_drawn(load_project(file), target))  # which tells what is wrong about a file that is none

@@ -43,7 +43,9 @@ def compare(
     others = {"--csv": csv is not None, "--json": as_json, "--bars": bars, "--check": check}
     if variants is not None and any(others.values()):
         given = ", ".join(option for option, is_given in others.items() if is_given)
-        raise InputError(f"{given}: --variants prints its tables and takes no other options; leave one of them out")
+        raise InputError(
+            f"{given}: --variants prints its tables and takes no other options; leave one of them out [E-CLI-02]"
+        )
     _check_kinds(archive, reference)
     if csv is not None:
         check_csv_name(csv)
@@ -75,11 +77,11 @@ def _check_kinds(archive: Path, reference: Path) -> None:
     """Tell what the command needs of who names two archives, or both files in the other order."""
     first, second = kind_of(archive), kind_of(reference)
     if second == ARCHIVE and first == REFERENCE:
-        raise InputError(f"{archive}: the archive comes first: `edesign compare {reference} {archive}`")
+        raise InputError(f"{archive}: the archive comes first: `edesign compare {reference} {archive}` [E-CLI-05]")
     refuse_kind(archive, first, "archive", TABLE, *YAML_KINDS)
     if second == ARCHIVE:
         raise InputError(
             f"{reference}: this is {ARCHIVE.described}, and two archives are not compared; the second file is a "
             "reference file of printed values, which begins with `edesign_reference: 1` "
-            "(docs/reference/reference_files.md)"
+            "(docs/reference/reference_files.md) [E-FILE-05]"
         )

@@ -49,7 +49,7 @@ def design(
     read = load_building(building)
     archive = path.with_suffix(".h5")
     if archive == path:
-        raise InputError(f"{path}: this is the name of an archive; a building file ends in .yaml")
+        raise InputError(f"{path}: this is the name of an archive; a building file ends in .yaml [E-FILE-08]")
     check_own_yaml(path, building, overwrite)
     check_building_archive(read, path, archive, overwrite)
     found = in_stages(lambda stage: select_sections(read, tell, workers), quiet)

@@ -60,7 +60,9 @@ def export(
         xlsx = archive.with_name(archive.name.removesuffix(".partial")).with_suffix(".xlsx")
     for option, names in (("--tables", tables), ("--histories", histories)):
         if names is not None and not _names(names):
-            raise InputError(f"{option}: it names nothing; names are separated by commas, `*` stands for all")
+            raise InputError(
+                f"{option}: it names nothing; names are separated by commas, `*` stands for all [E-CLI-04]"
+            )
     if xlsx is not None and not as_list:
         check_page_path(xlsx, (".xlsx",), "a workbook")
     for folder in filter(None, (csv, parquet)):

@@ -54,9 +54,9 @@ def extract(
 ) -> None:
     """Write plane frames of a building as a project file, with the loads and masses that fall to them."""
     if study is None and (recordings is not None or drift is not None):
-        raise InputError("--recordings and --drift belong to a study; give --study FILE too")
+        raise InputError("--recordings and --drift belong to a study; give --study FILE too [E-CLI-01]")
     if recordings is not None and not recordings.is_dir():
-        raise InputError(f"--recordings: there is no folder `{recordings}`")
+        raise InputError(f"--recordings: there is no folder `{recordings}` [E-FILE-01]")
     read = with_steel_by_thickness(load_building(building))
     found = frame_row(read, space_frame(read), frame)
     texts = {}
@@ -73,7 +73,7 @@ def extract(
             study: study_text(found, names, largest),
         }
         if len(texts) < 3:
-            raise InputError(f"{study}: the project and the study are two files; give them different names")
+            raise InputError(f"{study}: the project and the study are two files; give them different names [E-FILE-09]")
     for path in texts:
         check_own_yaml(path, building, overwrite)
     for path, text in texts.items():

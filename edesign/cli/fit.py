@@ -95,13 +95,13 @@ def fit(
     """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""
     check_format(figure_format)
     if folds is not None and not cross_validate:
-        raise InputError("--folds: only with --cross-validate")
+        raise InputError("--folds: only with --cross-validate [E-CLI-01]")
     for name in free or []:
         if name in {text.partition("=")[0].strip() for text in fix or []}:
-            raise InputError(f"--free {name}: it is held by --fix; leave one of them out")
+            raise InputError(f"--free {name}: it is held by --fix; leave one of them out [E-CLI-02]")
     given = read.read_input(source, against, read.read_specimen(layers, layer_area, layer_thickness))
     if given.table is not None and (cross_validate or figures is not None):
-        raise InputError("--cross-validate, --figures: only with forces, not with properties")
+        raise InputError("--cross-validate, --figures: only with forces, not with properties [E-CLI-01]")
     for folder in (output, figures):
         if folder is not None:
             check_folder(folder)  # rather than after a long fit

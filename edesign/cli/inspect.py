@@ -37,7 +37,7 @@ def inspect(
     """Print what a table of numbers is read as, and the YAML that reads it."""
     kind = kind_of(file)
     if kind is not None and kind != TABLE:
-        raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use}")
+        raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use} [E-FILE-05]")
     marked = file.is_file() and file.stat().st_size and not is_matlab_file(file)
     found = format_by_marks(file) if marked else None
     if found is not None:

@@ -84,7 +84,7 @@ def match(
     """
     check_format(figure_format)
     if max_per_event is not None and select is None:
-        raise InputError("--max-per-event: only with --select, which chooses the recordings")
+        raise InputError("--max-per-event: only with --select, which chooses the recordings [E-CLI-01]")
     for place in (csv, figures):
         if place is not None:
             check_folder(place)
@@ -101,7 +101,7 @@ def match(
     tables = []
     if select is not None:
         if period is None:
-            raise InputError("--select: the criteria need the fundamental period; give --t1, or --project")
+            raise InputError("--select: the criteria need the fundamental period; give --t1, or --project [E-CLI-03]")
         choice = choose_recordings(found, target, settings, period, select, max_per_event)
         found = choice.recordings
         simulated = [name for name, item in found.items() if item.origin == "stand-in"]
@@ -139,4 +139,6 @@ def match(
             draw_figures(summary.archive, figures, figure_format)
     if summary.failed:
         reasons = "".join(f"\n  {motion.failure}" for motion in summary.failed)
-        raise AnalysisError(f"{len(summary.failed)} of {len(summary.motions)} recordings could not be fitted{reasons}")
+        raise AnalysisError(
+            f"{len(summary.failed)} of {len(summary.motions)} recordings could not be fitted{reasons} [E-RUN-01]"
+        )

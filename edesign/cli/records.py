@@ -48,14 +48,14 @@ def records(
     reading = Reading.of(unit, time_step, layout, None)
     of_tables = flatfile is not None or reading != Reading()
     if of_tables and (where is None or not is_folder(Path(where))):
-        raise InputError("--flatfile, --unit, --time-step, --layout: only for a folder")
+        raise InputError("--flatfile, --unit, --time-step, --layout: only for a folder [E-CLI-01]")
     if unit is not None and unit not in ACCELERATION_UNITS:
         raise InputError(f"--unit: {unknown_name('unit', unit, ACCELERATION_UNITS)}")
     if layout not in (None, "columns", "rows"):
         raise InputError(f"--layout: {unknown_name('layout', str(layout), ('columns', 'rows'))}")
     if where is None:
         if csv is not None:
-            raise InputError("--csv: only with a folder, package or suite")
+            raise InputError("--csv: only with a folder, package or suite [E-CLI-01]")
         places = found_in.places()
         if as_json:
             print(json.dumps(shown.places_data(places), indent=2, allow_nan=False, ensure_ascii=False))
@@ -73,7 +73,7 @@ def records(
     )
     source = found_in.source_of(where, tables, tuple(map(str, folder or ())))
     if folder and not hasattr(source, "folders"):
-        raise InputError("--folder: only with a suite, whose recordings are looked for there")
+        raise InputError("--folder: only with a suite, whose recordings are looked for there [E-CLI-01]")
     found, refused = found_in.listing(source)
     if csv is not None:
         shown.write_listing(found, csv)

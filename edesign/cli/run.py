@@ -75,7 +75,9 @@ def run(
         raise InputError(other_kind(project, kind, "project, study or building file"))
     if kind == BUILDING:
         if only or folder or scheduler:
-            raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
+            raise InputError(
+                "--only, --folder and --scheduler are for projects and studies, not for a building [E-CLI-01]"
+            )
         _run_building(project, archive, overwrite, _End(report, whole, quiet), check)
     else:
         how = _How(
@@ -120,7 +122,7 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, 
     path, design = in_stages(work, end.quiet)
     _end(path, "", end)
     if check and not design.passed:
-        raise AnalysisError(f"{file}: not all checks are met; all are in {path}")
+        raise AnalysisError(f"{file}: not all checks are met; all are in {path} [E-RUN-02]")
 
 
 def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, end: _End) -> None:
@@ -139,6 +141,7 @@ def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How,
         reasons = "".join(f"\n  {_shortened(names)}: {reason}" for reason, names in alike.items())
         raise AnalysisError(
             f"{len(summary.failed)} of {len(summary.outcomes)} analyses failed; all are in {summary.archive}{reasons}"
+            " [E-RUN-01]"
         )
 
 

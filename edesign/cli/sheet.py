@@ -136,10 +136,10 @@ def _read(
         tests = _tests(inputs, temperature)
         return inputs[0].stem, tests, _with_device(Acceptance(), device), None, Document(), list(notes_of(tests))
     if len(inputs) > 1:
-        raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
+        raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns [E-CLI-05]")
     campaign = load_campaign(inputs[0])
     if temperature is not None:
-        raise InputError("--temperature: the campaign says this; leave the option out")
+        raise InputError("--temperature: the campaign says this; leave the option out [E-CLI-02]")
     damper = None
     if campaign.law is not None and campaign.law.parameters is not None:
         chosen = law(campaign.law.type)
@@ -159,7 +159,7 @@ def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...
     for i, path in enumerate(inputs):
         refuse_kind(path, kind_of(path), "test file or campaign file", ARCHIVE, *YAML_KINDS)
         if path in inputs[:i]:
-            raise InputError(f"{path}: the file is named twice")
+            raise InputError(f"{path}: the file is named twice [E-FILE-09]")
     celsius = None
     if temperature is not None:
         try:
@@ -177,5 +177,7 @@ def _with_device(asked: Acceptance, device: str | None) -> Acceptance:
         return asked
     known = get_args(Device)
     if device not in known:
-        raise InputError(f"--device: `{device}` is unknown{did_you_mean(device, known)} (allowed: {', '.join(known)})")
+        raise InputError(
+            f"--device: `{device}` is unknown{did_you_mean(device, known)} (allowed: {', '.join(known)}) [E-CLI-04]"
+        )
     return asked.model_copy(update={"device": device})

@@ -110,5 +110,5 @@ def _devices(opened: Archive, design: str) -> str:
         raise InputError(f"{opened.path}: --devices: {unknown_name('design', design, names)}")
     attributes = opened.group_attributes(f"{DESIGNS}/{design}")
     if attributes.get("status") != "completed" or "devices" not in attributes:
-        raise InputError(f"{opened.path}: --devices: the design `{design}` found no devices")
+        raise InputError(f"{opened.path}: --devices: the design `{design}` found no devices [E-ARCH-08]")
     return str(attributes["devices"])

@@ -75,7 +75,7 @@ def spectrum(
     hazard, level = action.hazard(loaded, options, level)
     first, last = (action.quantity(text, TIME, "--periods") for text in periods)
     if first >= last:
-        raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s")
+        raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s [E-CLI-04]")
     reading = source.Reading.of(unit, time_step, layout, component, column, time_column)
     found: dict[str, Found] = {}
     if inputs:

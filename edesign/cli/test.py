@@ -48,7 +48,7 @@ def test(
     spare_inputs(*places)
     for place, what in zip(places, ("campaign", "table of properties"), strict=True):
         if is_there(place) and not overwrite:
-            raise InputError(f"{place}: there is a {what} already; choose another --output, or --overwrite")
+            raise InputError(f"{place}: there is a {what} already; choose another --output, or --overwrite [E-FILE-07]")
     for written in (folder, figures):
         if written is not None:
             check_folder(written)

@@ -43,14 +43,14 @@ class SeriesRig:
         for name in ("stiffness", "compression_ratio"):
             value = getattr(self, name)
             if not (value > 0.0 and isfinite(value)):
-                _refuse(f"{name} = {value:g} is not allowed: finite and above 0")
+                _refuse(f"{name} = {value:g} is not allowed: finite and above 0 [E-VALUE-02]")
         power = self.power
         if not (power >= 1.0 and isfinite(power)) or (power > 1.0 and not (self.cubic > 0.0 and self.play == 0.0)):
-            _refuse(f"power = {power:g} is not allowed: 1, or above with cubic > 0 and without play")
+            _refuse(f"power = {power:g} is not allowed: 1, or above with cubic > 0 and without play [E-VALUE-02]")
         for name in ("play", "cubic", "play_stiffness", "damping"):
             value = getattr(self, name)
             if not (value >= 0.0 and isfinite(value)):
-                _refuse(f"{name} = {value:g} is not allowed: finite, at least 0")
+                _refuse(f"{name} = {value:g} is not allowed: finite, at least 0 [E-VALUE-02]")
 
     def for_core(self) -> Any:
         """Return the core's structure; it lives as long as what this returns."""

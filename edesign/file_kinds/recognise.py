@@ -142,7 +142,7 @@ def other_kind(path: Path | str, found: FileKind, what: str) -> str:
         what: is needed in its place.
     """
     article = "an" if what[0] in "aeiou" else "a"
-    return f"{path}: this is {found.described}, and {article} {what} is needed; {found.use}"
+    return f"{path}: this is {found.described}, and {article} {what} is needed; {found.use} [E-FILE-05]"
 
 
 def _is_text(head: bytes) -> bool:

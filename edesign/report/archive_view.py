@@ -51,7 +51,9 @@ def find(archive: Archive, name: str) -> str:
     names = planned(archive)
     if name not in names:
         hint = did_you_mean(name, names)
-        raise InputError(f"{archive.path}: no analysis is named {name!r}{hint} (there are: {listed(names)})")
+        raise InputError(
+            f"{archive.path}: no analysis is named {name!r}{hint} (there are: {listed(names)}) [E-ARCH-07]"
+        )
     return name
 
 

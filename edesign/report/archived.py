@@ -121,6 +121,6 @@ def archived_study(archive: Archive) -> Study | None:
         return None
     text = archive.view().variables.get("study_text")
     if text is None:
-        raise ArchiveError(f"{archive.path}: damaged: the text of the study (`study_text`) is missing")
+        raise ArchiveError(f"{archive.path}: damaged: the text of the study (`study_text`) is missing [E-ARCH-03]")
     path = Path(str(archive.attributes.get("study_file") or "study.yaml"))
     return parse_study(str(text.values), path, base)

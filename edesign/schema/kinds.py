@@ -29,5 +29,5 @@ def kind_named(name: str) -> FileKind:
     """
     if name not in KINDS:
         hint = did_you_mean(name, KINDS)
-        raise InputError(f"there is no kind of file `{name}`{hint} (there are: {listed(KINDS, 30)})")
+        raise InputError(f"there is no kind of file `{name}`{hint} (there are: {listed(KINDS, 30)}) [E-NAME-01]")
     return KINDS[name]

@@ -62,4 +62,6 @@ def _refuse_other(path: Path) -> None:
         if DIALECT in path.read_text(encoding="utf-8")[:200]:
             return
     if path.exists():
-        raise InputError(f"{path}: this file is no schema of edesign, and it is left as it is; choose another folder")
+        raise InputError(
+            f"{path}: this file is no schema of edesign, and it is left as it is; choose another folder [E-FILE-07]"
+        )

@@ -77,7 +77,9 @@ def judge(
     """Judge measured substructure tests: tracking, error of the response, force against the law."""
     chosen, file = _displacement(displacement), _read(rts, test, campaign)
     if test and len(test) != len(records):
-        raise InputError(f"--test: {len(test)} for {len(records)} CSVs; one for each of them, in their order, or none")
+        raise InputError(
+            f"--test: {len(test)} for {len(records)} CSVs; one for each of them, in their order, or none [E-CLI-05]"
+        )
     names: list[str | None] = [*test] if test else [None] * len(records)
     with one_thread():
         found = [judged(one, file, name) for one, name in zip(records, names, strict=True)]
@@ -97,7 +99,7 @@ def judge(
 def _displacement(name: str) -> Displacement:
     chosen = next((one for one in CHANNELS if one == name), None)
     if chosen is None:
-        raise InputError(f"--displacement: `{name}` is none of {', '.join(CHANNELS)}")
+        raise InputError(f"--displacement: `{name}` is none of {', '.join(CHANNELS)} [E-CLI-04]")
     return chosen
 
 
@@ -106,7 +108,7 @@ def _read(rts: Path | None, test: list[str] | None, campaign: Path | None) -> Rt
         return load_tests(rts)
     for option, value in (("--test", test), ("--campaign", campaign)):
         if value:
-            raise InputError(f"{option}: only with --rts, which says law and specimen")
+            raise InputError(f"{option}: only with --rts, which says law and specimen [E-CLI-01]")
     return None
 
 

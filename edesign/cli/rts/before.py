@@ -48,7 +48,7 @@ def check(
         with optional("the figure", "what was found is printed above"):
             drawn = draw_map(laboratory, advice.recommended, figure)
         if not drawn:
-            raise InputError(f"{file}: --figure: no map without a test with a loop and a stable rig")
+            raise InputError(f"{file}: --figure: no map without a test with a loop and a stable rig [E-CLI-08]")
 
 
 def export(
@@ -86,7 +86,7 @@ def serve(
     """Be the laboratory of OpenSees' genericClient: the virtual specimen of the file behind a TCP port."""
     damper = laboratory(load_tests(file)).damper
     if damper is None:
-        raise InputError(f"{file}: specimen: a laboratory needs a law; give `law` or `law_file`")
+        raise InputError(f"{file}: specimen: a laboratory needs a law; give `law` or `law_file` [E-KEY-02]")
     found = wait(
         SizedDamper(damper.values, damper.scales),
         port,

@@ -57,4 +57,5 @@ def run(
     if check and bad:
         raise AnalysisError(
             f"{file}: {len(bad)} runs are unstable, saturated or too wrong ({'; '.join(bad)}); all are in {path}"
+            " [E-RUN-03]"
         )

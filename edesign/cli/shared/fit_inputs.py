@@ -57,22 +57,29 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
         InputError: the file cannot be read, nothing in it can be fitted to, or an option does not go with it.
     """
     if against is not None and against not in AGAINST:
-        raise InputError(f"--against: `{against}` is unknown{did_you_mean(against, AGAINST)} ({', '.join(AGAINST)})")
+        raise InputError(
+            f"--against: `{against}` is unknown{did_you_mean(against, AGAINST)} ({', '.join(AGAINST)}) [E-CLI-04]"
+        )
     if path.suffix.lower() == ".csv":
         if against == "forces":
-            raise InputError("--against forces: a property table has no forces; give the campaign file of the tests")
+            raise InputError(
+                "--against forces: a property table has no forces; give the campaign file of the tests [E-CLI-05]"
+            )
         if specimen is None:
             raise InputError(
                 f"{path}: a property table needs the specimen: --layers, --layer-area and --layer-thickness; a test "
                 f"with forces is fitted to by a campaign file that lists it (`edesign inspect {path}` prints its entry)"
+                " [E-CLI-03]"
             )
         return FitInput("properties", path.stem, specimen, None, (), (), read_property_table(path))
     if specimen is not None:
-        raise InputError("--layers, --layer-area, --layer-thickness: the campaign file says what the specimen is")
+        raise InputError(
+            "--layers, --layer-area, --layer-thickness: the campaign file says what the specimen is [E-CLI-02]"
+        )
     campaign = load_campaign(path, needs_force=False)
     tests, title = campaign.used_for("fit"), campaign.label
     if not tests:
-        raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to")
+        raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to [E-CLI-08]")
     if against == "properties":
         specimen = campaign.layers_for("properties")
         table, notes = _properties(tests, specimen, path)
@@ -106,7 +113,7 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
     if layers is None and area is None and thickness is None:
         return None
     if layers is None or area is None or thickness is None:
-        raise InputError("--layers, --layer-area and --layer-thickness: all three are needed")
+        raise InputError("--layers, --layer-area and --layer-thickness: all three are needed [E-CLI-03]")
     return Specimen(
         "specimen", layers, quantity(area, AREA, "--layer-area"), quantity(thickness, LENGTH, "--layer-thickness")
     )
@@ -119,11 +126,11 @@ def read_laws(names: Sequence[str], choice: LawChoice | None) -> tuple[Law, ...]
         InputError: one is unknown or named twice, or there is none.
     """
     if not names and choice is None:
-        raise InputError("--law: which law is to be fitted? The campaign names none")
+        raise InputError("--law: which law is to be fitted? The campaign names none [E-CLI-03]")
     wanted = list(names) if names or choice is None else [choice.type]
     for name in wanted:
         if wanted.count(name) > 1:
-            raise InputError(f"--law: `{name}` stands there twice")
+            raise InputError(f"--law: `{name}` stands there twice [E-CLI-04]")
     return tuple(law(name) for name in wanted)
 
 
@@ -159,7 +166,7 @@ def read_fixed(law: Law, given: Sequence[str], start: Mapping[str, float], alone
         if name in start:
             values[name] = start[name]
         elif name in known:
-            raise InputError(f"--fix {name}: at which value? `--fix {name}=...` or a start value is needed")
+            raise InputError(f"--fix {name}: at which value? `--fix {name}=...` or a start value is needed [E-CLI-03]")
         elif alone:
             _unknown(law, name, "--fix")
     return values
@@ -175,7 +182,7 @@ def _read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> di
     for pair in pairs:
         name, _, text = pair.partition("=")
         if name.strip() in texts:
-            raise InputError(f"{option} {name.strip()}: the parameter is named twice")
+            raise InputError(f"{option} {name.strip()}: the parameter is named twice [E-CLI-04]")
         texts[name.strip()] = text.strip()
     parameters = {p.name: p for p in law.all_parameters(dict.fromkeys(texts, 0.0))}
     for name in list(texts):
@@ -186,7 +193,7 @@ def _read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> di
     for name in texts:
         exponent = exponent_in(parameters[name].unit)
         if exponent is not None and exponent not in texts:
-            raise InputError(f"{option} {name}: its unit contains {exponent}; give `{exponent}=...` too")
+            raise InputError(f"{option} {name}: its unit contains {exponent}; give `{exponent}=...` too [E-CLI-03]")
     if not texts:
         return {}
     placeholders = write_parameters(law, {p.name: _placeholder(p) for p in parameters.values()})
@@ -205,6 +212,7 @@ def _unknown(law: Law, name: str, option: str) -> None:
     known = [parameter.name for parameter in law.with_branches(1 if law.branch else 0)]
     raise InputError(
         f"{option}: law {law.name} has no parameter `{name}`{did_you_mean(name, known)} (there are: {', '.join(known)})"
+        " [E-CLI-04]"
     )
 
 

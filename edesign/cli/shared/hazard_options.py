@@ -51,7 +51,9 @@ def fundamental_period(project: Project | None, text: str | None) -> float | Non
         period = quantity(text, TIME, "--t1")
         low, high = POSSIBLE_T1
         if not low <= period <= high:
-            raise InputError(f"--t1: {period:g} s is no period of a structure; {low:g} s to {high:g} s are possible")
+            raise InputError(
+                f"--t1: {period:g} s is no period of a structure; {low:g} s to {high:g} s are possible [E-CLI-04]"
+            )
         return period
     return None if project is None else modal.fundamental_period(project)
 
@@ -70,13 +72,13 @@ def hazard(project: Project | None, options: dict[str, str | None], level: str |
     given = {key: value for key, value in options.items() if value is not None}
     if project is not None:
         if given:
-            raise InputError(f"{_flag(next(iter(given)))}: the project file says this; leave the option out")
+            raise InputError(f"{_flag(next(iter(given)))}: the project file says this; leave the option out [E-CLI-02]")
         found = checked_hazard(project)
         if level is not None:
             factor_of_level(found, level)
         return found, level
     if level is not None:
-        raise InputError("--level: only with --project; without one, --gamma gives the importance")
+        raise InputError("--level: only with --project; without one, --gamma gives the importance [E-CLI-01]")
     return _from_options(given), GIVEN if "gamma" in given else None
 
 
@@ -85,7 +87,7 @@ def _from_options(given: dict[str, str]) -> Hazard:
     if data["code"] in OTHER_CODES:
         raise InputError(
             f"--code: the options give an action of `ec8-2004`; write that of `{data['code']}` as `hazard` of a "
-            "project file, and name it by --project"
+            "project file, and name it by --project [E-CLI-04]"
         )
     for key in ("spectrum",):
         data[key] = int(data[key]) if str(data[key]).isdigit() else data[key]
@@ -94,11 +96,17 @@ def _from_options(given: dict[str, str]) -> Hazard:
     found, problems = check_model(yaml.safe_dump(data, sort_keys=False), EC8Hazard, "seismic action", "code: ec8-2004")
     if found is None:
         lines = [f"{_flag(problem.keys_text)}: {problem.message}" for problem in problems.found]
-        raise InputError("\n".join(lines) + "\n(the seismic action comes from --project, or from these options)")
+        raise InputError(
+            "\n".join(lines) + "\n(the seismic action comes from --project, or from these options) [E-CLI-03]"
+        )
     if found.zone is not None and found.a_gR is not None:
-        raise InputError("--zone: --a-gr gives the reference ground acceleration already; leave one of them out")
+        raise InputError(
+            "--zone: --a-gr gives the reference ground acceleration already; leave one of them out [E-CLI-02]"
+        )
     if found.zone is None and found.a_gR is None:
-        raise InputError("--a-gr: the reference ground acceleration is missing; give it, or --country and --zone")
+        raise InputError(
+            "--a-gr: the reference ground acceleration is missing; give it, or --country and --zone [E-CLI-03]"
+        )
     elastic_spectrum(found, GIVEN if found.levels else None)  # names of the code that do not exist show here
     return found
 

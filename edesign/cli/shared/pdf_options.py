@@ -43,5 +43,5 @@ def print_options(pdf: bool, paper: PaperName | None, appendix: bool) -> PrintOp
     """
     if not pdf and (paper or appendix):
         named = " and ".join(name for name, said in (("--paper", paper), ("--appendix", appendix)) if said)
-        raise InputError(f"{named}: only a PDF has sheets; say --pdf too")
+        raise InputError(f"{named}: only a PDF has sheets; say --pdf too [E-CLI-01]")
     return PrintOptions(PAPERS[paper or PaperName.A4], appendix)

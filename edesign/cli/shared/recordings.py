@@ -80,7 +80,7 @@ class Reading:
             InputError: the time step is none.
         """
         if time_column is not None and column is None:
-            raise InputError("--time-column: only with --column, which names the acceleration")
+            raise InputError("--time-column: only with --column, which names the acceleration [E-CLI-01]")
         step = quantity(time_step, TIME, "--time-step") if time_step else None
         return cls(unit, step, layout, component, _header_or_number(column), _header_or_number(time_column))
 
@@ -97,23 +97,25 @@ def read_inputs(
     inputs = [suite_file(Path(), str(path)) if not path.exists() else path for path in inputs]
     for path in inputs:
         if not path.exists() and not _is_suite(path) and is_suite_name(str(path)):
-            raise InputError(f"{unknown_name('suite', str(path), suite_names())}; and there is no file {path}")
+            raise InputError(
+                f"{unknown_name('suite', str(path), suite_names())}; and there is no file {path} [E-NAME-01]"
+            )
     if any(_is_suite(path) for path in inputs):
         if len(inputs) > 1:
-            raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")
+            raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites [E-CLI-05]")
         if reading != Reading():
             raise InputError(
                 "--unit, --time-step, --layout, --component, --column: only for record files; a suite file says these "
-                "itself"
+                "itself [E-CLI-01]"
             )
         name = _name(inputs[0])
         suite = load_suite(inputs[0])
         found = find_suite(suite, folders, stand_ins)
         return name, {entry.id: item for entry, item in zip(suite.records, found, strict=True)}
     if folders:
-        raise InputError("--folder: only with a suite file, whose recordings are looked for there")
+        raise InputError("--folder: only with a suite file, whose recordings are looked for there [E-CLI-01]")
     if not stand_ins:
-        raise InputError("--no-stand-ins: only with a suite file")
+        raise InputError("--no-stand-ins: only with a suite file [E-CLI-01]")
     return "records", _files(inputs, reading)
 
 
@@ -127,22 +129,25 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
     for path in inputs:
         name = _name(path)
         if name.lower() in map(str.lower, recordings):  # names of files, and some systems do not tell a from A
-            raise InputError(f"{path}: another of the files is called {name} too; rename one of them")
+            raise InputError(f"{path}: another of the files is called {name} too; rename one of them [E-FILE-09]")
         record = _record(path, name, reading)
         twin = next((other for other, item in recordings.items() if item.record.checksum == record.checksum), None)
         if twin is not None:
-            raise InputError(f"{path}: the same recording as {recordings[twin].detail}; leave one of them out")
+            raise InputError(
+                f"{path}: the same recording as {recordings[twin].detail}; leave one of them out [E-FILE-09]"
+            )
         recordings[name] = Found(record, "file", str(path))
     of_tables = (reading.unit, reading.time_step, reading.layout, reading.column)
     declared = {detect(path) for path in inputs} & {"table", "sac"}
     if any(option is not None for option in of_tables) and not declared:
         raise InputError(
             "--unit, --time-step, --layout, --column: only for tables of text; these files say all this themselves"
+            " [E-CLI-01]"
         )
     if reading.component is not None and not any(names_components(detect(path)) for path in inputs):
         tables = any(detect(path) == "table" for path in inputs)
         instead = "columns of tables are chosen by --column" if tables else "these hold one"
-        raise InputError(f"--component: only for files that name their components; {instead}")
+        raise InputError(f"--component: only for files that name their components; {instead} [E-CLI-01]")
     return recordings
 
 
@@ -158,7 +163,7 @@ def _record(path: Path, name: str, reading: Reading) -> Record:
     if reading.unit is None:
         raise InputError(
             f"{path}: a table does not say the unit of its accelerations; declare it: --unit "
-            f"{', '.join(ACCELERATION_UNITS)}"
+            f"{', '.join(ACCELERATION_UNITS)} [E-CLI-03]"
         )
     return read_record_file(
         path,
@@ -183,10 +188,10 @@ def _name(path: Path) -> str:
     """
     name = path.name.removesuffix(path.suffix)
     if name in TAKEN:
-        raise InputError(f"{path}: `{name}` has a meaning of its own in archives; rename the file")
+        raise InputError(f"{path}: `{name}` has a meaning of its own in archives; rename the file [E-FILE-10]")
     if len(name) > LONGEST_NAME or not re.search(r"\w", name) or not name.isprintable():
         raise InputError(
             f"{path}: results are named as the file, so its name needs a letter or digit, no control characters, and "
-            f"at most {LONGEST_NAME} characters; rename the file"
+            f"at most {LONGEST_NAME} characters; rename the file [E-FILE-10]"
         )
     return name

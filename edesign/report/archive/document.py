@@ -49,7 +49,7 @@ def write_page(
     page, damage = read_archive(archive, lambda opened: page_of(opened, tell))
     write_html(page, path)
     if damage:
-        raise DamagedArchive(f"{damage}\n  {path} shows what can be read")
+        raise DamagedArchive(f"{damage}\n  {path} shows what can be read [E-ARCH-03]")
     return path
 
 
@@ -83,9 +83,9 @@ def check_page_path(path: Path, suffixes: Sequence[str] = PAGE_SUFFIXES, what: s
         ArchiveError: it cannot be written.
     """
     if path.suffix.lower() not in suffixes:
-        raise InputError(f"{path}: the name of {what} ends in {' or '.join(suffixes)}")
+        raise InputError(f"{path}: the name of {what} ends in {' or '.join(suffixes)} [E-FILE-08]")
     if not path.parent.is_dir():
-        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist [E-FILE-06]")
     check_file(path)
 
 

@@ -56,5 +56,7 @@ def write_verdicts(archive: Archive, path: Path) -> None:
     """
     entries = [verdict_entry(verdict) for verdict in study_verdicts(archive)]
     if not entries:
-        raise InputError(f"{archive.path}: there are no criteria in this archive, so no CSV file of verdicts")
+        raise InputError(
+            f"{archive.path}: there are no criteria in this archive, so no CSV file of verdicts [E-ARCH-08]"
+        )
     write_csv_file(list(entries[0]), [list(entry.values()) for entry in entries], path)

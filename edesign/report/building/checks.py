@@ -167,7 +167,7 @@ def _member_number(results: BuildingResults, name: str) -> int:
     """
     names = [str(of) for of in results.values("members", "member")]
     if name not in names:
-        raise InputError(f"{results.archive.path}: no member is named {name!r}{did_you_mean(name, names)}")
+        raise InputError(f"{results.archive.path}: no member is named {name!r}{did_you_mean(name, names)} [E-ARCH-07]")
     return names.index(name)
 
 

@@ -140,7 +140,7 @@ class BuildingResults:
     def _incomplete(self, name: str, what: str) -> ArchiveError:
         return ArchiveError(
             f"{self.archive.path}: {_place(name)} has no `{what}`: the archive is damaged, or of another version; "
-            "`edesign run` makes it anew"
+            "`edesign run` makes it anew [E-ARCH-03]"
         )
 
 
@@ -151,7 +151,9 @@ def building_results(archive: Archive) -> BuildingResults:
         InputError: the archive is not that of a building.
     """
     if archive.attributes.get("kind") != BUILDING:
-        raise InputError(f"{archive.path}: this is not the archive of a building, and has no members to show")
+        raise InputError(
+            f"{archive.path}: this is not the archive of a building, and has no members to show [E-ARCH-08]"
+        )
     return BuildingResults(archive)
 
 

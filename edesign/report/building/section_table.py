@@ -71,7 +71,7 @@ def chosen_sections(what: str | None) -> list[str]:
     names = profile_names()
     found = list(names) if what is None else names.chosen(what)
     if not found:
-        raise InputError(f"no section of the catalogue is `{what}`; {names.near(what or '')}")
+        raise InputError(f"no section of the catalogue is `{what}`; {names.near(what or '')} [E-NAME-01]")
     return found
 
 

@@ -165,7 +165,7 @@ def _life_cycle(variant: str, fragilities: Sequence[LimitFragility], about: Grou
         rates = 1.0 / np.asarray(about.coords["hazard_return_period"].values, dtype=float)
         points = np.asarray(about.variables["hazard_intensity"].values[row], dtype=float)
         if not np.isfinite(points).all():
-            raise InputError("the variant has no period at which the hazard curve could be taken")
+            raise InputError("the variant has no period at which the hazard curve could be taken [E-ARCH-08]")
         curve = HazardCurve(points, rates)
     except InputError as error:
         return LifeCycle(variant, years, dispersion, None, {}, None, reason=str(error))

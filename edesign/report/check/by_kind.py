@@ -70,6 +70,7 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
     if kind == STRUCTURE:
         raise InputError(
             f"{path}: this is {STRUCTURE.described}, which has no tests; {STRUCTURE.use}, whose file can be checked"
+            " [E-FILE-05]"
         )
     if kind in SUMMARIES:
         return SUMMARIES[kind](path)

@@ -171,15 +171,15 @@ def result_summary(path: Path) -> dict[str, str]:
     try:
         found = json.loads(read_file(path, "result"))
     except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
-        raise InputError(f"{path}: this is no JSON: {error}") from error
+        raise InputError(f"{path}: this is no JSON: {error} [E-FILE-05]") from error
     try:
         if isinstance(found, dict) and "verdict" in found and isinstance(found.get("error"), dict):
             return _calibration(found)
         if isinstance(found, dict) and "nrms_percent" in found and "law" in found:
             return _fit(found)
     except (AttributeError, TypeError) as error:
-        raise InputError(f"{path}: this is no result that edesign has written: {error}") from error
-    raise InputError(f"{path}: this is no result of edesign: calibration.json and fit.json are")
+        raise InputError(f"{path}: this is no result that edesign has written: {error} [E-FILE-05]") from error
+    raise InputError(f"{path}: this is no result of edesign: calibration.json and fit.json are [E-FILE-05]")
 
 
 def _fit(found: dict[str, Any]) -> dict[str, str]:

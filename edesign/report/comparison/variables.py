@@ -55,6 +55,7 @@ def _values(
         where = reference.where(*keys, "variable")
         raise InputError(
             f"{where}: {table.group}: `{row.variable}` is given over {over}, not over {listed(sorted(dimensions))}"
+            " [E-ARCH-07]"
         )
     values = np.asarray(variable.values, dtype=float)
     for dimension, label in table.at.items():

@@ -132,7 +132,9 @@ def check_format(name: str) -> str:
     if name not in FORMATS:
         from edesign.project.reading.problems import did_you_mean
 
-        raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
+        raise InputError(
+            f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)}) [E-CLI-04]"
+        )
     return name
 
 
@@ -143,7 +145,7 @@ def check_figure_name(path: Path) -> None:
         InputError: it is of no format that is drawn.
     """
     if path.suffix.lower().lstrip(".") not in FORMATS:
-        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")
+        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)} [E-FILE-08]")
 
 
 def set_indices(figure: Figure) -> None:

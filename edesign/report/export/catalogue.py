@@ -117,7 +117,7 @@ def choose(tables: Sequence[ExportTable], patterns: Sequence[str], where: str) -
         if not fnmatch.filter(names, pattern):
             hint = did_you_mean(pattern, names)
             some = listed(names[:NAMED]) + (" and more, see --list" if len(names) > NAMED else "")
-            raise InputError(f"{where}: no table is named {pattern!r}{hint} (there are: {some})")
+            raise InputError(f"{where}: no table is named {pattern!r}{hint} (there are: {some}) [E-ARCH-07]")
     return [table for table in tables if any(fnmatch.fnmatchcase(table.name, pattern) for pattern in patterns)]
 
 

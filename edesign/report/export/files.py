@@ -15,7 +15,7 @@ from edesign.report.export.export_table import ExportColumn, ExportTable
 if TYPE_CHECKING:
     import pyarrow
 
-NO_EXTRA = "a Parquet file needs the package pyarrow: pip install 'edesign[tables]'; --csv needs no package"
+NO_EXTRA = "a Parquet file needs the package pyarrow: pip install 'edesign[tables]'; --csv needs no package [E-CLI-06]"
 CONTENTS, PROVENANCE = "contents.csv", "provenance.csv"
 _LIST = ("file", "title", "rows", "columns", "notes")
 

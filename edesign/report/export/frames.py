@@ -29,7 +29,7 @@ def data_frame(table: ExportTable) -> pandas.DataFrame:
     try:
         import pandas
     except ImportError as error:
-        raise InputError("a table needs the package pandas: pip install 'edesign[tables]'") from error
+        raise InputError("a table needs the package pandas: pip install 'edesign[tables]' [E-CLI-06]") from error
     frame = pandas.DataFrame({column.name: pandas.Series(list(column.values)) for column in table.columns})
     frame.attrs = {
         "title": table.title,
@@ -61,7 +61,7 @@ def dataset(group: Group) -> xarray.Dataset:
     try:
         import xarray
     except ImportError as error:
-        raise InputError("a dataset needs the package xarray: pip install 'edesign[tables]'") from error
+        raise InputError("a dataset needs the package xarray: pip install 'edesign[tables]' [E-CLI-06]") from error
     about = {name: value for name, value in group.attributes.items() if isinstance(value, _ATTRIBUTES)}
     return xarray.Dataset(
         {name: _entry(variable) for name, variable in group.variables.items()},

@@ -72,7 +72,7 @@ def history_tables(archive: Archive, patterns: Sequence[str]) -> list[ExportTabl
             hint = did_you_mean(pattern, there)
             raise InputError(
                 f"{archive.path}: no analysis, record or test {pattern!r} has histories{hint} "
-                f"(there are: {listed(there) if there else 'none'})"
+                f"(there are: {listed(there) if there else 'none'}) [E-ARCH-07]"
             )
         chosen += matching
     tables = []

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from xlsxwriter.workbook import Workbook
     from xlsxwriter.worksheet import Worksheet
 
-NO_EXTRA = "a workbook needs the package XlsxWriter: pip install 'edesign[tables]'; --csv needs no package"
+NO_EXTRA = "a workbook needs the package XlsxWriter: pip install 'edesign[tables]'; --csv needs no package [E-CLI-06]"
 CONTENTS, PROVENANCE = "contents", "provenance"
 MOST_ROWS, MOST_COLUMNS, MOST_LETTERS = 1_048_576, 16_384, 32_767  # of a sheet and of a cell
 _SHEET = 31  # letters of the name of a sheet
@@ -57,7 +57,7 @@ def write_workbook(tables: Sequence[ExportTable], facts: Mapping[str, str], path
         if last > MOST_ROWS or len(table.columns) > MOST_COLUMNS:
             raise InputError(
                 f"table {table.name}: {table.rows} rows and {len(table.columns)} columns are more than a sheet takes "
-                f"({MOST_ROWS} and {MOST_COLUMNS}); use --csv or --parquet, or choose others by --tables"
+                f"({MOST_ROWS} and {MOST_COLUMNS}); use --csv or --parquet, or choose others by --tables [E-CLI-07]"
             )
 
     def write(partial: Path) -> None:

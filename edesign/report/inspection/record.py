@@ -32,7 +32,9 @@ def record_account(path: Path) -> Account:
     width = max(widths)
     if len(widths) > 1:
         short = next(i for i, row in enumerate(table.rows[:-1]) if len(row) != width)
-        raise InputError(f"{path}:{table.places[short]}: {len(table.rows[short])} columns; others have {width}")
+        raise InputError(
+            f"{path}:{table.places[short]}: {len(table.rows[short])} columns; others have {width} [E-TABLE-07]"
+        )
     full = [row for row in table.rows if len(row) == width]
     values = np.array(
         [[number(cell, path, i, "a number") for cell in row] for row, i in zip(full, table.places, strict=False)]

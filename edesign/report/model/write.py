@@ -36,9 +36,9 @@ def check_figure_path(path: Path) -> None:
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         near = did_you_mean(suffix, SUFFIXES) if suffix else ""
-        raise InputError(f"{path}: a drawing of the model ends in {', '.join(SUFFIXES)}{near}")
+        raise InputError(f"{path}: a drawing of the model ends in {', '.join(SUFFIXES)}{near} [E-FILE-08]")
     if not path.parent.is_dir():
-        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist [E-FILE-06]")
     check_file(path)
 
 

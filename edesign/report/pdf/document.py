@@ -21,11 +21,14 @@ from edesign.report.pdf.paper import MARGIN_BOTTOM, MARGIN_SIDE, MARGIN_TOP, Pri
 from edesign.report.tables.visible import visible
 
 PDF_SUFFIXES = (".pdf",)
-NO_EXTRA = "a PDF needs the package weasyprint: pip install 'edesign[pdf]'; or print the HTML page from a browser"
+NO_EXTRA = (
+    "a PDF needs the package weasyprint: pip install 'edesign[pdf]'; or print the HTML page from a browser [E-CLI-06]"
+)
 NO_PANGO = (
     "a PDF needs the library Pango of the system, which weasyprint lays text out with "
     "(Debian, Ubuntu: apt-get install libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz-subset0; "
-    "Fedora: dnf install pango; macOS: brew install pango); or print the HTML page from a browser"
+    "Fedora: dnf install pango; macOS: brew install pango); or print the HTML page from a browser "
+    "[E-CLI-06]"
 )
 HEADED = ("Project number", "Revision")  # of the document, in the head of each page
 DEFAULTS = PrintOptions()
@@ -58,7 +61,7 @@ def write_pdf(
     page, damage = read_archive(archive, lambda opened: page_of(opened, tell))
     write_page_as_pdf(page, path, tell, options)
     if damage:
-        raise DamagedArchive(f"{damage}\n  {path} shows what can be read")
+        raise DamagedArchive(f"{damage}\n  {path} shows what can be read [E-ARCH-03]")
     return path
 
 

