@@ -70,7 +70,7 @@ def compare(
     if check and comparison.outside:
         outside, barred = len(comparison.outside), sum(cell.within is not None for cell in comparison.cells)
         which = "value is not within its bar" if barred == 1 else "values are not within their bars"
-        raise AnalysisError(f"{outside} of {barred} {which}")
+        raise AnalysisError(f"{outside} of {barred} {which} [E-RUN-04]")
 
 
 def _check_kinds(archive: Path, reference: Path) -> None:

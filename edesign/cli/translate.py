@@ -39,7 +39,7 @@ def translate(
 ) -> None:
     """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign."""
     if target is None or to is not None:
-        raise InputError(f"{'--to: there is no such option: ' if to is not None else ''}{_without_target(source)}")
+        raise InputError(f"{'--to: ' if to is not None else ''}{_without_target(source)}")
     if source.suffix.lower() in formats.TAKEN:
         taken = formats.take(source, target, overwrite)
         _tell(f"{target} written, a {taken.kind} file. Next: edesign check {target}", taken.left_out)
@@ -67,9 +67,9 @@ def _without_target(source: Path) -> str:
     """What to write after the source, by examples with its own name."""
     command = f"edesign translate {shlex.quote(str(source))} {shlex.quote(source.stem)}"
     if source.suffix.lower() in formats.TAKEN:
-        return f"name the file to write after it: {command}.yaml"
+        return f"name the file to write after it: {command}.yaml [E-CLI-03]"
     examples = "".join(f"\n  {known.program + ':':<11} {command}{known.suffix}" for known in formats.FORMATS)
-    return f"name the file to write after the source; its ending says for which program:{examples}"
+    return f"name the file to write after the source; its ending says for which program [E-CLI-03]:{examples}"
 
 
 def _tell(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:
