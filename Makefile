@@ -66,7 +66,7 @@ help:
 	@echo "make format    lay out and sort the Python sources (ruff)"
 	@echo "make docs-keys write docs/reference/keys and the tables of docs/reference/effects, out of the models"
 	@echo "make messages  write tests/unit/messages/sentences.txt: every message that has a code, after one has changed"
-	@echo "make law-parameters  write the parameters of damper laws and amendments for the core, out of edesign/damper"
+	@echo "make law-parameters  write the parameters of damper laws and effects for the core, out of edesign/damper"
 	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
 

@@ -55,7 +55,7 @@ EXAMPLES = frozenset(
 _PLACE = re.compile(r"[A-Z]{1,2}(?:_[A-Z]?\d+)*(?:_[A-Z])?(?:_[A-Z]?\d+)*(?:_[rfab])?")
 """Members and dampers by their places, such as `V_1_3_f`."""
 _FORMER = re.compile(r"\w+_inside")
-"""Forms of effects by the name that they had, which law files may still say (`edesign.damper.amendments`)."""
+"""Forms of effects by the name that they had, which law files may still say (`edesign.damper.effects`)."""
 
 
 @cache

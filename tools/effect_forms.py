@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from edesign.calibration.dampers.acts import (
-    Amendment,
+    CoreEffect,
     ForceChannel,
     LastingExtremes,
     LawParameters,
@@ -30,7 +30,7 @@ from edesign.calibration.structures.effect import ChangedBuilding, Links, Struct
 from edesign.calibration.structures.effects import forms as structure_forms
 from edesign.calibration.structures.record import Measure
 from edesign.calibration.structures.sizes import StructureSizes
-from edesign.damper.amendment_kinds import kind_if_known
+from edesign.damper.effect_forms import form_if_known
 from edesign.estimation.parameters import Parameter
 
 _USUAL = Sizes(
@@ -103,13 +103,13 @@ class Row:
         """What a law file calls it; "" if none carries it."""
         if not isinstance(self.form, EffectForm) or self.form.kind != "damper":
             return ""
-        kinds = [one.equation.split(".") for one in self.form.amendments]
+        kinds = [one.equation.split(".") for one in self.form.core_effects]
         if any(isinstance(act, LawParameters) for act in self.form.acts):
             return "key `temperature_law`" if self.form.name == "temperature_law" else ""
         if len(kinds) != 1:
             return ""
         name, form = (self.form.name, self.name) if kinds[0] == ["constant"] else kinds[0]
-        return f"{name}.{form}" if kind_if_known(name, form) else ""
+        return f"{name}.{form}" if form_if_known(name, form) else ""
 
 
 def damper_rows() -> list[Row]:
@@ -225,7 +225,7 @@ def _placed(form: EffectForm | StructureForm | ReadingForm) -> tuple[str, tuple[
         return base, (kinds.get(type(form.acts[0]), "channels"),)
     in_place = base.endswith("_in_place")
     base = base.removesuffix("_in_place")
-    placements = {act.placement for act in form.amendments}
+    placements = {act.placement for act in form.core_effects}
     for one in Placement:
         if one in placements and base.endswith(f"_{one.value}"):
             base = base.removesuffix(f"_{one.value}")
@@ -236,7 +236,7 @@ def _placed(form: EffectForm | StructureForm | ReadingForm) -> tuple[str, tuple[
 
 
 def _where(act: object) -> str:
-    if isinstance(act, Amendment):
+    if isinstance(act, CoreEffect):
         return act.placement.value
     if isinstance(act, MotionChannel):
         return "displacement channel" if act.of == "actuator" else "motion of the specimen"

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.law_forces import accepted
-from edesign.core.damper import PLACEMENTS, AmendmentValues
+from edesign.core.damper import PLACEMENTS, EffectValues
 from edesign.damper.laws import LAWS
 from tools.effect_forms import Row, damper_rows, structure_rows, table_rows
 
@@ -168,8 +168,8 @@ def _laws() -> str:
 
     rows = []
     for name, law in LAWS.items():
-        each = {place: AmendmentValues("payne.network", (0.1, 1.0, 1.0), place) for place in PLACEMENTS}
-        of = [place for place, amendment in each.items() if accepted(law, EXAMPLES[name], [amendment])]
+        each = {place: EffectValues("payne.network", (0.1, 1.0, 1.0), place) for place in PLACEMENTS}
+        of = [place for place, effect in each.items() if accepted(law, EXAMPLES[name], [effect])]
         own = dict.fromkeys(f"{row.form.name}.{row.name}" for row in ROWS if name in row.laws)
         rows.append((f"[`{name}`](../laws/{name}.md)", ", ".join(of) or "none", ", ".join(own) or "-"))
     return _table(("law", "placements", "effects that not every law has"), rows)

@@ -1,10 +1,10 @@
-"""Write names, order and bounds of the parameters of damper laws and their amendments for the core.
+"""Write names, order and bounds of the parameters of damper laws and their effects for the core.
 
-The one table of laws is edesign/damper/laws.py, that of amendments edesign/damper/amendment_kinds.py. Of each the core
+The one table of laws is edesign/damper/laws.py, that of effects edesign/damper/effect_forms.py. Of each the core
 has a header, which gives the places of parameters their names, and a table of bounds:
 
     core_c/src/damper/law_parameters.h, law_parameters.c
-    core_c/src/damper/amendment_parameters.h, amendment_parameters.c
+    core_c/src/damper/effect_parameters.h, effect_parameters.c
 
 tests/unit/damper/test_law_parameters.py fails when these files are of another table.
 
@@ -18,7 +18,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from edesign.damper.amendment_kinds import parameters_in_core
+from edesign.damper.effect_forms import parameters_in_core
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 
@@ -27,7 +27,7 @@ FOLDER = Path(__file__).resolve().parents[1] / "core_c" / "src" / "damper"
 
 @dataclass(frozen=True)
 class Entry:
-    """Parameters of a law or an amendment.
+    """Parameters of a law or an effect.
 
     Attributes:
         parameters: in the order of the core.
@@ -51,13 +51,13 @@ def sources() -> dict[Path, str]:
         f"ED_LAW_{law.name.upper()}": Entry(law.parameters, law.branch, law.most_branches if law.branch else 0)
         for law in LAWS.values()
     }
-    amendments = {
-        f"ED_AMEND_{name.replace('.', '_').upper()}": Entry(parameters)
+    effects = {
+        f"ED_EFFECT_{name.replace('.', '_').upper()}": Entry(parameters)
         for name, parameters in parameters_in_core().items()
     }
     return {
         **_pair("law", "laws", "edesign/damper/laws.py", laws),
-        **_pair("amendment", "amendments", "edesign/damper/amendment_kinds.py", amendments),
+        **_pair("effect", "effects", "edesign/damper/effect_forms.py", effects),
     }
 
 

@@ -20,7 +20,7 @@ FOLDERS = {
     "core_c/include": "Its public headers; `edcore.h` includes them all.",
     "core_c/src/analysis": "Static and modal analysis, pushovers, time histories, spectra.",
     "core_c/src/base": "Contexts, status codes with their messages, small dense kernels.",
-    "core_c/src/damper": "Damper laws, one file each, their amendments, the differential equations for SUNDIALS.",
+    "core_c/src/damper": "Damper laws, one file each, their effects, the differential equations for SUNDIALS.",
     "core_c/src/element": "Force-based beam-columns, braces, links.",
     "core_c/src/material": "Uniaxial laws of steel.",
     "core_c/src/section": "Fibre sections: layers as arrays.",

@@ -46,45 +46,45 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
                          char *message, int size);
 void ed_damper_free(ed_damper *damper);
 
-/* Amendments: effects that a law has not, each an equation (factor or force) at a placement. F = phi F_law + parallel forces, phi the
+/* Effects that a law has not, each an equation (factor or force) at a placement. F = phi F_law + parallel forces, phi the
  * product of the factors. Their drivers are those of the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)),
  * largest deformation M, path s += |u1 - u0|, work E of F by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from
  * the next step on; g = (a/a0)^m / (1 + (a/a0)^m). recovery: the share that a specimen regains from one test to the next
  * (ed_damper_campaign); within one it has no use. */
 enum {
-  ED_AMEND_CONSTANT = 0,                  /* factor: phi = factor */
-  ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
-  ED_AMEND_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
-  ED_AMEND_MULLINS_PATH = 3,              /* m s0 recovery: phi = 1 + m exp(-s/s0) */
-  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r beta recovery: phi = 1 - m erf((M^2 - u^2)/(r^2 + beta M^2)) */
-  ED_AMEND_MULLINS_ELASTIC = 5,           /* k s0 recovery: k exp(-s/s0) u */
-  ED_AMEND_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
-  ED_AMEND_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
-  ED_AMEND_HARDENING_POWER = 8,           /* k p r: k u (|u|/r)^(p-1) */
-  ED_AMEND_HARDENING_THRESHOLD = 9,       /* k u0: k max(|u| - u0, 0) sgn u */
-  ED_AMEND_ONE_SIDED_FACTOR = 10,         /* b side(1, -1): phi = 1 + b where side u > 0; with a brace rising over 1e-5 m */
-  ED_AMEND_ONE_SIDED_SPRING = 11,         /* k u0 side(1, -1): k max(side u - u0, 0) side */
-  ED_AMEND_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
-  ED_AMEND_VELOCITY_EXPONENT_DASHPOT = 13,/* c alpha: c |v|^alpha sgn v */
-  ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
-  ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p recovery: phi = 1 - m (1 - exp(-(M/r)^p)) */
-  ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
-  ED_AMEND_DEGRADATION_PATH = 17,         /* d s0: phi = 1 - d (1 - exp(-s/s0)) */
-  ED_AMEND_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
-  ED_AMEND_ONE_SIDED_EVEN = 19,           /* k n r: k |u| (|u|/r)^(n-1) */
-  ED_AMEND_PAYNE_EXPONENTIAL = 20,        /* d a0 m tau_a: phi = 1 - d (1 - exp(-(a/a0)^m)) */
-  ED_AMEND_HARDENING_EXPONENTIAL = 21,    /* k u0: k u (exp((u/u0)^2) - 1) */
-  ED_AMEND_FRICTION_COULOMB = 22,         /* F_c v0: F_c tanh(v/v0) */
-  ED_AMEND_FRICTION_PRESLIDING = 23,      /* F_c x0: F_c z/x0, z' = v - |v| z/x0, exact over the way of the path (Dahl) */
-  ED_AMEND_FRICTION_STRIBECK = 24,        /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
-  ED_AMEND_ONE_SIDED_VALVE = 25,          /* b v0 side(1, -1): phi = 1 + b max(tanh(side v/v0), 0) */
-  ED_AMEND_GAS_SPRING_POLYTROPIC = 26,    /* P c n: P (1 - c u)^-n; beyond c u = 0.95 straight */
-  ED_AMEND_ONE_SIDED_FORCE = 27,          /* b side(1, -1): phi = 1 + b where side F_law > 0 */
-  ED_AMEND_HARDENING_SATURATING = 28,     /* k u0: k u0 tanh(u/u0) */
-  ED_AMEND_VELOCITY_EXPONENT_POSITION = 29, /* c alpha q r: c (|u|/r)^q |v|^alpha sgn v */
-  ED_AMEND_HYSTERESIS_STRETCH = 30,       /* F_y Y n r: F_y (|u|/r)^n z/Y, z' = v - |v| z/Y, exact over the way of the path */
-  ED_AMEND_HYSTERESIS_BOUC_WEN = 31,      /* k beta gamma: k z, z' = v - gamma |v| z - beta v |z|, exact over the way of the path */
-  ED_AMEND_PINCHING_SLIP = 32             /* d w: phi = 1 - d exp(-(u/(w M))^2) */
+  ED_EFFECT_CONSTANT = 0,                  /* factor: phi = factor */
+  ED_EFFECT_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
+  ED_EFFECT_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
+  ED_EFFECT_MULLINS_PATH = 3,              /* m s0 recovery: phi = 1 + m exp(-s/s0) */
+  ED_EFFECT_MULLINS_MAXIMUM = 4,           /* m r beta recovery: phi = 1 - m erf((M^2 - u^2)/(r^2 + beta M^2)) */
+  ED_EFFECT_MULLINS_ELASTIC = 5,           /* k s0 recovery: k exp(-s/s0) u */
+  ED_EFFECT_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
+  ED_EFFECT_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
+  ED_EFFECT_HARDENING_POWER = 8,           /* k p r: k u (|u|/r)^(p-1) */
+  ED_EFFECT_HARDENING_THRESHOLD = 9,       /* k u0: k max(|u| - u0, 0) sgn u */
+  ED_EFFECT_ONE_SIDED_FACTOR = 10,         /* b side(1, -1): phi = 1 + b where side u > 0; with a brace rising over 1e-5 m */
+  ED_EFFECT_ONE_SIDED_SPRING = 11,         /* k u0 side(1, -1): k max(side u - u0, 0) side */
+  ED_EFFECT_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
+  ED_EFFECT_VELOCITY_EXPONENT_DASHPOT = 13,/* c alpha: c |v|^alpha sgn v */
+  ED_EFFECT_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
+  ED_EFFECT_MULLINS_DAMAGE = 15,           /* m r p recovery: phi = 1 - m (1 - exp(-(M/r)^p)) */
+  ED_EFFECT_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
+  ED_EFFECT_DEGRADATION_PATH = 17,         /* d s0: phi = 1 - d (1 - exp(-s/s0)) */
+  ED_EFFECT_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
+  ED_EFFECT_ONE_SIDED_EVEN = 19,           /* k n r: k |u| (|u|/r)^(n-1) */
+  ED_EFFECT_PAYNE_EXPONENTIAL = 20,        /* d a0 m tau_a: phi = 1 - d (1 - exp(-(a/a0)^m)) */
+  ED_EFFECT_HARDENING_EXPONENTIAL = 21,    /* k u0: k u (exp((u/u0)^2) - 1) */
+  ED_EFFECT_FRICTION_COULOMB = 22,         /* F_c v0: F_c tanh(v/v0) */
+  ED_EFFECT_FRICTION_PRESLIDING = 23,      /* F_c x0: F_c z/x0, z' = v - |v| z/x0, exact over the way of the path (Dahl) */
+  ED_EFFECT_FRICTION_STRIBECK = 24,        /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
+  ED_EFFECT_ONE_SIDED_VALVE = 25,          /* b v0 side(1, -1): phi = 1 + b max(tanh(side v/v0), 0) */
+  ED_EFFECT_GAS_SPRING_POLYTROPIC = 26,    /* P c n: P (1 - c u)^-n; beyond c u = 0.95 straight */
+  ED_EFFECT_ONE_SIDED_FORCE = 27,          /* b side(1, -1): phi = 1 + b where side F_law > 0 */
+  ED_EFFECT_HARDENING_SATURATING = 28,     /* k u0: k u0 tanh(u/u0) */
+  ED_EFFECT_VELOCITY_EXPONENT_POSITION = 29, /* c alpha q r: c (|u|/r)^q |v|^alpha sgn v */
+  ED_EFFECT_HYSTERESIS_STRETCH = 30,       /* F_y Y n r: F_y (|u|/r)^n z/Y, z' = v - |v| z/Y, exact over the way of the path */
+  ED_EFFECT_HYSTERESIS_BOUC_WEN = 31,      /* k beta gamma: k z, z' = v - gamma |v| z - beta v |z|, exact over the way of the path */
+  ED_EFFECT_PINCHING_SLIP = 32             /* d w: phi = 1 - d exp(-(u/(w M))^2) */
 };
 /* Where an equation acts.
  * WHOLE: a factor on all of the law's force, a force beside it.
@@ -94,10 +94,10 @@ enum {
  * ED_LAW_KELVIN_VOIGT, LINEARISED, ZENER, GENERALISED_MAXWELL, FRACTIONAL_KELVIN and FRACTIONAL_ZENER; of ED_LAW_MGMM the force with F_s + tau
  * F_s' = (k0 + k_mod) u. F_law becomes phi_s F_s + phi_d F_d, phi_s and phi_d the products of such factors; in the MGMM they act inside. */
 enum { ED_PLACE_WHOLE = 0, ED_PLACE_INSIDE = 1, ED_PLACE_SPRINGS = 2, ED_PLACE_DASHPOTS = 3 };
-/* Adds one to a damper, before its first state is made; several act together. A brace stands in series with the amended damper; laws
- * without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then nothing has changed: ED_E_ID,
+/* Adds one to a damper, before its first state is made; several act together. A brace stands in series with both; laws
+ * without exact step refuse effects with a brace. `message` (size bytes) says why it is refused, and then nothing has changed: ED_E_ID,
  * ED_E_ARGUMENT (the law has no such placement, or the equation is a force and the placement for factors), ED_E_NOT_FINITE, ED_E_MEMORY. */
-int ed_damper_amend(ed_damper *damper, int kind, int placement, int n_parameters, const double *parameters, char *message, int size);
+int ed_damper_add_effect(ed_damper *damper, int form, int placement, int n_parameters, const double *parameters, char *message, int size);
 /* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
  * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
 int ed_damper_been(ed_damper *damper, const double extremes[4]);
@@ -142,10 +142,10 @@ typedef struct {
   const double *factor, *added, *spring;
   const ed_rig *rig;
   double rest; /* s since the test before, > 0 where the specimen carries something over; not asked for of the first one */
-  const struct ed_damper *const *damper; /* n_sets of the same law and amendments, with other values, in place of the campaign's; or NULL */
+  const struct ed_damper *const *damper; /* n_sets of the same law and effects, with other values, in place of the campaign's; or NULL */
 } ed_test;
-/* What ed_damper_campaign carries from test to test: nothing; all that it says; of that the states of amendments alone. */
-enum { ED_CARRY_NOTHING = 0, ED_CARRY_ALL = 1, ED_CARRY_AMENDMENTS = 2 };
+/* What ed_damper_campaign carries from test to test: nothing; all that it says; of that the states of effects alone. */
+enum { ED_CARRY_NOTHING = 0, ED_CARRY_ALL = 1, ED_CARRY_EFFECTS = 2 };
 /* How a damper came through a campaign: ED_OK, or why it did not, in which test and at which sample, both from 0. */
 typedef struct {
   int status, test, sample;
@@ -154,7 +154,7 @@ typedef struct {
  * the samples of tests one behind the other; own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves
  * NaN from there on and does not stop the others. fineness: behind a rig SUNDIALS has the tolerance that the balance asks for.
  * carry: the tests are those of one specimen, in this order. Extremes that soften a law (ED_LAW_MGMM, ED_LAW_MODIFIED_BOUC_WEN) and the
- * states of amendments go on from test to test; over a rest, held at the next first deformation, envelope, network, heat and what relaxes
+ * states of effects go on from test to test; over a rest, held at the next first deformation, envelope, network, heat and what relaxes
  * fade, and no way or work is counted. With `recovery` exp(-s/s0) comes back to l + recovery (1 - l), l what was left of it, and M to (1 -
  * recovery) M; friction that builds up over a way begins anew, as all else of the law does. carry = 0: each test has a new specimen.
  * ED_E_ARGUMENT, ED_E_NOT_FINITE: a test that is not allowed, and every `end` says which; ED_E_STOPPED. Calls for different dampers

@@ -89,8 +89,8 @@ int ed_model_damper_carries(ed_model *model, int damper);
 /* In histories the damper has N / weight times its force, N the compression of a spring at that moment, and none where it is pulled: a
  * slider that rubs by what presses on it. The tangent leaves out how N changes. */
 int ed_model_damper_weighs(ed_model *model, int damper, int element, double weight);
-/* Adds an amendment (eddamper.h) to a damper of the model, in the units of its law. */
-int ed_model_amend_damper(ed_model *model, int damper, int kind, int placement, int n_parameters, const double *parameters);
+/* Adds an effect (eddamper.h) to a damper of the model, in the units of its law. */
+int ed_model_add_damper_effect(ed_model *model, int damper, int form, int placement, int n_parameters, const double *parameters);
 
 int ed_model_pattern(ed_model *model);
 int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);

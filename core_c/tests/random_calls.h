@@ -48,7 +48,7 @@ void call_frame(caller *c);
 void call_space(caller *c); /* space frames, combination of modes */
 /* A law with parameters that suit it, or nearly: 64 doubles. Returns how many it gets. */
 int some_law(caller *c, int *law, double *parameters);
-int some_amendment(caller *c, int *kind, double *parameters);
+int some_effect(caller *c, int *form, double *parameters);
 int some_placement(caller *c);
 
 #endif

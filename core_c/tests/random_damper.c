@@ -43,42 +43,42 @@ enum { N_LAWS = sizeof LAWS / sizeof *LAWS };
 static const struct {
   int n;
   double parameter[5];
-} AMENDMENTS[] = {
-    [ED_AMEND_CONSTANT] = {1, {0.8}},
-    [ED_AMEND_PAYNE_WHOLE] = {4, {0.3, 5e-3, 1.0, 50.0}},
-    [ED_AMEND_PAYNE_ELASTIC] = {4, {1e6, 5e-3, 1.0, 50.0}},
-    [ED_AMEND_MULLINS_PATH] = {3, {0.3, 0.1, 0.5}},
-    [ED_AMEND_MULLINS_MAXIMUM] = {4, {0.3, 5e-3, 0.1, 0.5}},
-    [ED_AMEND_MULLINS_ELASTIC] = {3, {1e6, 0.1, 0.5}},
-    [ED_AMEND_DEGRADATION_ENERGY] = {2, {0.3, 1e4}},
-    [ED_AMEND_SELF_HEATING_RATE] = {2, {1e-6, 100.0}},
-    [ED_AMEND_HARDENING_POWER] = {3, {1e6, 3.0, 5e-3}},
-    [ED_AMEND_HARDENING_THRESHOLD] = {2, {1e6, 5e-3}},
-    [ED_AMEND_ONE_SIDED_FACTOR] = {2, {0.1, 1.0}},
-    [ED_AMEND_ONE_SIDED_SPRING] = {3, {1e6, 5e-3, -1.0}},
-    [ED_AMEND_RELAXATION_BRANCH_MAXWELL] = {2, {1e6, 1.0}},
-    [ED_AMEND_VELOCITY_EXPONENT_DASHPOT] = {2, {1e5, 0.4}},
-    [ED_AMEND_PAYNE_NETWORK] = {3, {0.3, 5e-3, 1.0}},
-    [ED_AMEND_MULLINS_DAMAGE] = {4, {0.3, 5e-3, 2.0, 0.5}},
-    [ED_AMEND_VELOCITY_EXPONENT_FLOW] = {2, {1e5, 1e-2}},
-    [ED_AMEND_DEGRADATION_PATH] = {2, {0.1, 1.0}},
-    [ED_AMEND_ONE_SIDED_CONTACT] = {5, {1e6, 5e-3, 1.5, 1.0, 1e-2}},
-    [ED_AMEND_ONE_SIDED_EVEN] = {3, {1e6, 2.0, 1e-2}},
-    [ED_AMEND_ONE_SIDED_VALVE] = {3, {0.2, 1e-2, -1.0}},
-    [ED_AMEND_ONE_SIDED_FORCE] = {2, {0.2, 1.0}},
-    [ED_AMEND_GAS_SPRING_POLYTROPIC] = {3, {1e4, 5.0, 1.2}},
-    [ED_AMEND_HARDENING_SATURATING] = {2, {1e6, 2e-3}},
-    [ED_AMEND_VELOCITY_EXPONENT_POSITION] = {4, {1e4, 0.6, 1.2, 5e-3}},
-    [ED_AMEND_HYSTERESIS_STRETCH] = {4, {2e3, 1e-3, 1.2, 5e-3}},
-    [ED_AMEND_HYSTERESIS_BOUC_WEN] = {3, {1e6, 100.0, 200.0}},
-    [ED_AMEND_PINCHING_SLIP] = {2, {0.4, 0.3}},
-    [ED_AMEND_PAYNE_EXPONENTIAL] = {4, {0.3, 5e-3, 1.0, 50.0}},
-    [ED_AMEND_HARDENING_EXPONENTIAL] = {2, {1e6, 2e-2}},
-    [ED_AMEND_FRICTION_COULOMB] = {2, {1e4, 1e-3}},
-    [ED_AMEND_FRICTION_PRESLIDING] = {2, {1e4, 1e-3}},
-    [ED_AMEND_FRICTION_STRIBECK] = {3, {1e4, 0.5, 1e-2}},
+} EFFECTS[] = {
+    [ED_EFFECT_CONSTANT] = {1, {0.8}},
+    [ED_EFFECT_PAYNE_WHOLE] = {4, {0.3, 5e-3, 1.0, 50.0}},
+    [ED_EFFECT_PAYNE_ELASTIC] = {4, {1e6, 5e-3, 1.0, 50.0}},
+    [ED_EFFECT_MULLINS_PATH] = {3, {0.3, 0.1, 0.5}},
+    [ED_EFFECT_MULLINS_MAXIMUM] = {4, {0.3, 5e-3, 0.1, 0.5}},
+    [ED_EFFECT_MULLINS_ELASTIC] = {3, {1e6, 0.1, 0.5}},
+    [ED_EFFECT_DEGRADATION_ENERGY] = {2, {0.3, 1e4}},
+    [ED_EFFECT_SELF_HEATING_RATE] = {2, {1e-6, 100.0}},
+    [ED_EFFECT_HARDENING_POWER] = {3, {1e6, 3.0, 5e-3}},
+    [ED_EFFECT_HARDENING_THRESHOLD] = {2, {1e6, 5e-3}},
+    [ED_EFFECT_ONE_SIDED_FACTOR] = {2, {0.1, 1.0}},
+    [ED_EFFECT_ONE_SIDED_SPRING] = {3, {1e6, 5e-3, -1.0}},
+    [ED_EFFECT_RELAXATION_BRANCH_MAXWELL] = {2, {1e6, 1.0}},
+    [ED_EFFECT_VELOCITY_EXPONENT_DASHPOT] = {2, {1e5, 0.4}},
+    [ED_EFFECT_PAYNE_NETWORK] = {3, {0.3, 5e-3, 1.0}},
+    [ED_EFFECT_MULLINS_DAMAGE] = {4, {0.3, 5e-3, 2.0, 0.5}},
+    [ED_EFFECT_VELOCITY_EXPONENT_FLOW] = {2, {1e5, 1e-2}},
+    [ED_EFFECT_DEGRADATION_PATH] = {2, {0.1, 1.0}},
+    [ED_EFFECT_ONE_SIDED_CONTACT] = {5, {1e6, 5e-3, 1.5, 1.0, 1e-2}},
+    [ED_EFFECT_ONE_SIDED_EVEN] = {3, {1e6, 2.0, 1e-2}},
+    [ED_EFFECT_ONE_SIDED_VALVE] = {3, {0.2, 1e-2, -1.0}},
+    [ED_EFFECT_ONE_SIDED_FORCE] = {2, {0.2, 1.0}},
+    [ED_EFFECT_GAS_SPRING_POLYTROPIC] = {3, {1e4, 5.0, 1.2}},
+    [ED_EFFECT_HARDENING_SATURATING] = {2, {1e6, 2e-3}},
+    [ED_EFFECT_VELOCITY_EXPONENT_POSITION] = {4, {1e4, 0.6, 1.2, 5e-3}},
+    [ED_EFFECT_HYSTERESIS_STRETCH] = {4, {2e3, 1e-3, 1.2, 5e-3}},
+    [ED_EFFECT_HYSTERESIS_BOUC_WEN] = {3, {1e6, 100.0, 200.0}},
+    [ED_EFFECT_PINCHING_SLIP] = {2, {0.4, 0.3}},
+    [ED_EFFECT_PAYNE_EXPONENTIAL] = {4, {0.3, 5e-3, 1.0, 50.0}},
+    [ED_EFFECT_HARDENING_EXPONENTIAL] = {2, {1e6, 2e-2}},
+    [ED_EFFECT_FRICTION_COULOMB] = {2, {1e4, 1e-3}},
+    [ED_EFFECT_FRICTION_PRESLIDING] = {2, {1e4, 1e-3}},
+    [ED_EFFECT_FRICTION_STRIBECK] = {3, {1e4, 0.5, 1e-2}},
 };
-enum { N_AMENDMENTS = sizeof AMENDMENTS / sizeof *AMENDMENTS };
+enum { N_EFFECTS = sizeof EFFECTS / sizeof *EFFECTS };
 
 /* The numbers of an example, some of them larger or smaller, few absurd. */
 static int altered(caller *c, int n, const double *example, double *parameters)
@@ -98,11 +98,11 @@ int some_law(caller *c, int *law, double *parameters)
   return altered(c, LAWS[sound].n, LAWS[sound].parameter, parameters);
 }
 
-int some_amendment(caller *c, int *kind, double *parameters)
+int some_effect(caller *c, int *form, double *parameters)
 {
-  const int sound = whole(c, 0, N_AMENDMENTS - 1);
-  *kind = chance(c, 0.3 * c->wild) ? some_id(c, N_AMENDMENTS) : sound;
-  return altered(c, AMENDMENTS[sound].n, AMENDMENTS[sound].parameter, parameters);
+  const int sound = whole(c, 0, N_EFFECTS - 1);
+  *form = chance(c, 0.3 * c->wild) ? some_id(c, N_EFFECTS) : sound;
+  return altered(c, EFFECTS[sound].n, EFFECTS[sound].parameter, parameters);
 }
 
 int some_placement(caller *c)
@@ -204,9 +204,9 @@ void call_damper(caller *c)
   }
   ed_damper_ask(damper, &IMPATIENT);
   for (int i = 0; i < 3 && chance(c, 0.4); i++) {
-    int kind;
-    const int count = some_amendment(c, &kind, parameters);
-    expect_listed(c, ed_damper_amend(damper, kind, some_placement(c), count, parameters, size ? message : NULL, size));
+    int form;
+    const int count = some_effect(c, &form, parameters);
+    expect_listed(c, ed_damper_add_effect(damper, form, some_placement(c), count, parameters, size ? message : NULL, size));
   }
   if (chance(c, 0.3)) {
     const double been[4] = {or_absurd(c, 0.01), or_absurd(c, -0.02), or_absurd(c, 0.1), or_absurd(c, -0.1)};

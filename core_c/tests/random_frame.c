@@ -112,9 +112,9 @@ static void add_damper(caller *c, things *m)
   if (chance(c, 0.1))
     expect_listed(c, ed_model_damper_weighs(m->model, some_id(c, m->dampers), some_id(c, m->elements), or_absurd(c, 1e5)));
   if (chance(c, 0.3)) {
-    int kind;
-    const int k = some_amendment(c, &kind, parameters);
-    expect_listed(c, ed_model_amend_damper(m->model, some_id(c, m->dampers), kind, some_placement(c), k, parameters));
+    int form;
+    const int k = some_effect(c, &form, parameters);
+    expect_listed(c, ed_model_add_damper_effect(m->model, some_id(c, m->dampers), form, some_placement(c), k, parameters));
   }
 }
 

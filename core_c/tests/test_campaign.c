@@ -109,14 +109,14 @@ static void check_single_calls(int method)
 static void check_carry(const ed_rig *rig, double brace)
 {
   static const struct {
-    int kind, n, placement;
+    int form, n, placement;
     double p[4];
-  } AMENDMENT[] = {{ED_AMEND_PAYNE_WHOLE, 4, 0, {0.3, 5e-3, 1.0, 50.0}},     {ED_AMEND_SELF_HEATING_RATE, 2, 0, {1e-4, 100.0}},
-                   {ED_AMEND_MULLINS_PATH, 3, 0, {0.3, 0.1}},                {ED_AMEND_MULLINS_MAXIMUM, 4, 0, {0.3, 5e-3, 0.1}},
-                   {ED_AMEND_DEGRADATION_ENERGY, 2, 0, {0.3, 1e3}},          {ED_AMEND_PAYNE_NETWORK, 3, 0, {0.3, 5e-3, 20.0}},
-                   {ED_AMEND_RELAXATION_BRANCH_MAXWELL, 2, 0, {1e6, 20.0}},
-                   {ED_AMEND_MULLINS_PATH, 3, ED_PLACE_SPRINGS, {0.2, 0.2}}, {ED_AMEND_MULLINS_DAMAGE, 4, ED_PLACE_DASHPOTS, {0.2, 3e-3, 1.0}},
-                   {ED_AMEND_MULLINS_DAMAGE, 4, 1, {0.3, 5e-3, 2.0}}};
+  } EFFECT[] = {{ED_EFFECT_PAYNE_WHOLE, 4, 0, {0.3, 5e-3, 1.0, 50.0}},     {ED_EFFECT_SELF_HEATING_RATE, 2, 0, {1e-4, 100.0}},
+                   {ED_EFFECT_MULLINS_PATH, 3, 0, {0.3, 0.1}},                {ED_EFFECT_MULLINS_MAXIMUM, 4, 0, {0.3, 5e-3, 0.1}},
+                   {ED_EFFECT_DEGRADATION_ENERGY, 2, 0, {0.3, 1e3}},          {ED_EFFECT_PAYNE_NETWORK, 3, 0, {0.3, 5e-3, 20.0}},
+                   {ED_EFFECT_RELAXATION_BRANCH_MAXWELL, 2, 0, {1e6, 20.0}},
+                   {ED_EFFECT_MULLINS_PATH, 3, ED_PLACE_SPRINGS, {0.2, 0.2}}, {ED_EFFECT_MULLINS_DAMAGE, 4, ED_PLACE_DASHPOTS, {0.2, 3e-3, 1.0}},
+                   {ED_EFFECT_MULLINS_DAMAGE, 4, 1, {0.3, 5e-3, 2.0}}};
   enum { CARRIED = 3, LONG = CARRIED * N };
   static double long_t[LONG], long_u[LONG], long_v[LONG], long_force[LONG], long_own[LONG], apart[2][ALL], deformation[ALL];
   ed_test test[TESTS];
@@ -138,7 +138,7 @@ static void check_carry(const ed_rig *rig, double brace)
   }
   ed_damper *damper = ed_damper_new(ED_LAW_MGMM, 12, MGMM, brace, 0.0, &status, message, sizeof message);
   for (int i = 0; i < (brace > 0.0 ? 9 : 10); i++)
-    CHECK_STATUS(ed_damper_amend(damper, AMENDMENT[i].kind, AMENDMENT[i].placement, AMENDMENT[i].n, AMENDMENT[i].p, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(damper, EFFECT[i].form, EFFECT[i].placement, EFFECT[i].n, EFFECT[i].p, message, sizeof message), ED_OK);
   if (rig)
     CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, LONG, long_t, long_u, long_v, NULL, NULL, NULL, rig, long_force, long_own, &done), ED_OK);
   else
@@ -258,7 +258,7 @@ static void check_failures(void)
     ed_damper_free(damper[s]);
 }
 
-/* Dampers of a test in place of the campaign's, with amendments alone carried; another law in their place. */
+/* Dampers of a test in place of the campaign's, with effects alone carried; another law in their place. */
 static void check_dampers_of_tests(void)
 {
   const double path[] = {0.3, 0.2}; /* 1 - 0.3 (1 - exp(-s/0.2)) */
@@ -274,7 +274,7 @@ static void check_dampers_of_tests(void)
     warm[s] = make(0, 0.8 + 0.1 * s);
   }
   test[1].damper = (const ed_damper *const *)warm;
-  CHECK_STATUS(ed_damper_campaign(SETS, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_AMENDMENTS,
+  CHECK_STATUS(ed_damper_campaign(SETS, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_EFFECTS,
                                   &force[0][0][0], NULL, end), ED_OK);
   for (int s = 0; s < SETS; s++) {
     const double *all = &force[0][0][0] + (size_t)s * (size_t)(test[0].n + test[1].n);
@@ -283,10 +283,10 @@ static void check_dampers_of_tests(void)
       CHECK_STATUS(ed_damper_history(k ? warm[s] : cold[s], ED_DAMPER_BEST, 1e-6, test[k].n, t[k], u[k], v[k], expected, &done), ED_OK);
       CHECK(memcmp(all + (k ? test[0].n : 0), expected, (size_t)test[k].n * sizeof *expected) == 0);
     }
-    CHECK_STATUS(ed_damper_amend(cold[s], ED_AMEND_DEGRADATION_PATH, 0, 2, path, message, sizeof message), ED_OK);
-    CHECK_STATUS(ed_damper_amend(warm[s], ED_AMEND_DEGRADATION_PATH, 0, 2, path, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(cold[s], ED_EFFECT_DEGRADATION_PATH, 0, 2, path, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(warm[s], ED_EFFECT_DEGRADATION_PATH, 0, 2, path, message, sizeof message), ED_OK);
   }
-  CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_AMENDMENTS,
+  CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_EFFECTS,
                                   &force[0][0][0], NULL, end), ED_OK);
   for (int i = 1; i < test[0].n; i++)
     way += fabs(u[0][i] - u[0][i - 1]);
@@ -312,20 +312,20 @@ static void check_dampers_of_tests(void)
   ed_damper_free(viscous);
 }
 
-/* Sets that differ in nothing but amendments, with others between them: as each of them alone, whatever goes on from test to test. */
+/* Sets that differ in nothing but effects, with others between them: as each of them alone, whatever goes on from test to test. */
 static void check_shared_law(const ed_rig *rig)
 {
   enum { DAMPERS = 6 };
   static const struct {
-    int kind, placement, n;
+    int form, placement, n;
     double p[4], scale; /* of the law */
-  } EACH[DAMPERS] = {{ED_AMEND_MULLINS_PATH, ED_PLACE_WHOLE, 3, {0.3, 0.1, 0.5}, 1.0},
-                     {ED_AMEND_DEGRADATION_PATH, ED_PLACE_WHOLE, 2, {0.3, 0.2}, 1.2},
-                     {ED_AMEND_SELF_HEATING_RATE, ED_PLACE_WHOLE, 2, {1e-5, 50.0}, 1.0},
-                     {ED_AMEND_MULLINS_PATH, ED_PLACE_SPRINGS, 3, {0.2, 0.1, 0.2}, 1.0},
-                     {ED_AMEND_HARDENING_POWER, ED_PLACE_WHOLE, 3, {1e5, 3.0, 5e-3}, 1.2},
-                     {ED_AMEND_PAYNE_NETWORK, ED_PLACE_INSIDE, 3, {0.3, 0.05, 2.0}, 1.0}};
-  static const int carries[] = {ED_CARRY_NOTHING, ED_CARRY_AMENDMENTS, ED_CARRY_ALL};
+  } EACH[DAMPERS] = {{ED_EFFECT_MULLINS_PATH, ED_PLACE_WHOLE, 3, {0.3, 0.1, 0.5}, 1.0},
+                     {ED_EFFECT_DEGRADATION_PATH, ED_PLACE_WHOLE, 2, {0.3, 0.2}, 1.2},
+                     {ED_EFFECT_SELF_HEATING_RATE, ED_PLACE_WHOLE, 2, {1e-5, 50.0}, 1.0},
+                     {ED_EFFECT_MULLINS_PATH, ED_PLACE_SPRINGS, 3, {0.2, 0.1, 0.2}, 1.0},
+                     {ED_EFFECT_HARDENING_POWER, ED_PLACE_WHOLE, 3, {1e5, 3.0, 5e-3}, 1.2},
+                     {ED_EFFECT_PAYNE_NETWORK, ED_PLACE_INSIDE, 3, {0.3, 0.05, 2.0}, 1.0}};
+  static const int carries[] = {ED_CARRY_NOTHING, ED_CARRY_EFFECTS, ED_CARRY_ALL};
   static double every[DAMPERS][ALL], alone[ALL];
   ed_test test[TESTS];
   ed_campaign_end end[DAMPERS];
@@ -335,7 +335,7 @@ static void check_shared_law(const ed_rig *rig)
   test[2].rig = rig;
   for (int i = 0; i < DAMPERS; i++) {
     damper[i] = make(0, EACH[i].scale);
-    CHECK_STATUS(ed_damper_amend(damper[i], EACH[i].kind, EACH[i].placement, EACH[i].n, EACH[i].p, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(damper[i], EACH[i].form, EACH[i].placement, EACH[i].n, EACH[i].p, message, sizeof message), ED_OK);
   }
   size_t samples = 0;
   for (int k = 0; k < TESTS; k++)

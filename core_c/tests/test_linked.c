@@ -24,15 +24,15 @@ static ed_linked_test free_mass(const double a[4], double of_links[2][2])
   return (ed_linked_test){N, H, pushed, a, {of_links[0], of_links[1]}};
 }
 
-static int run(int law, int n, const double *p, int amendment, int n_amended, const double *amended, int tests, int carry)
+static int run(int law, int n, const double *p, int effect, int n_parameters, const double *parameters, int tests, int carry)
 {
   static const double a[4] = {1.0, 0.01, 0.0, 1.0}, seen[4] = {1.0, 0.0, 0.0, 1.0};
   double of_links[2][2];
   char message[256];
   int status;
   ed_damper *damper = ed_damper_new(law, n, p, 0.0, 0.0, &status, message, sizeof message);
-  if (n_amended)
-    CHECK_STATUS(ed_damper_amend(damper, amendment, ED_PLACE_WHOLE, n_amended, amended, message, sizeof message), ED_OK);
+  if (n_parameters)
+    CHECK_STATUS(ed_damper_add_effect(damper, effect, ED_PLACE_WHOLE, n_parameters, parameters, message, sizeof message), ED_OK);
   const ed_damper *const given = damper;
   const ed_linked_test one = free_mass(a, of_links), both[2] = {one, one};
   ed_campaign_end end;
@@ -72,10 +72,10 @@ static void check_yielding(void)
 static void check_carry(void)
 {
   const double spring[] = {60.0, 0.0}, damage[] = {0.6, 0.02, 2.0, 0.0};
-  CHECK_STATUS(run(ED_LAW_KELVIN_VOIGT, 2, spring, ED_AMEND_MULLINS_DAMAGE, 4, damage, 2, ED_CARRY_AMENDMENTS), ED_OK);
+  CHECK_STATUS(run(ED_LAW_KELVIN_VOIGT, 2, spring, ED_EFFECT_MULLINS_DAMAGE, 4, damage, 2, ED_CARRY_EFFECTS), ED_OK);
   /* after far more than 0.02 m 0.4 of the stiffness is left, from the first step of the second test on */
   CHECK_NEAR(force[N + 1], 0.4 * 60.0 * state[2 * (N + 1)], 1e-6 * fabs(force[N + 1]));
-  CHECK_STATUS(run(ED_LAW_KELVIN_VOIGT, 2, spring, ED_AMEND_MULLINS_DAMAGE, 4, damage, 2, ED_CARRY_NOTHING), ED_OK);
+  CHECK_STATUS(run(ED_LAW_KELVIN_VOIGT, 2, spring, ED_EFFECT_MULLINS_DAMAGE, 4, damage, 2, ED_CARRY_NOTHING), ED_OK);
   CHECK_NEAR(force[N + 1], 60.0 * state[2 * (N + 1)], 1e-4 * fabs(force[N + 1]));
   CHECK_SAME(force + N, force, N);
 }

@@ -67,7 +67,7 @@ static void call_sides(caller *c)
   expect_listed(c, status);
   for (int i = 0; damper && i < 4; i++) {
     const int size = ed_damper_state_size(damper), placement = i % 2 ? ED_PLACE_DASHPOTS : ED_PLACE_SPRINGS;
-    status = expect_listed(c, ed_damper_amend(damper, ED_AMEND_MULLINS_PATH, placement, 3, path, message, sizeof message));
+    status = expect_listed(c, ed_damper_add_effect(damper, ED_EFFECT_MULLINS_PATH, placement, 3, path, message, sizeof message));
     CHECK((ed_damper_state_size(damper) > size) == (status == ED_OK));
   }
   if (damper)

@@ -1,4 +1,4 @@
-/* Amendments of the springs and dashpots of a law alone: against what laws are made of, the differential equation of the linear MGMM, other
+/* Effects of the springs and dashpots of a law alone: against what laws are made of, the differential equation of the linear MGMM, other
  * placements of the same; true tangents, braces, refusals. */
 #include "checks.h"
 #include "damper_rig.h"
@@ -8,26 +8,26 @@
 #include <string.h>
 
 typedef struct {
-  int kind, n;
+  int form, n;
   double parameter[5];
-} amendment;
+} effect;
 
-static const amendment PATH = {ED_AMEND_MULLINS_PATH, 3, {0.4, 2.0, 0.0}}, DAMAGE = {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.0}},
-                       CONSTANT = {ED_AMEND_CONSTANT, 1, {0.7}}, HEAT = {ED_AMEND_SELF_HEATING_RATE, 2, {0.03, 4.0}},
-                       SPRING = {ED_AMEND_HARDENING_POWER, 3, {0.7, 3.0, 1.1}};
-static const amendment FACTORS[] = {
-    {ED_AMEND_CONSTANT, 1, {0.8}},
-    {ED_AMEND_PAYNE_WHOLE, 4, {0.3, 0.4, 1.3, 2.0}},
-    {ED_AMEND_PAYNE_EXPONENTIAL, 4, {0.25, 0.5, 1.2, 1.5}},
-    {ED_AMEND_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
-    {ED_AMEND_MULLINS_PATH, 3, {0.4, 6.0, 0.3}},
-    {ED_AMEND_MULLINS_MAXIMUM, 4, {0.35, 0.6, 0.3, 0.0}},
-    {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.5}},
-    {ED_AMEND_DEGRADATION_ENERGY, 2, {0.25, 3.0}},
-    {ED_AMEND_DEGRADATION_PATH, 2, {0.2, 4.0}},
-    {ED_AMEND_SELF_HEATING_RATE, 2, {0.03, 4.0}},
-    {ED_AMEND_ONE_SIDED_FACTOR, 2, {0.2, -1.0}},
-    {ED_AMEND_ONE_SIDED_VALVE, 3, {0.3, 0.5, 1.0}},
+static const effect PATH = {ED_EFFECT_MULLINS_PATH, 3, {0.4, 2.0, 0.0}}, DAMAGE = {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.0}},
+                       CONSTANT = {ED_EFFECT_CONSTANT, 1, {0.7}}, HEAT = {ED_EFFECT_SELF_HEATING_RATE, 2, {0.03, 4.0}},
+                       SPRING = {ED_EFFECT_HARDENING_POWER, 3, {0.7, 3.0, 1.1}};
+static const effect FACTORS[] = {
+    {ED_EFFECT_CONSTANT, 1, {0.8}},
+    {ED_EFFECT_PAYNE_WHOLE, 4, {0.3, 0.4, 1.3, 2.0}},
+    {ED_EFFECT_PAYNE_EXPONENTIAL, 4, {0.25, 0.5, 1.2, 1.5}},
+    {ED_EFFECT_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
+    {ED_EFFECT_MULLINS_PATH, 3, {0.4, 6.0, 0.3}},
+    {ED_EFFECT_MULLINS_MAXIMUM, 4, {0.35, 0.6, 0.3, 0.0}},
+    {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.5}},
+    {ED_EFFECT_DEGRADATION_ENERGY, 2, {0.25, 3.0}},
+    {ED_EFFECT_DEGRADATION_PATH, 2, {0.2, 4.0}},
+    {ED_EFFECT_SELF_HEATING_RATE, 2, {0.03, 4.0}},
+    {ED_EFFECT_ONE_SIDED_FACTOR, 2, {0.2, -1.0}},
+    {ED_EFFECT_ONE_SIDED_VALVE, 3, {0.3, 0.5, 1.0}},
 };
 enum { N_FACTORS = sizeof FACTORS / sizeof *FACTORS };
 
@@ -50,10 +50,10 @@ static const double CONSISTENT[] = {2.5, 1.0, 2.0, 0.4, 0.6, 1.0, 0.5, 0.5, 0.3,
 static const double LINEAR_MGMM[] = {2.5, 1.0, 2.0, 0.0, 0.6, 0.0, 0.0, 0.5, 0.0, 0.0, 1.0, 0.0};
 static const double TAU = 0.4;
 
-static void place(rig *r, const amendment *one, int placement)
+static void place(rig *r, const effect *one, int placement)
 {
   char message[256] = "";
-  CHECK_STATUS(ed_damper_amend(r->damper, one->kind, placement, one->n, one->parameter, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(r->damper, one->form, placement, one->n, one->parameter, message, sizeof message), ED_OK);
   CHECK(ed_damper_state_size(r->damper) <= LARGEST_DAMPER_STATE);
   ed_damper_start(r->damper, r->state);
 }
@@ -73,11 +73,11 @@ static void check_sums(void)
 {
   for (int i = 0; i < N_SUMS; i++) {
     const double *p = SUMS[i].parameter;
-    rig amended = new_rig(SUMS[i].law, SUMS[i].n, p, 0.0), bare = new_rig(SUMS[i].law, SUMS[i].n, p, 0.0);
-    place(&amended, &PATH, ED_PLACE_SPRINGS);
-    place(&amended, &DAMAGE, ED_PLACE_DASHPOTS);
-    place(&amended, &HEAT, ED_PLACE_DASHPOTS);
-    place(&amended, &CONSTANT, ED_PLACE_WHOLE);
+    rig with_effects = new_rig(SUMS[i].law, SUMS[i].n, p, 0.0), bare = new_rig(SUMS[i].law, SUMS[i].n, p, 0.0);
+    place(&with_effects, &PATH, ED_PLACE_SPRINGS);
+    place(&with_effects, &DAMAGE, ED_PLACE_DASHPOTS);
+    place(&with_effects, &HEAT, ED_PLACE_DASHPOTS);
+    place(&with_effects, &CONSTANT, ED_PLACE_WHOLE);
     double path = 0.0, largest = 0.0, heat = 0.0, last = 0.0, before = 0.0;
     for (int step = 1; step <= 150; step++) {
       const double h = step % 3 ? 0.05 : 0.02, t = 0.04 * step, u = u_at(t), v = v_at(t);
@@ -87,12 +87,12 @@ static void check_sums(void)
       const double of_springs = 1.0 + 0.4 * exp(-path / 2.0);
       const double of_dashpots = (1.0 - 0.3 * (1.0 - exp(-pow(largest / 0.7, 1.4)))) * exp(-heat);
       const double force = 0.7 * (of_springs * p[0] * u + of_dashpots * (law - p[0] * u));
-      CHECK_NEAR(move(&amended, h, u, v), force, 1e-12 * (1.0 + fabs(force)));
+      CHECK_NEAR(move(&with_effects, h, u, v), force, 1e-12 * (1.0 + fabs(force)));
       heat = heat * exp(-h / 4.0) + 0.03 * 0.5 * (before + force) * (u - last);
       before = force;
       last = u;
     }
-    free_rig(&amended);
+    free_rig(&with_effects);
     free_rig(&bare);
   }
 }
@@ -129,9 +129,9 @@ static void check_by_equation(void)
   for (int fine = 0; fine < 2; fine++) {
     const double h = fine ? 0.01 : 0.02, dt = 0.01 * h;
     double force = 0.0, most = 0.0, changed = 0.0;
-    rig amended = new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, 0.0), bare = new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, 0.0);
-    place(&amended, &PATH, ED_PLACE_SPRINGS);
-    place(&amended, &DAMAGE, ED_PLACE_DASHPOTS);
+    rig with_effects = new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, 0.0), bare = new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, 0.0);
+    place(&with_effects, &PATH, ED_PLACE_SPRINGS);
+    place(&with_effects, &DAMAGE, ED_PLACE_DASHPOTS);
     for (int step = 1; step * h < 2.2; step++) {
       for (int k = 0; k < 100; k++) {
         const double t = (step - 1) * h + k * dt, k1 = rate_of(t, force), k2 = rate_of(t + 0.5 * dt, force + 0.5 * dt * k1);
@@ -139,12 +139,12 @@ static void check_by_equation(void)
         force += dt * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
       }
       const double t = step * h, u = 0.1 * t * t, v = 0.2 * t;
-      most = fmax(most, fabs(move(&amended, h, u, v) - force));
+      most = fmax(most, fabs(move(&with_effects, h, u, v) - force));
       changed = fmax(changed, fabs(move(&bare, h, u, v) - force));
     }
     CHECK(changed > 0.02);
     error[fine] = most / changed;
-    free_rig(&amended);
+    free_rig(&with_effects);
     free_rig(&bare);
   }
   CHECK(error[0] < 2e-4 && error[1] < 0.3 * error[0]); /* linear over a step: second order */
@@ -185,7 +185,7 @@ static void check_tangents(int law, int n, const double *parameters, double brac
       place(&r, &FACTORS[1], ED_PLACE_WHOLE);
       for (int step = 1; step < steps; step++) {
         const double h = 0.04, t = h * step + 0.003, u = u_at(t), v = v_at(t);
-        const int corner = (brace > 0.0 && FACTORS[i].kind == ED_AMEND_ONE_SIDED_FACTOR && fabs(u) < 0.1) || fabs(v) < 0.1;
+        const int corner = (brace > 0.0 && FACTORS[i].form == ED_EFFECT_ONE_SIDED_FACTOR && fabs(u) < 0.1) || fabs(v) < 0.1;
         if (!corner)
           check_slopes(&r, h, u, v, 1e-5, 1e-4, brace > 0.0 ? 1e-4 : 5e-6);
         move(&r, h, u, v);
@@ -207,12 +207,12 @@ static void check_brace(void)
   free_rig(&r);
 }
 
-static void refused(int law, int n, const double *parameters, const amendment *one, int placement, int status, const char *text)
+static void refused(int law, int n, const double *parameters, const effect *one, int placement, int status, const char *text)
 {
   rig r = new_rig(law, n, parameters, 0.0);
   char message[256] = "";
   const int size = ed_damper_state_size(r.damper);
-  CHECK_STATUS(ed_damper_amend(r.damper, one->kind, placement, one->n, one->parameter, message, sizeof message), status);
+  CHECK_STATUS(ed_damper_add_effect(r.damper, one->form, placement, one->n, one->parameter, message, sizeof message), status);
   CHECK_CONTAINS(message, text);
   CHECK(ed_damper_state_size(r.damper) == size);
   free_rig(&r);
@@ -221,15 +221,15 @@ static void refused(int law, int n, const double *parameters, const amendment *o
 static void check_refusals(void)
 {
   const double bouc_wen[] = {1.5, 0.1, 0.1, 1.0, 0.5, 0.5, 2.0}, viscous[] = {1.0};
-  refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &PATH, 4, ED_E_ID, "amendment mullins.path: there is no placement 4");
+  refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &PATH, 4, ED_E_ID, "effect mullins.path: there is no placement 4");
   refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &PATH, -1, ED_E_ID, "there is no placement -1");
   refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &SPRING, ED_PLACE_DASHPOTS, ED_E_ARGUMENT,
-          "amendment hardening.power: it is a force of its own, and only factors act on springs or dashpots alone");
-  refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &(amendment){ED_AMEND_ONE_SIDED_FORCE, 2, {0.3, 1.0}}, ED_PLACE_SPRINGS,
+          "effect hardening.power: it is a force of its own, and only factors act on springs or dashpots alone");
+  refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &(effect){ED_EFFECT_ONE_SIDED_FORCE, 2, {0.3, 1.0}}, ED_PLACE_SPRINGS,
           ED_E_ARGUMENT, "goes with the law's force");
   refused(ED_LAW_BOUC_WEN, 7, bouc_wen, &PATH, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "that of law bouc_wen is not");
   refused(ED_LAW_VISCOUS, 1, viscous, &PATH, ED_PLACE_DASHPOTS, ED_E_ARGUMENT, "that of law viscous is not");
-  refused(ED_LAW_MGMM, 12, MGMM, &(amendment){ED_AMEND_CONSTANT, 1, {-1.0}}, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "greater than 0");
+  refused(ED_LAW_MGMM, 12, MGMM, &(effect){ED_EFFECT_CONSTANT, 1, {-1.0}}, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "greater than 0");
 }
 
 int main(void)

@@ -1,4 +1,4 @@
-/* What amendments remember from one test of a specimen to the next, and what a rest changes of it. */
+/* What effects remember from one test of a specimen to the next, and what a rest changes of it. */
 #include "checks.h"
 #include "edcore.h"
 
@@ -30,12 +30,12 @@ static void check_rests(void)
   enum { PATH, ELASTIC, MAXIMUM, DAMAGE, ENVELOPE, NETWORK, HEAT, PRESLIDING, KINDS };
   const double k = 8e6, kelvin[] = {k, 0.0}, rest = 12.0, r = 0.35;
   static const struct {
-    int kind, n;
+    int form, n;
     double p[4];
-  } one[KINDS] = {{ED_AMEND_MULLINS_PATH, 3, {0.3, 0.05, 0.35}},      {ED_AMEND_MULLINS_ELASTIC, 3, {2e6, 0.05, 0.35}},
-                  {ED_AMEND_MULLINS_MAXIMUM, 4, {0.3, 2e-3, 0.4, 0.35}},   {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 4e-3, 1.3, 0.35}},
-                  {ED_AMEND_PAYNE_WHOLE, 4, {0.3, 2e-3, 1.0, 10.0}},  {ED_AMEND_PAYNE_NETWORK, 3, {0.3, 5e-3, 20.0}},
-                  {ED_AMEND_SELF_HEATING_RATE, 2, {1e-3, 15.0}},      {ED_AMEND_FRICTION_PRESLIDING, 2, {5e3, 1e-3}}};
+  } one[KINDS] = {{ED_EFFECT_MULLINS_PATH, 3, {0.3, 0.05, 0.35}},      {ED_EFFECT_MULLINS_ELASTIC, 3, {2e6, 0.05, 0.35}},
+                  {ED_EFFECT_MULLINS_MAXIMUM, 4, {0.3, 2e-3, 0.4, 0.35}},   {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 4e-3, 1.3, 0.35}},
+                  {ED_EFFECT_PAYNE_WHOLE, 4, {0.3, 2e-3, 1.0, 10.0}},  {ED_EFFECT_PAYNE_NETWORK, 3, {0.3, 5e-3, 20.0}},
+                  {ED_EFFECT_SELF_HEATING_RATE, 2, {1e-3, 15.0}},      {ED_EFFECT_FRICTION_PRESLIDING, 2, {5e3, 1e-3}}};
   static double found[2 * N];
   ed_test test[TESTS];
   ed_campaign_end end;
@@ -45,7 +45,7 @@ static void check_rests(void)
     int status;
     char message[256];
     ed_damper *damper = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, kelvin, 0.0, 0.0, &status, message, sizeof message);
-    CHECK_STATUS(ed_damper_amend(damper, one[i].kind, ED_PLACE_WHOLE, one[i].n, p, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(damper, one[i].form, ED_PLACE_WHOLE, one[i].n, p, message, sizeof message), ED_OK);
     const ed_damper *const given = damper;
     CHECK_STATUS(ed_damper_campaign(1, &given, 2, test, ED_DAMPER_BEST, 1e-6, 1, found, NULL, &end), ED_OK);
     double left = 1.0, largest = 0.0, envelope = 0.0, network = 0.0, heat = 0.0, before = 0.0;
@@ -102,9 +102,9 @@ static void check_sides_carried(void)
   tests(test, 30.0);
   ed_damper *both = ed_damper_new(ED_LAW_MGMM, 12, MGMM, 0.0, 0.0, &status, message, sizeof message);
   ed_damper *all = ed_damper_new(ED_LAW_MGMM, 12, MGMM, 0.0, 0.0, &status, message, sizeof message);
-  CHECK_STATUS(ed_damper_amend(both, ED_AMEND_MULLINS_PATH, ED_PLACE_SPRINGS, 3, p, message, sizeof message), ED_OK);
-  CHECK_STATUS(ed_damper_amend(both, ED_AMEND_MULLINS_PATH, ED_PLACE_DASHPOTS, 3, p, message, sizeof message), ED_OK);
-  CHECK_STATUS(ed_damper_amend(all, ED_AMEND_MULLINS_PATH, ED_PLACE_INSIDE, 3, p, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(both, ED_EFFECT_MULLINS_PATH, ED_PLACE_SPRINGS, 3, p, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(both, ED_EFFECT_MULLINS_PATH, ED_PLACE_DASHPOTS, 3, p, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(all, ED_EFFECT_MULLINS_PATH, ED_PLACE_INSIDE, 3, p, message, sizeof message), ED_OK);
   const ed_damper *const one = both, *const other = all;
   for (int method = ED_DAMPER_BEST; method <= ED_DAMPER_ODE; method++) {
     CHECK_STATUS(ed_damper_campaign(1, &one, 3, test, method, 1e-8, 1, sides, NULL, &end), ED_OK);

@@ -121,16 +121,16 @@ static void check_elastic(void)
   enum { N = 500 };
   const double k = 8e6, K = 30e6, play = 2e-3, spring[] = {k, 0.0};
   static double factor[N + 1], added[N + 1];
-  for (int amended = 0; amended < 2; amended++) {
+  for (int with_effect = 0; with_effect < 2; with_effect++) {
     int free_samples = 0;
     sine(N, 0.01, 6e-3, 5.0, 1.0);
     for (int i = 0; i <= N; i++) {
       factor[i] = 1.0 - 0.3 * sin(0.5 * t[i]);
       added[i] = 2e3 * cos(3.0 * t[i]);
     }
-    run(ED_LAW_KELVIN_VOIGT, 2, spring, N, amended ? factor : NULL, amended ? added : NULL, K, 0.0, play);
+    run(ED_LAW_KELVIN_VOIGT, 2, spring, N, with_effect ? factor : NULL, with_effect ? added : NULL, K, 0.0, play);
     for (int i = 0; i <= N; i++) {
-      const double f = amended ? factor[i] : 1.0, a = amended ? added[i] : 0.0;
+      const double f = with_effect ? factor[i] : 1.0, a = with_effect ? added[i] : 0.0;
       const double expected = beyond(u[i] + a / (f * k), 0.5 * play) / (1.0 / (f * k) + 1.0 / K);
       CHECK_NEAR(force[i], expected, 1e-7 * 6e-3 * k); /* the balance is kept to 1e-8 */
       CHECK_NEAR(own[i], (force[i] - a) / (f * k), 1e-7 * 6e-3);

@@ -33,7 +33,7 @@ class DeviceLaw:
     """A law with its parameters, and the layers of elastomer they belong to.
 
     Attributes:
-        law: for the core, with its amendments; these are of the prototype, as its parameters are.
+        law: for the core, with its effects; these are of the prototype, as its parameters are.
         layers, layer_area (m2), layer_thickness (m): of the prototype; None: the law has no size of its own.
         tested_strain: largest shear strain of the tests that it comes from; None: not known.
         property_factor: on all forces.

@@ -169,11 +169,11 @@ def _placed(form: Any) -> tuple[str, str]:
     """Name of a form without the placement in it, N for a number in it, and the placement; "" if it has none."""
     name = _NUMBERED.sub("N", form.form)
     if isinstance(form, EffectForm):
-        for placement in {act.placement for act in form.amendments} - {Placement.WHOLE}:
+        for placement in {act.placement for act in form.core_effects} - {Placement.WHOLE}:
             if name.endswith(f"_{placement.value}"):
                 return name.removesuffix(f"_{placement.value}"), placement.value
-        if form.amendments:
-            return name, form.amendments[0].placement.value
+        if form.core_effects:
+            return name, form.core_effects[0].placement.value
     return name, ""
 
 

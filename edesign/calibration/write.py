@@ -212,7 +212,7 @@ def _law_file(law: LawFile) -> dict[str, Any]:
     return {
         "stage": law.stage,
         "validate": _finite(law.validate),
-        "effects": [{"name": one.name, "form": one.form, "placement": one.placement} for one in law.amendments],
+        "effects": [{"name": one.name, "form": one.form, "placement": one.placement} for one in law.effects],
         "measurement_effects": list(law.measurement_effects),
         "lacking": list(law.lacking),
         "withheld": law.withheld,

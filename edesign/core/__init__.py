@@ -3,7 +3,7 @@
 from edesign.core._edcore import ffi, lib
 from edesign.core.analysis import Analysis, SupportMotion
 from edesign.core.campaign import CampaignForces, CampaignTest, campaign_forces
-from edesign.core.damper import AmendmentValues, CoreDamper, LawValues
+from edesign.core.damper import CoreDamper, EffectValues, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
 from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
@@ -16,7 +16,7 @@ from edesign.core.springs import ContactSpring, DeterioratingSide, Deteriorating
 __all__ = [
     "ENERGIES",
     "HHT",
-    "AmendmentValues",
+    "EffectValues",
     "Analysis",
     "Bilinear",
     "CampaignForces",

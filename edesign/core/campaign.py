@@ -17,8 +17,8 @@ from edesign.core.errors import CoreError, status_name
 from edesign.core.rig import SeriesRig
 from edesign.core.stop import raise_if_stopped
 
-Carry = bool | Literal["amendments"]
-"""Whether what a specimen remembers goes on from test to test: all of it, or that of amendments alone."""
+Carry = bool | Literal["effects"]
+"""Whether what a specimen remembers goes on from test to test: all of it, or that of effects alone."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class CampaignTest:
         added: (n,) N; None: 0.
         spring: (n,) N/m, at least 0; None: 0.
         rig: None: the damper alone.
-        dampers: those that make this test in place of the campaign's, as many and of the same law and amendments, with
+        dampers: those that make this test in place of the campaign's, as many and of the same law and effects, with
             other values: at another temperature, say; None: the campaign's.
         rest: s since the test before, above 0; of the first test, and without carrying over, it does not matter.
     """
@@ -80,7 +80,7 @@ def campaign_forces(
     """Return the forces of dampers in all tests: to the last bit those of `CoreDamper`, for any number of threads.
 
     With `carry` the tests are those of one specimen in this order. Extremes that soften the MGMM and the modified
-    Bouc-Wen law, and the states of amendments, go on from one test to the next: over its rest the envelope, network,
+    Bouc-Wen law, and the states of effects, go on from one test to the next: over its rest the envelope, network,
     heat and what relaxes fade, and Mullins' forms regain their share `recovery`. Friction that builds up over a way
     begins anew, and so does everything else of the law, at rest and held at the first deformation.
 
@@ -90,7 +90,7 @@ def campaign_forces(
         method: as in `CoreDamper.force`.
         tolerance: relative, of SUNDIALS; in series with a rig it has its own.
         length: of the method "fixed", m.
-        carry: whether one specimen went through all tests; "amendments": what amendments remember goes on alone.
+        carry: whether one specimen went through all tests; "effects": what effects remember goes on alone.
         own: whether the damper's own deformations are wanted.
         threads: at most so many; None: as many as there are processors.
 
@@ -124,7 +124,7 @@ def campaign_forces(
             given,
             METHODS[method],
             fine,
-            lib.ED_CARRY_AMENDMENTS if carry == "amendments" else lib.ED_CARRY_ALL if carry else lib.ED_CARRY_NOTHING,
+            lib.ED_CARRY_EFFECTS if carry == "effects" else lib.ED_CARRY_ALL if carry else lib.ED_CARRY_NOTHING,
             ffi.from_buffer("double[]", force[first:last]),
             ffi.NULL if deformation is None else ffi.from_buffer("double[]", deformation[first:last]),
             ends + first,

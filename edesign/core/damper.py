@@ -15,7 +15,7 @@ from edesign.core.stop import STOP, raise_if_stopped
 
 Method = Literal["best", "ode", "fixed"]
 Placement = Literal["whole", "inside", "springs", "dashpots"]
-"""Where an amendment acts: on all of the law's force, inside a law that relaxes, on its springs or dashpots alone."""
+"""Where an effect acts: on all of the law's force, inside a law that relaxes, on its springs or dashpots alone."""
 PLACEMENTS: tuple[Placement, ...] = get_args(Placement)
 METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE, "fixed": lib.ED_DAMPER_FIXED}
 """The core's number of each method."""
@@ -24,28 +24,28 @@ TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
-class AmendmentValues:
-    """An amendment of a law.
+class EffectValues:
+    """An effect of a law.
 
     Attributes:
-        kind: its name, e.g. "payne.whole".
+        name: of the effect and its form, e.g. "payne.whole".
         values: parameters in the order of the core, SI units.
         placement: where it acts. "whole": a factor on all of the law's force, a force beside it; "inside": within a
             law that relaxes all of its forces; "springs", "dashpots": a factor on what these carry of the law's force.
     """
 
-    kind: str
+    name: str
     values: tuple[float, ...]
     placement: Placement = "whole"
 
 
 @dataclass(frozen=True)
 class LawValues:
-    """A damper law by its name, its parameters in the order of the core, SI units, and its amendments."""
+    """A damper law by its name, its parameters in the order of the core, SI units, and its effects."""
 
     law: str
     values: tuple[float, ...]
-    amendments: tuple[AmendmentValues, ...] = ()
+    effects: tuple[EffectValues, ...] = ()
 
 
 def law_number(law: str) -> int:
@@ -53,9 +53,9 @@ def law_number(law: str) -> int:
     return int(getattr(lib, f"ED_LAW_{law.upper()}"))
 
 
-def amendment_number(kind: str) -> int:
-    """Return the core's number of an amendment, ED_AMEND_*."""
-    return int(getattr(lib, f"ED_AMEND_{kind.upper().replace('.', '_')}"))
+def effect_number(name: str) -> int:
+    """Return the core's number of an effect, ED_EFFECT_*."""
+    return int(getattr(lib, f"ED_EFFECT_{name.upper().replace('.', '_')}"))
 
 
 def placement_number(placement: Placement) -> int:
@@ -64,19 +64,19 @@ def placement_number(placement: Placement) -> int:
 
 
 class CoreDamper:
-    """A damper law of the core with its parameters and amendments, and a brace in series with them.
+    """A damper law of the core with its parameters and effects, and a brace in series with them.
 
     Args:
         law: name of the law, e.g. "mgmm".
         parameters: in the order of the core, SI units.
         brace: stiffness in series, N/m; 0: rigid.
         play: of the pins of the brace, from end to end, m.
-        amendments: effects that the law has not; they act together.
+        effects: effects that the law has not; they act together.
         prior_extremes: largest and smallest deformation, m, largest and smallest velocity, m/s, that the damper went
             through before; the MGMM alone minds.
 
     Raises:
-        CoreError: a parameter or extreme is not allowed, or the law takes no amendments with a brace, or none at this
+        CoreError: a parameter or extreme is not allowed, or the law takes no effects with a brace, or none at this
             placement.
     """
 
@@ -85,7 +85,7 @@ class CoreDamper:
         law: str,
         parameters: Sequence[float],
         brace: float = 0.0,
-        amendments: Sequence[AmendmentValues] = (),
+        effects: Sequence[EffectValues] = (),
         prior_extremes: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0),
         play: float = 0.0,
     ) -> None:
@@ -99,10 +99,10 @@ class CoreDamper:
         if lib.ed_damper_been(handle, prior_extremes) != lib.ED_OK:
             text = f"extremes {prior_extremes} are not allowed: largest at least 0, smallest at most 0, finite"
             raise CoreError("ED_E_ARGUMENT", text)
-        for amendment in amendments:
-            number, values = amendment_number(amendment.kind), [float(value) for value in amendment.values]
-            place = placement_number(amendment.placement)
-            refused = lib.ed_damper_amend(handle, number, place, len(values), values, message, 256)
+        for effect in effects:
+            number, values = effect_number(effect.name), [float(value) for value in effect.values]
+            place = placement_number(effect.placement)
+            refused = lib.ed_damper_add_effect(handle, number, place, len(values), values, message, 256)
             if refused != lib.ED_OK:
                 raise CoreError(status_name(refused), ffi.string(message).decode(errors="replace"))
 

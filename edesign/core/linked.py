@@ -47,7 +47,7 @@ def linked_histories(
     Args:
         seen: (2 links, n) rows that give their deformations, then their velocities, of the state.
         tests: in the order in which they were made.
-        carry: whether what amendments of the links remember goes on from test to test.
+        carry: whether what effects of the links remember goes on from test to test.
         method: as in `CoreDamper.force`.
         length: of the method "fixed", m.
 
@@ -82,7 +82,7 @@ def linked_histories(
         given(seen, 2 * m, n),
         len(tests),
         for_core,
-        lib.ED_CARRY_AMENDMENTS if carry else lib.ED_CARRY_NOTHING,
+        lib.ED_CARRY_EFFECTS if carry else lib.ED_CARRY_NOTHING,
         _REST,
         METHODS[method],
         fineness(method, TOLERANCE, length),

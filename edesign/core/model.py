@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.damper import LawValues, amendment_number, law_number, placement_number
+from edesign.core.damper import LawValues, effect_number, law_number, placement_number
 from edesign.core.errors import CoreError, status_name
 from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
 from edesign.core.springs import SpringLaw
@@ -359,7 +359,7 @@ class Model:
         """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
         Args:
-            law: the law with its parameters and amendments.
+            law: the law with its parameters and effects.
             terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux, 1
                 uy, 2 rz. They should have mass.
             brace: stiffness in series at the size of the device, N/m; 0: rigid.
@@ -393,10 +393,10 @@ class Model:
             self._checked(lib.ed_model_damper_carries(self._c, number))
         if pressed_by is not None:
             self._checked(lib.ed_model_damper_weighs(self._c, number, *pressed_by))
-        for amendment in law.amendments:
-            kind, values = amendment_number(amendment.kind), list(amendment.values)
-            place = placement_number(amendment.placement)
-            self._checked(lib.ed_model_amend_damper(self._c, number, kind, place, len(values), values))
+        for effect in law.effects:
+            form, values = effect_number(effect.name), list(effect.values)
+            place = placement_number(effect.placement)
+            self._checked(lib.ed_model_add_damper_effect(self._c, number, form, place, len(values), values))
         self.damper_names.append(name)
         self.damper_terms.append(tuple(terms))
         return number

@@ -200,7 +200,7 @@ class SubstructureLoop:
         step: main step, s.
         sub_steps: of the rig in a main step.
         compensator, rig, sensors: of the laboratory.
-        specimen: law and amendments of the damper in it.
+        specimen: law and effects of the damper in it.
         scales: of its force and its deformation, F = scales[0] law(scales[1] u).
         numerical: the structure, linear or a frame that may yield; None: targets are given.
         rig_stiffness: between actuator and specimen, N/m; 0: rigid.
@@ -228,7 +228,7 @@ class SubstructureLoop:
         abort: float = inf,
         scales: tuple[float, float] = (1.0, 1.0),
     ) -> None:
-        self._specimen = CoreDamper(specimen.law, specimen.values, amendments=specimen.amendments)
+        self._specimen = CoreDamper(specimen.law, specimen.values, effects=specimen.effects)
         self.step, self._numerical = step, numerical
         data, model, read = ffi.new("ed_substructure_input *"), ffi.new("ed_rig_model *"), ffi.new("ed_sensors *")
         rig.fill(model)

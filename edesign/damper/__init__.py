@@ -1,4 +1,4 @@
-"""Dampers as devices: laws with parameters and temperature, amendments, sizing, tuned masses.
+"""Dampers as devices: laws with parameters and temperature, effects, sizing, tuned masses.
 
 `laws.py` is the registry; the forces themselves are computed by the core. Frames (`building`), tests (`testing`), fits
 (`fitting`), the calibration and substructure tests take dampers from here.

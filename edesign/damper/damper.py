@@ -1,4 +1,4 @@
-"""A damper: a law with parameters and amendments, at the size of the device."""
+"""A damper: a law with parameters and effects, at the size of the device."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper, Method
-from edesign.damper.amendments import Amendment, parameters_at
+from edesign.damper.effects import LawEffect, parameters_at
 from edesign.damper.history import NONE, Extremes, spline_velocity
 from edesign.damper.law import Law
 from edesign.damper.temperature import TemperatureModel
@@ -24,16 +24,16 @@ class Damper:
         law: the law.
         parameters: by name, SI units; completed with defaults and checked.
         brace: stiffness in series, N/m; 0: rigid.
-        amendments: effects that the law has not.
-        temperature_C: of the damper, degC, for amendments that change with it; the parameters are those of this
-            temperature. None: the one at which these amendments have no effect.
+        effects: effects that the law has not.
+        temperature_C: of the damper, degC, for effects that change with it; the parameters are those of this
+            temperature. None: the one at which their factor is 1.
         prior_extremes: what it went through before: some laws are softened by it for good.
     """
 
     law: Law
     parameters: Mapping[str, float]
     brace: float = 0.0
-    amendments: tuple[Amendment, ...] = ()
+    effects: tuple[LawEffect, ...] = ()
     temperature_C: float | None = None
     prior_extremes: Extremes = NONE
     values: dict[str, float] = field(init=False)
@@ -44,8 +44,8 @@ class Damper:
     @cached_property
     def core(self) -> CoreDamper:
         """The damper in the core."""
-        amendments = [one.for_core(self.temperature_C) for one in self.amendments]
-        return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments, self.prior_extremes)
+        effects = [one.for_core(self.temperature_C) for one in self.effects]
+        return CoreDamper(self.law.name, list(self.values.values()), self.brace, effects, self.prior_extremes)
 
     def at(self, temperature_C: float, model: TemperatureModel | None = None) -> tuple[Damper, tuple[str, ...]]:
         """Return the damper at a temperature if its parameters are those of the reference, and warnings.
@@ -57,7 +57,7 @@ class Damper:
         Raises:
             InputError: as of `temperature.at`.
         """
-        values, warnings = parameters_at(self.law, self.values, self.amendments, temperature_C, model)
+        values, warnings = parameters_at(self.law, self.values, self.effects, temperature_C, model)
         return replace(self, parameters=values, temperature_C=temperature_C), warnings
 
     def force(

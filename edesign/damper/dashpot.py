@@ -45,7 +45,7 @@ def dashpot(law: LawValues) -> Dashpot:
     """
     if law.law not in VISCOUS_LAWS:
         raise InputError(f"the law {law.law} is no viscous dashpot; {', '.join(VISCOUS_LAWS)} are")
-    if law.amendments:
+    if law.effects:
         raise InputError(f"this law {law.law} has `effects`; the sizing of viscous dampers counts a dashpot alone")
     if law.law == "viscous":
         found = Dashpot(law.values[0], 1.0)

@@ -1,11 +1,11 @@
-"""How amendments of a damper law are written in YAML: the key `effects`."""
+"""How effects of a damper law are written in YAML: the key `effects`."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import Any
 
-from edesign.damper.amendments import AMENDMENTS, Amendment, amendment_kind, placement_of
+from edesign.damper.effects import LAW_EFFECTS, LawEffect, law_effect_form, placement_of
 from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Effect
@@ -24,8 +24,8 @@ class EffectsError(InputError):
         super().__init__("\n".join(message for _, message in problems))
 
 
-def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
-    """Read the amendments that a file describes.
+def read_effects(effects: Sequence[Effect]) -> tuple[LawEffect, ...]:
+    """Read the effects that a file describes.
 
     Raises:
         EffectsError: an effect or form does not exist, or parameters are wrong; tells all of them.
@@ -34,9 +34,9 @@ def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
     found = []
     for i, effect in enumerate(effects):
         try:
-            kind = amendment_kind(effect.name, effect.form)
+            definition = law_effect_form(effect.name, effect.form)
         except InputError as error:
-            key = "form" if any(effect.name == name for name, _ in AMENDMENTS) else "name"
+            key = "form" if any(effect.name == name for name, _ in LAW_EFFECTS) else "name"
             problems.append(((i, key), str(error)))
             continue
         try:
@@ -46,30 +46,26 @@ def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
             problems.append(((i, "placement"), str(error)))
             continue
         try:
-            values = read_parameters(kind, effect.parameters)
-            amendment = Amendment(effect.name, effect.form, values, placement)
-            amendment.for_core()  # a factor that is none
+            values = read_parameters(definition, effect.parameters)
+            law_effect = LawEffect(effect.name, effect.form, values, placement)
+            law_effect.for_core()  # a factor that is none
         except ParameterError as error:
             problems += [((i, "parameters", name), message) for name, message in error.problems]
         except InputError as error:
             problems.append(((i, "parameters"), str(error)))
         else:
-            found.append(amendment)
+            found.append(law_effect)
     if problems:
         raise EffectsError(problems)
     return tuple(found)
 
 
-def write_effects(amendments: Sequence[Amendment]) -> list[dict[str, Any]]:
-    """Return amendments as a file describes them, with parameters in kN, mm and s; `read_effects` reads them back.
-
-    Args:
-        amendments: of a law.
-    """
+def write_effects(effects: Sequence[LawEffect]) -> list[dict[str, Any]]:
+    """Return effects as a file describes them, with parameters in kN, mm and s; `read_effects` reads them back."""
     written = []
-    for one in amendments:
-        units = {parameter.name: parameter.unit for parameter in one.kind.parameters}
-        texts = write_parameters(one.kind, one.values)
+    for one in effects:
+        units = {parameter.name: parameter.unit for parameter in one.definition.parameters}
+        texts = write_parameters(one.definition, one.values)
         parameters = {name: text if units[name] else float(text) for name, text in texts.items()}
         placement = {} if one.placement == "whole" else {"placement": one.placement}
         written.append({"name": one.name, "form": one.form, **placement, "parameters": parameters})

@@ -33,7 +33,7 @@ def steady_cycle(
     omega = 2.0 * np.pi * frequency
     time = np.arange(CYCLES * SAMPLES + 1) / (SAMPLES * frequency)
     phase = omega * time
-    force = CoreDamper(law.law, law.values, brace, law.amendments, play=play).force(
+    force = CoreDamper(law.law, law.values, brace, law.effects, play=play).force(
         time, amplitude * np.sin(phase), amplitude * omega * np.cos(phase)
     )
     return phase[-SAMPLES:], force[-SAMPLES:]
@@ -45,10 +45,10 @@ def complex_stiffness(
     """Return the stiffness of a damper in a steady sine.
 
     The real part is in phase with the deformation, the imaginary one with the velocity. It is the first harmonic of the
-    last of 12 cycles; amendments that count what happened are as far as they are there.
+    last of 12 cycles; effects that count what happened are as far as they are there.
 
     Args:
-        law: the law with its parameters and amendments.
+        law: the law with its parameters and effects.
         amplitude: of the deformation of damper and brace, m.
         frequency: Hz.
         brace: stiffness in series, N/m; 0: rigid.
@@ -102,12 +102,12 @@ def _friction_at(law: LawValues, speed: float) -> tuple[LawValues, float]:
         W, R, f_slow, f_fast, a, Y = values
         mu = f_fast - (f_fast - f_slow) * np.exp(-a * speed)
         values = (W, R, mu, mu, 0.0, Y * mu / f_slow)  # as stiff before it slips
-    for amendment in law.amendments:
-        friction = _FRICTION.get(amendment.kind) if amendment.placement == "whole" else None
+    for effect in law.effects:
+        friction = _FRICTION.get(effect.name) if effect.placement == "whole" else None
         if friction is None:
-            kept.append(amendment)
+            kept.append(effect)
         else:
-            beside += friction(speed, *amendment.values)
+            beside += friction(speed, *effect.values)
     return LawValues(law.law, values, tuple(kept)), beside
 
 

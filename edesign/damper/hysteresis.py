@@ -268,7 +268,7 @@ def hysteresis(law: LawValues) -> Hysteresis:
     """
     if law.law not in _LAWS:
         raise InputError(f"the law {law.law} cannot be sized by its yield or slip force; {listed(_LAWS)} can")
-    if law.amendments:
+    if law.effects:
         raise InputError(f"this law {law.law} has `effects`; the sizing of hysteretic dampers counts its loop alone")
     return _LAWS[law.law](*law.values)
 

@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from edesign.core import CoreError, LawValues
 from edesign.core.damper import CoreDamper
-from edesign.damper.amendments import Amendment, parameters_at
+from edesign.damper.effects import LawEffect, parameters_at
 from edesign.damper.effects_file import EffectsError, read_effects
 from edesign.damper.law import Law
 from edesign.damper.laws import law
@@ -36,22 +36,22 @@ class ResolvedLaw:
     Attributes:
         law: the law.
         values: all its parameters, SI units.
-        amendments: its effects.
+        effects: its effects.
         temperature_C: degC; None: that of the parameters.
         warnings: a temperature outside the range of tests or tables names that range.
     """
 
     law: Law
     values: dict[str, float]
-    amendments: tuple[Amendment, ...]
+    effects: tuple[LawEffect, ...]
     temperature_C: float | None
     warnings: tuple[str, ...]
 
     @property
     def for_core(self) -> LawValues:
         """The law as the core takes it."""
-        amendments = tuple(one.for_core(self.temperature_C) for one in self.amendments)
-        return LawValues(self.law.name, tuple(self.values.values()), amendments)
+        effects = tuple(one.for_core(self.temperature_C) for one in self.effects)
+        return LawValues(self.law.name, tuple(self.values.values()), effects)
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def resolve(
     except InputError as error:
         raise source.refuse(("parameters",), error) from error
     try:
-        amendments = read_effects(described.effects)
+        effects = read_effects(described.effects)
     except EffectsError as error:
         lines = [str(source.refuse(("effects", *keys), message)) for keys, message in error.problems]
         raise InputError("\n".join(lines)) from error
@@ -139,7 +139,7 @@ def resolve(
         low, high = _tested_C(described) or (REFERENCE_C, REFERENCE_C)
         held_at = min(max(temperature_C, low), high)  # one set of parameters holds for all tests
         try:
-            values, warnings = parameters_at(chosen, values, amendments, temperature_C, change, held_at)
+            values, warnings = parameters_at(chosen, values, effects, temperature_C, change, held_at)
         except InputError as error:
             culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
             place = source if culprit == "temperature_law" else asked or source
@@ -149,13 +149,13 @@ def resolve(
         CoreDamper(chosen.name, list(values.values()))
     except CoreError as error:
         raise source.refuse(("parameters", *_culprit(described, str(error))), error) from error
-    for i, one in enumerate(amendments):
+    for i, one in enumerate(effects):
         try:
-            CoreDamper(chosen.name, list(values.values()), amendments=(one.for_core(temperature_C),))
+            CoreDamper(chosen.name, list(values.values()), effects=(one.for_core(temperature_C),))
         except CoreError as error:  # no such placement in this law
             key = "placement" if "placement" in described.effects[i].model_fields_set else "form"
             raise source.refuse(("effects", i, key), error) from error
-    return ResolvedLaw(chosen, values, amendments, temperature_C, warnings)
+    return ResolvedLaw(chosen, values, effects, temperature_C, warnings)
 
 
 def _culprit(described: LawDescription, message: str) -> tuple[str, ...]:

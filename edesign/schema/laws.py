@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from pydantic import BaseModel
 
-from edesign.damper.amendment_kinds import AMENDMENTS, FORMER_FORMS
+from edesign.damper.effect_forms import FORMER_FORMS, LAW_EFFECTS
 from edesign.damper.law import Law, Parameter
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import PARAMETER_SETS, practical_unit
@@ -42,11 +42,11 @@ def add_laws(schema: Json, schema_of_model: Callable[[type[BaseModel]], Json]) -
             said = {key: of for key, of in block["properties"]["temperature_law"].items() if key == "description"}
             block["properties"]["temperature_law"] = {"$ref": "#/$defs/TemperatureLaw", **said}
     for block in effects:
-        names = dict.fromkeys(name for name, _ in AMENDMENTS)
+        names = dict.fromkeys(name for name, _ in LAW_EFFECTS)
         block["properties"]["name"] |= {"enum": list(names)}
-        block["properties"]["form"] |= {"enum": list(dict.fromkeys(form for _, form in (*AMENDMENTS, *FORMER_FORMS)))}
+        block["properties"]["form"] |= {"enum": list(dict.fromkeys(form for _, form in (*LAW_EFFECTS, *FORMER_FORMS)))}
         block["allOf"] = [_forms(name) for name in names]
-        for (name, form), kind in AMENDMENTS.items():
+        for (name, form), kind in LAW_EFFECTS.items():
             known: Json = {"parameters": {"$ref": f"#/$defs/parameters_of_{name}_{form}"}}
             placed = {} if kind.is_factor else {"placement": {"enum": list(kind.placements)}}
             block["allOf"].append(
@@ -75,7 +75,7 @@ def _law(law: Law) -> Json:
 
 
 def _forms(name: str) -> Json:
-    forms = [form for effect, form in (*AMENDMENTS, *FORMER_FORMS) if effect == name]
+    forms = [form for effect, form in (*LAW_EFFECTS, *FORMER_FORMS) if effect == name]
     return {"if": _is({"name": name}), "then": {"properties": {"form": {"enum": forms}}}}
 
 

@@ -23,7 +23,7 @@ class SizedDamper(CoreDamper):
     def __init__(self, law: LawValues, scales: tuple[float, float]) -> None:
         if not (np.all(np.isfinite(scales)) and np.all(scales)):
             raise ValueError(f"scales {scales} of force and deformation: finite and not 0")
-        super().__init__(law.law, law.values, amendments=law.amendments)
+        super().__init__(law.law, law.values, effects=law.effects)
         self.scales = scales
 
     def force(

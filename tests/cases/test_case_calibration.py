@@ -33,7 +33,7 @@ def test_a_hidden_spring_is_found_and_stands_in_the_law_file(tmp_path: Path, cap
     page = (out / "calibration.html").read_text(encoding="utf-8")
     assert "what no model can predict" in page and "In tests that nothing was fitted to" in page
     found = resolve(*read_law_file(out / "law.yaml"), 20.0)
-    damper = Damper(found.law, found.values, amendments=found.amendments)
+    damper = Damper(found.law, found.values, effects=found.effects)
     with open_archive(out / "calibration.h5") as archive:
         test = archive.group("tests/test_02").variables
         force = damper.force(test["time"].values, test["displacement"].values)

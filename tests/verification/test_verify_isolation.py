@@ -14,7 +14,7 @@ from shear_frames import MASS, STIFFNESS, shear_frame_text
 from edesign.archive.dataset import Group
 from edesign.codes.ec8.isolation import equivalent_linear
 from edesign.core import Analysis, Channel, LawValues, Model
-from edesign.core.damper import AmendmentValues
+from edesign.core.damper import EffectValues
 from edesign.damper.harmonic import effective_stiffness
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.loader import parse_project
@@ -174,8 +174,8 @@ def test_which_forces_count_in_the_effective_stiffness() -> None:
     """
     d, f = 0.08, 0.4
     v = 2.0 * math.pi * f * d
-    coulomb = AmendmentValues("friction.coulomb", (9e3, 0.15))
-    stribeck = AmendmentValues("friction.stribeck", (7e3, 0.4, 0.2))
+    coulomb = EffectValues("friction.coulomb", (9e3, 0.15))
+    stribeck = EffectValues("friction.stribeck", (7e3, 0.4, 0.2))
     both = 9e3 * math.tanh(v / 0.15) + 7e3 * (1.0 + 0.4 * math.exp(-((v / 0.2) ** 2))) * math.tanh(10.0 * v / 0.2)
     # forces of viscous laws at the turn are what the cubic path leaves of their velocity there, 1e-7 of the largest
     for law, closed in (

@@ -215,7 +215,7 @@ static int viscous(const ed_damper *d, int rough, const double *committed, const
       break;
     if (i == MOST_ITERATIONS)
       return ED_E_NOT_CONVERGED;
-    status = d->n_amendments > 0 && i >= PATIENCE ? leap(d, committed, h, total, &stage, trial)
+    status = d->n_effects > 0 && i >= PATIENCE ? leap(d, committed, h, total, &stage, trial)
                                                   : improve(d, committed, h, total, &stage, trial);
   }
   double by[2], by_chord[2];
@@ -272,7 +272,7 @@ static int meet(const ed_damper *d, const double *committed, double u0, const do
     const double residual = out->force - kb * strained(d, total - u, holds), slope = out->slope[1] + kb * *holds;
     if (!isfinite(residual))
       return ED_E_NOT_FINITE;
-    if (i == 0 && (d->law->softens || d->n_amendments > 0)) { /* the force may fall while the damper is deformed further */
+    if (i == 0 && (d->law->softens || d->n_effects > 0)) { /* the force may fall while the damper is deformed further */
       const double reach = 4.0 * fabs(residual) / kb;
       low = u - reach;
       high = u + reach;

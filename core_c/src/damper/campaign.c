@@ -53,7 +53,7 @@ static const ed_damper *in_test(const ed_test *test, const ed_damper *const *dam
   return test->damper ? test->damper[set] : damper[set];
 }
 
-/* Whether two sets differ in nothing but amendments, and their law in no test minds these. */
+/* Whether two sets differ in nothing but effects, and their law in no test minds these. */
 static int share_law(const campaign *of, const ed_damper *const *damper, int one, int other)
 {
   for (int i = 0; i < of->n_tests; i++)

@@ -254,5 +254,5 @@ int ed_fixed_steps_along(ed_fixed_steps *fixed, const double *committed, const e
     for (int i = 0; i < n; i++)
       out->slope[j] += fixed->rate.force_y[i] * fixed->y[1 + j][i];
   }
-  return damper->n_amendments > 0 ? ed_amend(damper, committed, path, direction, trial, out) : ED_OK;
+  return damper->n_effects > 0 ? ed_effects_apply(damper, committed, path, direction, trial, out) : ED_OK;
 }

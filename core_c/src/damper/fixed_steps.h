@@ -19,7 +19,7 @@ void ed_fixed_steps_free(ed_fixed_steps *fixed);
 /* Steps from here on take the sub-steps that this motion asks for, in each piece between two turns of their own path, however that path
  * moves with the parameters. NULL, and before the first call: those that their own path asks for. */
 void ed_fixed_steps_plan(ed_fixed_steps *fixed, const ed_path *motion);
-/* From `committed` along the path as ed_law.step does, with amendments. The slopes leave out that extremes which the path itself set, and
+/* From `committed` along the path as ed_law.step does, with effects. The slopes leave out that extremes which the path itself set, and
  * then left, move with the unknowns. ED_OK, ED_E_NOT_CONVERGED, ED_E_NOT_FINITE. */
 int ed_fixed_steps_along(ed_fixed_steps *fixed, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                          ed_damper_force *out);

@@ -21,10 +21,10 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
   return NULL;
 }
 
-int ed_damper_amend(ed_damper *damper, int kind, int placement, int n_parameters, const double *parameters, char *message, int size)
+int ed_damper_add_effect(ed_damper *damper, int form, int placement, int n_parameters, const double *parameters, char *message, int size)
 {
   char text[ED_DAMPER_MESSAGE] = "";
-  const int status = ed_damper_add_amendment(damper, kind, placement, n_parameters, parameters, text);
+  const int status = ed_effect_add(damper, form, placement, n_parameters, parameters, text);
   if (status != ED_OK && size > 0)
     snprintf(message, (size_t)size, "%s", text);
   return status;
@@ -106,7 +106,7 @@ static int along(ed_test_run *in, const ed_path *path, ed_damper_force *out)
       return status;
     law->force[law->at++] = out->force;
   }
-  return ed_amend(damper, in->state, path, none, in->trial, out);
+  return ed_effects_apply(damper, in->state, path, none, in->trial, out);
 }
 
 /* Steps from sample to sample. */
@@ -139,8 +139,8 @@ static void jump_path(ed_path *path, int n, const double *time, const double *u,
   ed_path_hermite(path, h, u[0], v[0], u[0] + h * v[0], v[0]);
 }
 
-/* Amends the law's forces at all samples. held: the force before the first velocity. */
-static int amend_history(ed_test_run *in, int n, const double *time, const double *u, const double *v, double slowly, double held,
+/* Adds the effects to the law's forces at all samples. held: the force before the first velocity. */
+static int add_effects(ed_test_run *in, int n, const double *time, const double *u, const double *v, double slowly, double held,
                          double *force, int *done)
 {
   const ed_damper *damper = in->stepper.damper;
@@ -151,20 +151,20 @@ static int amend_history(ed_test_run *in, int n, const double *time, const doubl
   ed_damper_force out = {.force = held};
   ed_path_hermite(&path, slowly, 0.0, 0.0, u[0], 0.0);
   memcpy(trial, state, size);
-  int status = ed_amend(damper, state, &path, none, trial, &out);
+  int status = ed_effects_apply(damper, state, &path, none, trial, &out);
   memcpy(state, trial, size);
   if (status == ED_OK && in->before) {
     ed_path_hermite(&path, in->rest, u[0], 0.0, u[0], 0.0);
-    ed_amendments_keep(damper, in->before, state);
+    ed_effects_keep(damper, in->before, state);
     out.force = held;
-    status = ed_amend(damper, state, &path, none, trial, &out);
+    status = ed_effects_apply(damper, state, &path, none, trial, &out);
     memcpy(state, trial, size);
   }
   if (status == ED_OK && v[0] != 0.0) {
     jump_path(&path, n, time, u, v);
     out.force = force[0];
-    status = ed_amend(damper, state, &path, none, trial, &out);
-    ed_amendments_jump(damper, state, trial);
+    status = ed_effects_apply(damper, state, &path, none, trial, &out);
+    ed_effects_jump(damper, state, trial);
   }
   force[0] = out.force;
   *done = 1;
@@ -173,7 +173,7 @@ static int amend_history(ed_test_run *in, int n, const double *time, const doubl
       return ED_E_STOPPED;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
     out.force = force[i];
-    status = ed_amend(damper, state, &path, none, trial, &out);
+    status = ed_effects_apply(damper, state, &path, none, trial, &out);
     memcpy(state, trial, size);
     force[i] = out.force;
     *done = i + (status == ED_OK);
@@ -181,7 +181,7 @@ static int amend_history(ed_test_run *in, int n, const double *time, const doubl
   return status;
 }
 
-/* All samples by SUNDIALS, and the amendments behind it. */
+/* All samples by SUNDIALS, and the effects behind it. */
 static int integrated(ed_test_run *in, int n, const double *time, const double *u, const double *v, double slowly, double *force,
                       int *done)
 {
@@ -195,8 +195,8 @@ static int integrated(ed_test_run *in, int n, const double *time, const double *
     damper->law->remember(damper, u[0], v[0], state, state + damper->n_ode);
   if (status == ED_OK)
     status = ed_ode_system_history(in->stepper.system, state, n, time, u, v, force, done);
-  if (status == ED_OK && damper->n_amendments > 0)
-    status = amend_history(in, n, time, u, v, slowly, ramp_force[1], force, done);
+  if (status == ED_OK && damper->n_effects > 0)
+    status = add_effects(in, n, time, u, v, slowly, ramp_force[1], force, done);
   return status;
 }
 
@@ -209,9 +209,9 @@ int ed_test_run_hold(ed_test_run *in, int n, const double *time, const double *u
   ed_path_hermite(&path, slowly, 0.0, 0.0, u[0], 0.0);
   int status = along(in, &path, &out);
   memcpy(in->state, in->trial, size);
-  if (status == ED_OK && in->before && damper->n_amendments > 0) {
+  if (status == ED_OK && in->before && damper->n_effects > 0) {
     ed_path_hermite(&path, in->rest, u[0], 0.0, u[0], 0.0);
-    ed_amendments_keep(damper, in->before, in->state);
+    ed_effects_keep(damper, in->before, in->state);
     memcpy(in->trial, in->state, size);
     status = along(in, &path, &out);
     memcpy(in->state, in->trial, size);
@@ -221,7 +221,7 @@ int ed_test_run_hold(ed_test_run *in, int n, const double *time, const double *u
     jump_path(&path, n, time, u, v);
     status = along(in, &path, &out);
     force[0] = out.force;
-    ed_amendments_jump(damper, in->state, in->trial);
+    ed_effects_jump(damper, in->state, in->trial);
   }
   return status == ED_OK && !isfinite(force[0]) ? ED_E_NOT_FINITE : status;
 }

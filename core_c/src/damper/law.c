@@ -89,11 +89,11 @@ void ed_damper_clear(ed_damper *damper)
     free(damper->springs);
   }
   free(damper->derived);
-  free(damper->amendments);
+  free(damper->effects);
   damper->springs = NULL;
   damper->derived = NULL;
-  damper->amendments = NULL;
-  damper->n_amendments = damper->n_amended = 0;
+  damper->effects = NULL;
+  damper->n_effects = damper->n_effect_state = 0;
 }
 
 int ed_damper_state_size(const ed_damper *damper)
@@ -109,7 +109,7 @@ void ed_damper_start(const ed_damper *damper, double *state)
   memset(state, 0, (size_t)size * sizeof *state);
   if (damper->law->start)
     damper->law->start(damper, state);
-  ed_amendments_start(damper, state, 1);
+  ed_effects_start(damper, state, 1);
 }
 
 int ed_damper_try(const ed_damper *damper, int rough, const double *committed, const ed_path *path, const ed_path direction[2],

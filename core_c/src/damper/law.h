@@ -37,7 +37,7 @@ typedef struct {
 } ed_damper_rate;
 
 typedef struct ed_law ed_law;
-typedef struct ed_amendment ed_amendment;
+typedef struct ed_effect ed_effect;
 
 /* A law with its parameters; read-only once prepared (ed_damper in eddamper.h). */
 struct ed_damper {
@@ -51,13 +51,13 @@ struct ed_damper {
   int without_step;     /* the exact step of its law does not hold for what it has beside: set by `prepare` */
   double brace;         /* stiffness in series; 0: none (rigid), or its pins have play */
   double joint, play;   /* stiffness in series whose pins have play, from end to end; 0: none */
-  int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or amendments that they do not */
+  int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or effects that they do not */
   ed_stop stop;   /* whom histories ask whether to stop */
   double been[4]; /* largest and smallest deformation, largest and smallest velocity that it went through before it starts */
-  int n_amendments, n_amended;
-  ed_amendment *amendments; /* effects that the law has not (amendment.h), with n_amended doubles of state behind the law's; owned */
-  ed_damper *springs; /* the same law without its dashpots, where amendments act on springs or dashpots alone (amend_sides.c); owned */
-  int at_sides;       /* where its state, and what goes with it, stands among the amendments' */
+  int n_effects, n_effect_state;
+  ed_effect *effects; /* effects that the law has not (effect.h), with n_effect_state doubles of state behind the law's; owned */
+  ed_damper *springs; /* the same law without its dashpots, where effects act on springs or dashpots alone (effect_sides.c); owned */
+  int at_sides;       /* where its state, and what goes with it, stands among the effects' */
 };
 
 struct ed_law {
@@ -90,7 +90,7 @@ struct ed_law {
   int (*events)(const ed_damper *damper, const ed_path *path, const double *memory, double at[8]);
   /* Writes into a state at rest what the specimen keeps of `before`, the state at the end of a test. NULL: nothing. */
   void (*keep)(const ed_damper *damper, const double *before, double *state);
-  /* tau of a law that relaxes all of its forces, F + tau F' = everything, so that amendments may stand inside it. NULL: it does not. */
+  /* tau of a law that relaxes all of its forces, F + tau F' = everything, so that effects may stand inside it. NULL: it does not. */
   double (*relaxation_time)(const ed_damper *damper);
   /* Takes the dashpots out of a damper that is still to be prepared: law and parameters of what its springs carry, which has an exact step
    * and adds to what the dashpots carry. NULL: the force is no such sum. */
@@ -126,26 +126,26 @@ static inline int ed_damper_is_braced(const ed_damper *damper)
          (damper->brace > 0.0 && ed_damper_has_exact_step(damper) && !damper->law->step_takes_brace);
 }
 
-/* Amendments (amendment.h). */
-int ed_damper_add_amendment(ed_damper *damper, int id, int placement, int n_parameters, const double *parameters,
+/* Effects (effect.h). */
+int ed_effect_add(ed_damper *damper, int id, int placement, int n_parameters, const double *parameters,
                             char message[ED_DAMPER_MESSAGE]);
 /* Of a state at rest: whether the deformation of the next step counts as way and work, or only leads to the first one. */
-void ed_amendments_start(const ed_damper *damper, double *state, int begun);
+void ed_effects_start(const ed_damper *damper, double *state, int begun);
 /* Gives a state that is held at rest the drivers of `before`, the state at the end of a test; the next step is no way and no work. */
-void ed_amendments_keep(const ed_damper *damper, const double *before, double *state);
-/* What `keep` of the law does, for what amendments have of that law themselves. */
-void ed_amendments_keep_law(const ed_damper *damper, const double *before, double *state);
+void ed_effects_keep(const ed_damper *damper, const double *before, double *state);
+/* What `keep` of the law does, for what effects have of that law themselves. */
+void ed_effects_keep_law(const ed_damper *damper, const double *before, double *state);
 /* After a jump of the velocity from `state`, in no time, to `after`: the next step begins with the force there. */
-void ed_amendments_jump(const ed_damper *damper, double *state, const double *after);
-/* Turns the force of the law at the end of a path, and its derivatives, into those with the amendments; the law's part of `trial` is
+void ed_effects_jump(const ed_damper *damper, double *state, const double *after);
+/* Turns the force of the law at the end of a path, and its derivatives, into those with the effects; the law's part of `trial` is
  * left alone. ED_OK, ED_E_NOT_FINITE. */
-int ed_amend(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+int ed_effects_apply(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
              ed_damper_force *out);
 
 /* Doubles of the state of a damper without its brace. */
 static inline int ed_damper_own_size(const ed_damper *damper)
 {
-  return damper->n_ode + damper->n_memory + damper->n_amended;
+  return damper->n_ode + damper->n_memory + damper->n_effect_state;
 }
 
 /* The exact step of a damper without its brace. */
@@ -153,7 +153,7 @@ static inline int ed_damper_own_step(const ed_damper *damper, const double *comm
                                      const ed_path direction[2], double *trial, ed_damper_force *out)
 {
   const int status = damper->law->step(damper, committed, path, direction, trial, out);
-  return damper->n_amendments == 0 || status != ED_OK ? status : ed_amend(damper, committed, path, direction, trial, out);
+  return damper->n_effects == 0 || status != ED_OK ? status : ed_effects_apply(damper, committed, path, direction, trial, out);
 }
 
 #endif

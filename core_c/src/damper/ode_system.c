@@ -155,8 +155,8 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
       return ED_E_NOT_FINITE;
     memcpy(trial[i], y + block->first, (size_t)block->damper->n_ode * sizeof *y);
     ed_ode_remember(block, system->work, h, y + block->first, stride, 0);
-    const int status = block->damper->n_amendments > 0
-                           ? ed_amend(block->damper, committed[i], &path[i], direction[i], trial[i], &out[i])
+    const int status = block->damper->n_effects > 0
+                           ? ed_effects_apply(block->damper, committed[i], &path[i], direction[i], trial[i], &out[i])
                            : ED_OK;
     if (status != ED_OK)
       return status;

@@ -23,7 +23,7 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
                        const ed_path (*direction)[2], double *const *trial, ed_damper_force *out);
 
 /* Force history of a system of one damper without sensitivities: from `state` (updated) through n samples of deformation u and
- * velocity v at ascending times; between samples the cubic through both. force: n, of the law without amendments. *done: samples
+ * velocity v at ascending times; between samples the cubic through both. force: n, of the law without effects. *done: samples
  * that were reached. */
 int ed_ode_system_history(ed_ode_system *system, double *state, int n, const double *time, const double *u, const double *v,
                           double *force, int *done);

@@ -1,4 +1,4 @@
-/* Parameters of laws and amendments as the generated tables have them, and their checks. */
+/* Parameters of laws and effects as the generated tables have them, and their checks. */
 #ifndef ED_PARAMETER_H
 #define ED_PARAMETER_H
 

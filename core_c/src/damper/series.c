@@ -124,11 +124,11 @@ static int begin(series *in, double slowly, double u, beside here, double *stret
   ed_test_run *run = in->run;
   *stretch = fmax(-in->gap, fmin(in->gap, u)); /* pins that nothing pushes move the damper no more than they must */
   const int status = hold(in, slowly, 0.0, u, 0.0, here, stretch);
-  if (status != ED_OK || !run->before || run->stepper.damper->n_amendments == 0)
+  if (status != ED_OK || !run->before || run->stepper.damper->n_effects == 0)
     return status;
   const double from = *stretch;
   ed_test_run_accept(run);
-  ed_amendments_keep(run->stepper.damper, run->before, run->state);
+  ed_effects_keep(run->stepper.damper, run->before, run->state);
   return hold(in, run->rest, u - from, u - from, from, here, stretch);
 }
 

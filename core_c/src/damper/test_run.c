@@ -47,7 +47,7 @@ int ed_test_run_exchange(ed_test_run *run, const ed_damper *damper)
 
 int ed_test_run_shares_law(const ed_damper *one, const ed_damper *other)
 {
-  return one->n_amendments > 0 && other->n_amendments > 0 && one->law == other->law && ed_damper_has_exact_step(one) &&
+  return one->n_effects > 0 && other->n_effects > 0 && one->law == other->law && ed_damper_has_exact_step(one) &&
          ed_damper_has_exact_step(other) && one->brace + one->joint + other->brace + other->joint == 0.0 &&
          one->n_parameters == other->n_parameters &&
          memcmp(one->parameter, other->parameter, (size_t)one->n_parameters * sizeof *one->parameter) == 0 &&
@@ -75,11 +75,11 @@ void ed_test_run_begin(ed_test_run *run)
   memset(run->state, 0, (size_t)size * sizeof *run->state);
   memset(run->trial, 0, (size_t)size * sizeof *run->trial);
   ed_damper_start(damper, run->state);
-  ed_amendments_start(damper, run->state, 0);
+  ed_effects_start(damper, run->state, 0);
   if (run->before && run->keeps_law && damper->law->keep)
     damper->law->keep(damper, run->before, run->state);
   if (run->before)
-    ed_amendments_keep_law(damper, run->before, run->state);
+    ed_effects_keep_law(damper, run->before, run->state);
 }
 
 int ed_check_samples(int n, const double *time, const double *u, const double *v, int *done)

@@ -6,7 +6,7 @@
 
 #define ED_SERIES_TOLERANCE 1e-8 /* of SUNDIALS, in series with a rig */
 
-/* What the law alone carries in all tests of a campaign, step by step: dampers that differ in their amendments have it in common. */
+/* What the law alone carries in all tests of a campaign, step by step: dampers that differ in their effects have it in common. */
 typedef struct {
   double *force;
   size_t at; /* the next step */
@@ -30,7 +30,7 @@ typedef struct {
 int ed_test_run_open(ed_test_run *run, const ed_damper *damper, int method, double fineness, ed_watch *watch);
 /* Another fineness from here on. */
 int ed_test_run_tune(ed_test_run *run, double fineness);
-/* Another damper of the same law and amendments from here on; ED_E_ARGUMENT if it is none. */
+/* Another damper of the same law and effects from here on; ED_E_ARGUMENT if it is none. */
 int ed_test_run_exchange(ed_test_run *run, const ed_damper *damper);
 void ed_test_run_close(ed_test_run *run);
 /* The test is over, and the next one of the same specimen is to begin after a rest (s). */
@@ -42,7 +42,7 @@ void ed_test_run_begin(ed_test_run *run);
  * of no deformation. force: one, before the first step. Of dampers with an exact step. */
 int ed_test_run_hold(ed_test_run *run, int n, const double *time, const double *u, const double *v, double slowly, double *force);
 
-/* Whether a damper with amendments, which moves by the exact step of its law, has the same force of the law as another one in every
+/* Whether a damper with effects, which moves by the exact step of its law, has the same force of the law as another one in every
  * test that does not begin with what the law kept of the one before. */
 int ed_test_run_shares_law(const ed_damper *one, const ed_damper *other);
 

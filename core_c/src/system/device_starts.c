@@ -61,7 +61,7 @@ int ed_start_devices(ed_analysis *a)
     double *before = ed_device_block(&a->devices, &a->committed, i);
     const double *after = ed_device_block(&a->devices, &a->trial, i);
     before[ED_DEVICE_FORCE] = after[ED_DEVICE_FORCE];
-    ed_amendments_jump(&a->model->devices[i].damper, before + ED_DEVICE_LAW_STATE, after + ED_DEVICE_LAW_STATE);
+    ed_effects_jump(&a->model->devices[i].damper, before + ED_DEVICE_LAW_STATE, after + ED_DEVICE_LAW_STATE);
   }
   ed_revert(a);
   memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->numbering.n * sizeof(double)); /* the first step takes its share */

@@ -68,12 +68,12 @@ int ed_model_damper_weighs(ed_model *model, int damper, int element, double weig
   return ED_OK;
 }
 
-int ed_model_amend_damper(ed_model *model, int damper, int kind, int placement, int n_parameters, const double *parameters)
+int ed_model_add_damper_effect(ed_model *model, int damper, int form, int placement, int n_parameters, const double *parameters)
 {
   if (damper < 0 || damper >= model->n_devices)
     return ed_model_refuse(model, ED_E_ID, "there is no damper %d", damper);
   ed_device *device = &model->devices[damper];
   char message[ED_DAMPER_MESSAGE];
-  const int status = ed_damper_add_amendment(&device->damper, kind, placement, n_parameters, parameters, message);
+  const int status = ed_effect_add(&device->damper, form, placement, n_parameters, parameters, message);
   return status == ED_OK ? ED_OK : ed_model_refuse(model, status, "damper %s: %s", device->name, message);
 }

@@ -2,7 +2,7 @@
 
 measured motion -> MotionChannel  the motion that the rig made, then the one of the specimen
                 -> LawParameters  parameters of the law in this test
-                -> Amendment, Rig law with its amendments, in series with the rig: one history of the C core
+                -> CoreEffect, Rig law with its effects, in series with the rig: one history of the C core
                 -> ForceChannel   forces of what moves with the actuator, then what the channel makes of the sum
                 -> NuisanceAmplitudes      amplitudes of histories, another in each test
 """
@@ -20,14 +20,14 @@ import numpy as np
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.form import Values
-from edesign.core.damper import AmendmentValues
-from edesign.damper.amendment_kinds import parameters_in_core
+from edesign.core.damper import EffectValues
+from edesign.damper.effect_forms import parameters_in_core
 from edesign.damper.law import Law
 from edesign.estimation.model import PredictionError
 
 
 class Placement(Enum):
-    """Where the equation of an amendment acts."""
+    """Where the equation of an effect acts."""
 
     WHOLE = "whole"
     INSIDE = "inside"
@@ -36,8 +36,8 @@ class Placement(Enum):
 
 
 @dataclass(frozen=True)
-class Amendment:
-    """An equation beside or on the law, in the C core.
+class CoreEffect:
+    """An effect beside or on the law that the C core computes.
 
     Attributes:
         equation: its name in the core, e.g. "payne.whole"; its parameters are values of the form with the same names.
@@ -58,8 +58,8 @@ class Amendment:
         """Whether the specimen remembers its state from test to test, however long it rests between."""
         return self.equation.partition(".")[0] in ("mullins", "degradation", "pinching")
 
-    def in_test(self, p: Values, test: Experiment) -> AmendmentValues:
-        """Return the amendment as the core takes it in a test.
+    def in_test(self, p: Values, test: Experiment) -> EffectValues:
+        """Return the effect as the core takes it in a test.
 
         Args:
             p: parameters of the form.
@@ -69,13 +69,13 @@ class Amendment:
             PredictionError: this core has no such equation.
         """
         if self.factor is not None:
-            return AmendmentValues(self.equation, (self.factor(p, test),), self.placement.value)
+            return EffectValues(self.equation, (self.factor(p, test),), self.placement.value)
         names = _parameter_names().get(self.equation)
         if names is None:
-            raise PredictionError(f"the core has no amendment {self.equation}")
+            raise PredictionError(f"the core has no effect {self.equation}")
         known = p if self.more is None else {**p, **self.more(p)}
         known = known if self.own is None else {**known, **self.own(p, test)}
-        return AmendmentValues(self.equation, tuple(known[name] for name in names), self.placement.value)
+        return EffectValues(self.equation, tuple(known[name] for name in names), self.placement.value)
 
 
 @lru_cache(maxsize=1)
@@ -207,4 +207,4 @@ class NuisanceAmplitudes:
     columns: Callable[[Values, Experiment], np.ndarray]
 
 
-Act = Amendment | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | NuisanceAmplitudes
+Act = CoreEffect | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | NuisanceAmplitudes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from edesign.calibration.dampers.acts import Act, Amendment, NuisanceAmplitudes, Placement
+from edesign.calibration.dampers.acts import Act, CoreEffect, NuisanceAmplitudes, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
 
@@ -37,21 +37,21 @@ class EffectForm(Form[Act, Sizes]):
         return any(isinstance(act, NuisanceAmplitudes) for act in self.acts)
 
     @property
-    def amendments(self) -> tuple[Amendment, ...]:
+    def core_effects(self) -> tuple[CoreEffect, ...]:
         """What of it is in the C core."""
-        return tuple(act for act in self.acts if isinstance(act, Amendment))
+        return tuple(act for act in self.acts if isinstance(act, CoreEffect))
 
 
 def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:
-    """Return a form, whose amendments act on the whole law, once for each placement.
+    """Return a form, whose effects act on the whole law, once for each placement.
 
     Args:
-        form: with one amendment or more.
+        form: with one effect or more.
         placements: where they act in its place.
     """
 
     def at(placement: Placement) -> EffectForm:
-        acts = tuple(replace(act, placement=placement) if isinstance(act, Amendment) else act for act in form.acts)
+        acts = tuple(replace(act, placement=placement) if isinstance(act, CoreEffect) else act for act in form.acts)
         ending = "" if placement is Placement.WHOLE else f"_{placement.value}"
         return replace(form, form=form.form + ending, title=form.title + _TITLES[placement], acts=acts)
 

@@ -1,4 +1,4 @@
-"""Forces of a law with its amendments in tests, in series with a rig: campaigns of the C core."""
+"""Forces of a law with its effects in tests, in series with a rig: campaigns of the C core."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from edesign.calibration.dampers.acts import RigValues
 from edesign.calibration.dampers.motion import Motion
 from edesign.core import CampaignTest, CoreError, SeriesRig, campaign_forces
-from edesign.core.damper import AmendmentValues, CoreDamper
+from edesign.core.damper import CoreDamper, EffectValues
 from edesign.damper.history import Extremes
 from edesign.damper.law import Law
 from edesign.estimation.model import PredictionError
@@ -27,7 +27,7 @@ class LawTest:
     Attributes:
         law: its name.
         values: parameters in the order of the core, SI.
-        amendments: beside or on it.
+        effects: beside or on it.
         rig: in series with it; None: nothing.
         prior_extremes: extremes that the specimen went through before.
         rest: s since the test before.
@@ -35,14 +35,14 @@ class LawTest:
 
     law: str
     values: tuple[float, ...]
-    amendments: tuple[AmendmentValues, ...]
+    effects: tuple[EffectValues, ...]
     rig: RigValues | None
     prior_extremes: Extremes
     rest: float = LONG
 
 
 Run = tuple[tuple[LawTest, Motion], ...]
-"""Tests of one specimen in their order, each with its motion: amendments go on from one to the next."""
+"""Tests of one specimen in their order, each with its motion: effects go on from one to the next."""
 
 
 def forces(runs: Sequence[Run], threads: int, length: float) -> list[list[np.ndarray] | PredictionError]:
@@ -84,7 +84,7 @@ def _together(runs: Sequence[Run], threads: int, length: float) -> list[list[np.
     for i, run in enumerate(runs):
         try:
             dampers[i] = [
-                CoreDamper(one.law, one.values, amendments=one.amendments, prior_extremes=one.prior_extremes)
+                CoreDamper(one.law, one.values, effects=one.effects, prior_extremes=one.prior_extremes)
                 for one, _ in run
             ]
             out.append([])
@@ -114,7 +114,7 @@ def _together(runs: Sequence[Run], threads: int, length: float) -> list[list[np.
             tests,
             "fixed",
             length=length,
-            carry="amendments" if len(tests) > 1 else False,
+            carry="effects" if len(tests) > 1 else False,
             threads=threads,
         )
     except CoreError as error:
@@ -146,15 +146,15 @@ def length_of(law: Law, values: Mapping[str, float], force: float, displacement:
     return max(min(lengths), 1e-3 * displacement)
 
 
-def accepted(law: Law, values: Mapping[str, float], amendments: Sequence[AmendmentValues]) -> bool:
-    """Say whether the core takes amendments with a law.
+def accepted(law: Law, values: Mapping[str, float], effects: Sequence[EffectValues]) -> bool:
+    """Say whether the core takes effects with a law.
 
     Args:
         values: its parameters by name, in the order of the core, SI.
-        amendments: beside or on it.
+        effects: beside or on it.
     """
     try:
-        CoreDamper(law.name, tuple(values.values()), amendments=amendments)
+        CoreDamper(law.name, tuple(values.values()), effects=effects)
     except CoreError:
         return False
     return True

@@ -12,7 +12,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from edesign.calibration.dampers.acts import (
-    Amendment,
+    CoreEffect,
     ForceChannel,
     LastingExtremes,
     LawParameters,
@@ -101,7 +101,7 @@ class Prediction:
     """Predicts tests of one specimen in the order in which they were made.
 
     What does not change is kept: motions by the parameters of the channels that change them, forces of the law by its
-    parameters, amendments, rig and motion. Results do not depend on what is kept, nor on the number of threads.
+    parameters, effects, rig and motion. Results do not depend on what is kept, nor on the number of threads.
 
     Args:
         experiments: all tests of the campaign.
@@ -181,11 +181,11 @@ class Prediction:
         self, values: Mapping[str, float], effects: Effects, wanted: Sequence[int], finer: float
     ) -> list[_Asked]:
         refined = finer * max((of.form.refined for of, _ in effects), default=REFINED)
-        amendments = _acts(effects, Amendment)
+        core_effects = _acts(effects, CoreEffect)
         rests = _acts(effects, Rest)
         lasting = self._lasting or bool(_acts(effects, LastingExtremes))
         rest = min((p[act.duration] for act, p in rests), default=LONG)
-        carries = self._ordered and (bool(rests) or any(act.carries for act, _ in amendments))
+        carries = self._ordered and (bool(rests) or any(act.carries for act, _ in core_effects))
         rigs = [act.values(p) for act, p in _acts(effects, Rig)]
         rig = RigValues.together(rigs) if rigs else None
         changes = _acts(effects, LawParameters)
@@ -206,7 +206,7 @@ class Prediction:
             law_test = LawTest(
                 self._law.name,
                 at_temperature[test.temperature],
-                tuple(act.in_test(p, test) for act, p in amendments),
+                tuple(act.in_test(p, test) for act, p in core_effects),
                 rig,
                 own_extremes,
                 rest,

@@ -132,14 +132,14 @@ class DamperProblem(TestedProblem):
             return False
         if self.lasting and any(isinstance(act, LastingExtremes) for act in form.acts):
             return False
-        if not form.amendments:
+        if not form.core_effects:
             return True
         p = form.of(self.typical).values(form.starts(self.typical)[0])
         try:
-            amendments = [act.in_test(p, self.experiments[0]) for act in form.amendments]
+            effects = [act.in_test(p, self.experiments[0]) for act in form.core_effects]
         except PredictionError:
             return False
-        return accepted(self.law, self.declared, amendments)
+        return accepted(self.law, self.declared, effects)
 
     @cached_property
     def prediction(self) -> Prediction:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, LawParameters
+from edesign.calibration.dampers.acts import CoreEffect, LawParameters
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.form import Values
@@ -52,7 +52,7 @@ _POWER_BESIDE = replace(
     source="thesis Eq. 4.24 read as elements in parallel",
     acts=(
         LawParameters(_without_power),
-        Amendment("velocity_exponent.dashpot", more=lambda p: {"c": p["c_NL"], "alpha": p["alpha"]}),
+        CoreEffect("velocity_exponent.dashpot", more=lambda p: {"c": p["c_NL"], "alpha": p["alpha"]}),
     ),
 )
 _ALL_BESIDE = replace(
@@ -62,7 +62,7 @@ _ALL_BESIDE = replace(
     source="thesis Eq. 4.24 read as elements in parallel: the relaxation c1/k1 is the branch's alone",
     acts=(
         LawParameters(_without_branch),
-        Amendment("relaxation_branch.maxwell", more=lambda p: {"k": p["k1"], "tau": p["c1"] / p["k1"]}),
+        CoreEffect("relaxation_branch.maxwell", more=lambda p: {"k": p["k1"], "tau": p["c1"] / p["k1"]}),
     ),
 )
 

@@ -7,8 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Amendment as AmendmentAct
-from edesign.calibration.dampers.acts import LawParameters
+from edesign.calibration.dampers.acts import CoreEffect, LawParameters
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.properties.problem import PropertyProblem
@@ -17,7 +16,7 @@ from edesign.calibration.results.law_file import law_file
 from edesign.calibration.results.result import LawFile
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
-from edesign.damper.amendments import Amendment
+from edesign.damper.effects import LawEffect
 from edesign.damper.testing.measured_histories import USES
 from edesign.estimation.model import PredictionError
 
@@ -37,16 +36,16 @@ def table_law(problem: PropertyProblem, final: FittedModel, refit: FittedModel, 
 
 def _arranged(
     inner: DamperProblem, effect: Effect, fitted: Mapping[str, float]
-) -> tuple[dict[str, float], list[Amendment]]:
+) -> tuple[dict[str, float], list[LawEffect]]:
     """Return the parameters of another arrangement, and what stands beside the Maxwell branch in it."""
     of: FormInCampaign = effect.data
     values, beside = dict(fitted), []
     for act in of.form.acts:
         if isinstance(act, LawParameters):
             values = act.change(fitted, inner.experiments[0], inner.law, values)
-        elif isinstance(act, AmendmentAct) and act.more is not None:
+        elif isinstance(act, CoreEffect) and act.more is not None:
             name, _, form = act.equation.partition(".")
-            beside.append(Amendment(name, form, dict(act.more(fitted))))
+            beside.append(LawEffect(name, form, dict(act.more(fitted))))
     return values, beside
 
 

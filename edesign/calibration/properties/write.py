@@ -45,7 +45,7 @@ def rows_json(found: PropertyCalibration) -> dict[str, Any]:
 def property_law_text(found: PropertyCalibration) -> str:
     """Return the corrected law as a law file, its numbers with six digits: more are not known."""
     law, file, table = law_of(found.law), found.law_file, found.campaign.table
-    effects = write_effects([replace(one, values=_rounded(one.values)) for one in file.amendments])
+    effects = write_effects([replace(one, values=_rounded(one.values)) for one in file.effects])
     for effect in effects:
         effect["parameters"] = _six_digits(effect["parameters"])
     tested = {

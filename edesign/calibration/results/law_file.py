@@ -14,8 +14,7 @@ from functools import partial
 import numpy as np
 import yaml
 
-from edesign.calibration.dampers.acts import Amendment as AmendmentAct
-from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Rest
+from edesign.calibration.dampers.acts import CoreEffect, LastingExtremes, LawParameters, Rest
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects.condition import CONDITION
 from edesign.calibration.dampers.effects.temperature_law import lost
@@ -26,8 +25,8 @@ from edesign.calibration.results.predictions import validation_error
 from edesign.calibration.results.result import Calibration, LawFile
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
-from edesign.damper.amendment_kinds import AmendmentKind, kind_if_known
-from edesign.damper.amendments import Amendment
+from edesign.damper.effect_forms import LawEffectForm, form_if_known
+from edesign.damper.effects import LawEffect
 from edesign.damper.effects_file import write_effects
 from edesign.damper.law import Parameter
 from edesign.damper.laws import law as law_of
@@ -51,11 +50,11 @@ class Carried:
     """How a law file carries an effect.
 
     Attributes:
-        amendments: of the law.
+        effects: of the law.
         temperature: in the place of the law's own; None: that stays.
     """
 
-    amendments: tuple[Amendment, ...] = ()
+    effects: tuple[LawEffect, ...] = ()
     temperature: GammaT | FerryShift | None = None
 
 
@@ -66,12 +65,12 @@ def form_in_law_files(form: EffectForm) -> bool:
         return False
     if any(isinstance(act, LawParameters) for act in acts):
         return form.name == "temperature_law"
-    return all(isinstance(act, AmendmentAct) and _kind(form, act) is not None for act in acts)
+    return all(isinstance(act, CoreEffect) and _kind(form, act) is not None for act in acts)
 
 
 def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
     """Return the parameters that law files have of a form, by name."""
-    kinds = [kind for act in form.amendments if (kind := _kind(form, act)) is not None]
+    kinds = [kind for act in form.core_effects if (kind := _kind(form, act)) is not None]
     return {one.name: one for kind in kinds for one in kind.parameters}
 
 
@@ -86,7 +85,7 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
     """
     of: FormInCampaign = effect.data
     p, acts = of.values(values), of.form.acts
-    if of.form.name == CONDITION and not any(isinstance(act, AmendmentAct) and act.own for act in acts):
+    if of.form.name == CONDITION and not any(isinstance(act, CoreEffect) and act.own for act in acts):
         return Carried()
     if any(isinstance(act, LawParameters) for act in acts):
         return _in_temperature_law(problem, of, p)
@@ -94,16 +93,16 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
     for act in acts:
         if isinstance(act, Rest | LastingExtremes):  # between tests alone
             continue
-        one = _amendment(problem, of, act, p) if isinstance(act, AmendmentAct) else None
+        one = _law_effect(problem, of, act, p) if isinstance(act, CoreEffect) else None
         if one is None:
             return None
         found.append(one)
     return Carried(tuple(found))
 
 
-def _amendment(
-    problem: DamperProblem, of: FormInCampaign, act: AmendmentAct, p: Mapping[str, float]
-) -> Amendment | None:
+def _law_effect(
+    problem: DamperProblem, of: FormInCampaign, act: CoreEffect, p: Mapping[str, float]
+) -> LawEffect | None:
     kind = _kind(of.form, act)
     if kind is None:
         return None
@@ -114,17 +113,17 @@ def _amendment(
     name, _, form = kind.name.partition(".")
     try:
         values = {one.name: p[one.name] for one in kind.parameters if one.name in p}
-        return Amendment(name, form, values, act.placement.value)
+        return LawEffect(name, form, values, act.placement.value)
     except InputError:  # a parameter, or a placement, that law files refuse
         return None
 
 
-def _kind(form: EffectForm, act: AmendmentAct) -> AmendmentKind | None:
+def _kind(form: EffectForm, act: CoreEffect) -> LawEffectForm | None:
     """Kind by which law files know what an act does; None: they know none."""
     name, _, equation = act.equation.partition(".")
     if act.equation == _CONSTANT:
         name, equation = form.name, form.form.removesuffix(f"_{act.placement.value}")
-    kind = kind_if_known(name, equation)
+    kind = form_if_known(name, equation)
     return kind if kind is not None and kind.constant == (act.equation == _CONSTANT) else None
 
 
@@ -151,8 +150,8 @@ def _in_temperature_law(problem: DamperProblem, of: FormInCampaign, p: Mapping[s
 Validate = Callable[[list[Effect], np.ndarray], float]
 """NRMS of what was held out, by effects and values, SI, of the law and these; infinite: there is no prediction."""
 
-Arranged = Callable[[Effect, Mapping[str, float]], tuple[dict[str, float], list[Amendment]]]
-"""Parameters of the law, of those fitted, and amendments, by which a law file carries another arrangement of it."""
+Arranged = Callable[[Effect, Mapping[str, float]], tuple[dict[str, float], list[LawEffect]]]
+"""Parameters of the law, of those fitted, and effects, by which a law file carries another arrangement of it."""
 
 
 def law_file(
@@ -196,7 +195,7 @@ def _law_file(
 ) -> LawFile:
     base, every = len(problem.base), list(model.fit.values)
     fitted = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
-    values, amendments, numbers = fitted, list[Amendment](), every[:base]
+    values, effects, numbers = fitted, list[LawEffect](), every[:base]
     temperature: GammaT | FerryShift | None = own_temperature(problem)
     measured, lacking, known = list[str](), list[str](), list[Effect]()
     for index, effect in enumerate(model.effects):
@@ -205,9 +204,9 @@ def _law_file(
             measured.append(f"{effect.label} ({effect.kind}): {effect.data.title}")
         elif effect.name == ARRANGEMENT and arranged is not None:
             values, beside = arranged(effect, fitted)
-            amendments += beside
+            effects += beside
         elif (found := carried(problem, effect, own)) is not None:
-            amendments += found.amendments
+            effects += found.effects
             temperature = found.temperature or temperature
         else:
             lacking.append(effect.label)
@@ -215,7 +214,7 @@ def _law_file(
         known.append(effect)
         numbers += own.tolist()
     error = validate(known, np.array(numbers))
-    return LawFile(stage, values, tuple(amendments), temperature, tuple(measured), tuple(lacking), error)
+    return LawFile(stage, values, tuple(effects), temperature, tuple(measured), tuple(lacking), error)
 
 
 def why_not_carried(problem: DamperProblem, model: FittedModel, index: int) -> str:
@@ -238,7 +237,7 @@ def own_temperature(problem: DamperProblem) -> GammaT | None:
 def law_text(found: Calibration, campaign: Campaign) -> str:
     """Return the law file of tests of a damper."""
     parameters = write_parameters(law_of(found.law), found.law_file.parameters)
-    effects = write_effects(found.law_file.amendments)
+    effects = write_effects(found.law_file.effects)
     return law_file_text(found, parameters, effects, campaign.specimen, _tested(found, campaign.specimen), _head(found))
 
 
@@ -288,7 +287,7 @@ def _head(found: Calibration) -> list[str]:
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
         *law_lines(found),
     ]
-    names = {one.name for one in file.amendments}
+    names = {one.name for one in file.effects}
     if found.lasting or any(one.label == "extremes.lasting" for one in found.effects):
         lines.append("extremes soften it from test to test for good: the parameters are those of a virgin damper")
     if names & {"mullins", "degradation"}:

@@ -10,7 +10,7 @@ from typing import Literal, Protocol
 from edesign.calibration.residual.series import Errors, Series, Stage, Worst
 from edesign.calibration.search.problem import Kind
 from edesign.calibration.search.search import Ending
-from edesign.damper.amendments import Amendment
+from edesign.damper.effects import LawEffect
 from edesign.damper.temperature import FerryShift, GammaOf, GammaT
 from edesign.notebook import facts_html
 from edesign.project.document import Document
@@ -171,7 +171,7 @@ class LawFile:
     Attributes:
         stage: whose parameters it has.
         parameters: of the law, by name, SI.
-        amendments: effects of the damper.
+        effects: effects of the damper.
         temperature: how parameters change with temperature, if that was found or is the law's own; None: not said.
         measurement_effects: of rig and instruments, which are no part of a damper.
         lacking: labels of effects of the damper that it cannot carry.
@@ -181,7 +181,7 @@ class LawFile:
 
     stage: Stage
     parameters: Mapping[str, float]
-    amendments: tuple[Amendment, ...]
+    effects: tuple[LawEffect, ...]
     temperature: GammaT | FerryShift | None
     measurement_effects: tuple[str, ...]
     lacking: tuple[str, ...]

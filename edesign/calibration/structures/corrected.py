@@ -20,7 +20,7 @@ from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.effect import ChangedBuilding, StructureForm
 from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.problem import StructureProblem
-from edesign.damper.amendments import Amendment
+from edesign.damper.effects import LawEffect
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
@@ -30,7 +30,7 @@ BOUC_WEN, FRICTION = "law_beside_bouc_wen.yaml", "law_beside_elastic_plastic.yam
 FILES = (STRUCTURE, LAW, BOUC_WEN, FRICTION)
 """Files of a corrected building; those of laws are of isolated ones."""
 
-_AMENDMENTS = {
+_LAW_EFFECTS = {
     "isolation_softening.envelope": "payne.elastic",
     "isolation_hardening.power": "hardening.power",
     "isolation_hardening.threshold": "hardening.threshold",
@@ -60,7 +60,7 @@ def where_carried(effect: Effect | FoundEffect | StructureForm) -> str:
     """
     if effect.label in _BESIDE:
         return _BESIDE[effect.label][0]
-    if effect.label in _AMENDMENTS:
+    if effect.label in _LAW_EFFECTS:
         return LAW
     return STRUCTURE if effect.name in _CHANGED and effect.label not in _LINKS else ""
 
@@ -77,19 +77,19 @@ def law_file(campaign: StructureCampaign, problem: StructureProblem, final: Fitt
     if campaign.isolation is not None:
         fitted = dict(zip((one.name for one in problem.base), map(float, final.fit.values), strict=False))
         parameters = {name: fitted.get(name, value) for name, value in campaign.isolation.values.items()}
-    amendments, measured, lacking = [], [], []
+    effects, measured, lacking = [], [], []
     for index, effect in enumerate(final.effects):
         of: FormInCampaign = effect.data
         if effect.kind != "structure":
             measured.append(f"{effect.label} ({effect.kind}): {of.title}")
-        elif effect.label in _AMENDMENTS:
-            name, form = _AMENDMENTS[effect.label].split(".")
+        elif effect.label in _LAW_EFFECTS:
+            name, form = _LAW_EFFECTS[effect.label].split(".")
             values = of.values(final.fit.values[i] for i in final.places(index))
-            amendments.append(Amendment(name, form, dict(values)))
+            effects.append(LawEffect(name, form, dict(values)))
         elif not where_carried(effect):
             lacking.append(effect.label)
     stage: Stage = "corrected" if final.effects else "refit"
-    return LawFile(stage, parameters, tuple(amendments), None, tuple(measured), tuple(lacking), validate)
+    return LawFile(stage, parameters, tuple(effects), None, tuple(measured), tuple(lacking), validate)
 
 
 def corrected_texts(found: Calibration, campaign: StructureCampaign) -> dict[str, str]:
@@ -143,8 +143,8 @@ def _law_texts(found: Calibration, campaign: StructureCampaign, head: list[str],
         elif where != LAW:
             others.append(f"{f'in {where}' if where else 'in no file'}: {_told(effect)}")
     data = _law(found, campaign)
-    if found.law_file.amendments:
-        data["effects"] = write_effects(found.law_file.amendments)
+    if found.law_file.effects:
+        data["effects"] = write_effects(found.law_file.effects)
     lines = [
         "isolation layer of " + head[0],
         *head[1:],

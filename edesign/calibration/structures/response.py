@@ -11,7 +11,7 @@ from scipy.linalg import expm
 
 from edesign.calibration.structures.building import System
 from edesign.core import CoreError
-from edesign.core.damper import AmendmentValues, CoreDamper
+from edesign.core.damper import CoreDamper, EffectValues
 from edesign.core.fading import fading
 from edesign.core.linked import LinkedTest, linked_histories
 from edesign.estimation.model import PredictionError
@@ -24,7 +24,7 @@ _MOST_PARTS = 64
 _BOUNDLESS = 1e4  # m and m/s
 _WELL_CONDITIONED = 1e8  # eigenvectors beyond it (critical damping) lose half of the digits
 _NOTHING = (0.0, 0.0)
-"""Of a Kelvin-Voigt law that carries nothing, for amendments that stand alone."""
+"""Of a Kelvin-Voigt law that carries nothing, for effects that stand alone."""
 
 
 @dataclass(frozen=True)
@@ -36,25 +36,25 @@ class Link:
         stiffest: bound of its tangent stiffness, N/m, by which steps are divided.
         law: of the core.
         values: its parameters in the order of the core, SI.
-        amendments: beside or on it.
+        effects: beside or on it.
     """
 
     storey: int
     stiffest: float
     law: str
     values: tuple[float, ...]
-    amendments: tuple[AmendmentValues, ...] = ()
+    effects: tuple[EffectValues, ...] = ()
 
     @staticmethod
-    def alone(storey: int, stiffest: float, amendment: str, *values: float) -> Link:
-        """Return a link that an amendment of the core makes without a law.
+    def alone(storey: int, stiffest: float, effect: str, *values: float) -> Link:
+        """Return a link that an effect of the core makes without a law.
 
         Args:
             storey: it stands in.
             stiffest: bound of its tangent stiffness, N/m.
             values: its parameters in the order of the core, SI.
         """
-        return Link(storey, stiffest, "kelvin_voigt", _NOTHING, (AmendmentValues(amendment, values),))
+        return Link(storey, stiffest, "kelvin_voigt", _NOTHING, (EffectValues(effect, values),))
 
     @staticmethod
     def breaking(storey: int, stiffness: float, distance: float) -> Link:
@@ -65,13 +65,13 @@ class Link:
             stiffness: k, N/m.
             distance: d, m.
         """
-        broken = AmendmentValues("mullins.damage", (1.0, distance, 2.0, 0.0))
+        broken = EffectValues("mullins.damage", (1.0, distance, 2.0, 0.0))
         return Link(storey, stiffness, "kelvin_voigt", (stiffness, 0.0), (broken,))
 
     @property
     def remembers(self) -> bool:
         """Whether one test changes it in the next."""
-        return any(one.kind.partition(".")[0] in ("mullins", "degradation") for one in self.amendments)
+        return any(one.name.partition(".")[0] in ("mullins", "degradation") for one in self.effects)
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def respond(
     else:
         parts = [_parts(system, rows, links, step, every, rough) for _, step in motions]
         try:
-            dampers = [CoreDamper(one.law, one.values, amendments=one.amendments) for one in links]
+            dampers = [CoreDamper(one.law, one.values, effects=one.effects) for one in links]
             tests = [_linked(system, rows, *one, every, p) for one, p in zip(motions, parts, strict=True)]
             states, forces = linked_histories(dampers, _seen(rows), tests, any(one.remembers for one in links))
         except CoreError as error:

@@ -60,9 +60,7 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
     folder = Path(folder)
     specimen, law = programme.specimen.specimen, law_of(programme.law.type)
     assert programme.law.parameters is not None  # checked by load_programme
-    reference = Damper(
-        law, read_parameters(law, programme.law.parameters), amendments=read_effects(programme.law.effects)
-    )
+    reference = Damper(law, read_parameters(law, programme.law.parameters), effects=read_effects(programme.law.effects))
     planned = list(planned_tests(programme, specimen))
     tests, found = [], {}
     warnings: dict[str, None] = {}

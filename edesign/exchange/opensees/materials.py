@@ -100,7 +100,7 @@ def damper_branches(law: LawValues, force: float, deformation: float, brace: flo
     Raises:
         NoSuchMaterial: OpenSees has none.
     """
-    if law.amendments:
+    if law.effects:
         raise NoSuchMaterial("its `effects` are of edesign alone")
     make = _LAWS.get(law.law)
     if make is None:

@@ -54,7 +54,7 @@ def _property(device: Device, where: str) -> LinkProperty:
     """The link of a damper: F = force_scale * law(deformation_scale * u), in series with its brace."""
     law, values = device.values.law, device.values.values
     force, stretch = device.force_scale, device.deformation_scale
-    if device.values.amendments:
+    if device.values.effects:
         raise InputError(f"{where}: its law `{law}` has effects, which links of SAP2000 do not have; {_TAKEN}")
     if device.play:
         raise InputError(f"{where}: the pins of its brace have play, which this link of SAP2000 does not have")

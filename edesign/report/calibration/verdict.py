@@ -177,7 +177,7 @@ def _file(calibration: Calibration) -> str:
     if calibration.subject == "structure":
         return _structure_file(calibration)
     file = calibration.law_file
-    carried = " and ".join(one.label for one in file.amendments)
+    carried = " and ".join(one.label for one in file.effects)
     what = LAW_FILES[file.stage]
     if calibration.law_held and file.stage == "refit":
         what = "the law as declared"

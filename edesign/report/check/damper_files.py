@@ -51,7 +51,7 @@ def law_summary(path: Path) -> dict[str, str]:
     return {
         "law": f"{found.law.name}: {found.law.title}",
         "parameters": "\n".join(parameters),
-        **({"effects": "\n".join(one.label for one in found.amendments)} if found.amendments else {}),
+        **({"effects": "\n".join(one.label for one in found.effects)} if found.effects else {}),
         "prototype": _size(Specimen("", size.layers, size.layer_area, size.layer_thickness))
         if size is not None
         else "none: the law has the size of the device",

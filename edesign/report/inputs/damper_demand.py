@@ -83,7 +83,7 @@ def _of_dashpots(group: Group, devices: Sequence[Device]) -> float | None:
     """Largest velocity of dampers whose law is a dashpot alone; None: their law is another."""
     law = devices[0].values
     force = peak(group, "damper_force")
-    if law.law not in ("viscous", "viscous_power") or law.amendments or force is None:
+    if law.law not in ("viscous", "viscous_power") or law.effects or force is None:
         return None
     c, alpha = (*law.values, 1.0)[:2]
     scales = np.array([device.force_scale for device in devices])

@@ -151,7 +151,7 @@ def _size(device: Device) -> str:
         return f"core of {significant(brace.area / size.number / MM2.si)} mm2"
     if device.layer_thickness is not None:
         return _layers(device.size, device.layer_thickness)
-    if law.law in _ALONG and not law.amendments:
+    if law.law in _ALONG and not law.effects:
         c, alpha = (*law.values, 1.0)[:2]
         exponent = "" if alpha == 1.0 else f"^{alpha:g}"
         return f"c = {significant(c * size.scale / KN.si)} kN (s/m){exponent}"

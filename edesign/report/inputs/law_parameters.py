@@ -99,10 +99,10 @@ def _notes(law: Law, values: DeviceLaw, spec: DamperLaw) -> list[str]:
         notes.append(f"The parameters belong to a damper of {layers} of {size}.")
     if values.tested_strain is not None:
         notes.append(f"They come from tests up to a shear strain of {100.0 * values.tested_strain:g} %.")
-    for effect in values.law.amendments:
+    for effect in values.law.effects:
         numbers = ", ".join(f"{value:.{DIGITS}g}" for value in effect.values)
         place = "" if effect.placement == "whole" else f" ({effect.placement})"
-        notes.append(f"Effect {effect.kind.replace('_', ' ').replace('.', ', ')}{place}: {numbers} (SI units).")
+        notes.append(f"Effect {effect.name.replace('_', ' ').replace('.', ', ')}{place}: {numbers} (SI units).")
     if spec.file is not None:
         notes.append(f"The law stands in the file {spec.file}.")
     return notes

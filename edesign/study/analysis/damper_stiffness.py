@@ -122,7 +122,7 @@ def _storing(stiffness: np.ndarray) -> np.ndarray:
 
 
 def _linear(device: Device) -> bool:
-    return device.values.law in LINEAR_LAWS and not device.values.amendments and not device.play
+    return device.values.law in LINEAR_LAWS and not device.values.effects and not device.play
 
 
 def _sprung(device: Device) -> bool:

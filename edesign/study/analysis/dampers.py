@@ -60,7 +60,7 @@ def goes_with_speed(device: Device) -> bool:
     chosen = law(device.values.law)
     values = dict(zip((p.name for p in chosen.parameters), device.values.values, strict=False))
     return chosen.depends_on_speed(values) or any(
-        effect.kind.partition(".")[0] in VISCOUS_EFFECTS for effect in device.values.amendments
+        effect.name.partition(".")[0] in VISCOUS_EFFECTS for effect in device.values.effects
     )
 
 

@@ -46,7 +46,7 @@ def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray, brac
     """Return a damper law as it is in steady sines of one amplitude.
 
     Args:
-        law: with parameters and amendments.
+        law: with parameters and effects.
         amplitude: of the deformation, m.
         frequency: (n,), Hz, rising, n >= 4; at each the law runs through 12 cycles.
         brace: stiffness in series, N/m; 0: rigid.

@@ -167,7 +167,7 @@ def _other_dampers(project: Project, structure: Structure, specimen: Device) -> 
         reason = None
         if law.law not in LINEAR_LAWS:
             reason = f"its law `{device.law}` ({law.law}) is no spring and dashpot; kelvin_voigt and viscous are"
-        elif law.amendments:
+        elif law.effects:
             reason = f"its law `{device.law}` has effects"
         elif device.brace > 0.0:
             reason = "it has a brace in series"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.core import AmendmentValues, CampaignTest, CoreDamper, CoreError, SeriesRig, campaign_forces
+from edesign.core import CampaignTest, CoreDamper, CoreError, EffectValues, SeriesRig, campaign_forces
 
 MGMM = (0.515e6, 15.1e3, 0.107e6, 21e3, 0.374, 3.741e6, 3.613e6, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0)
 MODIFIED = (30e6, 20e6, 5e-3, 1e-3, 0.05, 1.0, 0.5, 0.5, 1.5, 50e3, 0.5)
@@ -61,12 +61,12 @@ def test_fixed_steps_with_and_without_rig():
 
 def test_a_specimen_carries_over_what_one_long_test_would():
     """With rests in which the law itself forgets: its relaxation time is 0.03 s."""
-    amendments = [
-        AmendmentValues("payne.whole", (0.3, 5e-3, 1.0, 50.0)),
-        AmendmentValues("self_heating.rate", (1e-4, 100.0)),
-        AmendmentValues("mullins.path", (0.3, 0.1, 0.0)),
+    effects = [
+        EffectValues("payne.whole", (0.3, 5e-3, 1.0, 50.0)),
+        EffectValues("self_heating.rate", (1e-4, 100.0)),
+        EffectValues("mullins.path", (0.3, 0.1, 0.0)),
     ]
-    damper, rests = CoreDamper("mgmm", MGMM, amendments=amendments), (0.0, 20.0, 40.0)
+    damper, rests = CoreDamper("mgmm", MGMM, effects=effects), (0.0, 20.0, 40.0)
     times, start = [], 0.0
     for rest, (time, _, _) in zip(rests, MOTIONS, strict=True):
         times.append(start + rest + time)
@@ -121,14 +121,14 @@ def test_dampers_of_each_test_are_those_of_single_campaigns():
         assert np.array_equal(found.force[1][i], other.force(*MOTIONS[2]))
 
 
-def test_amendments_alone_go_on_where_that_is_asked():
+def test_effects_alone_go_on_where_that_is_asked():
     """The path goes on in 1 - d (1 - exp(-s/s0)), whatever the parameters of each test; extremes of the MGMM do not."""
     d, s0 = 0.3, 0.1
-    worn = AmendmentValues("degradation.path", (d, s0))
+    worn = EffectValues("degradation.path", (d, s0))
     before, own = (np.concatenate(([0.0], np.cumsum(np.abs(np.diff(u))))) for _, u, _ in (MOTIONS[0], MOTIONS[2]))
     warmer = (0.8 * MGMM[0], *MGMM[1:])
-    tests = [TESTS[0], CampaignTest(*MOTIONS[2], rest=3.0, dampers=[CoreDamper("mgmm", warmer, amendments=[worn])])]
-    found = campaign_forces([CoreDamper("mgmm", MGMM, amendments=[worn])], tests, carry="amendments")
+    tests = [TESTS[0], CampaignTest(*MOTIONS[2], rest=3.0, dampers=[CoreDamper("mgmm", warmer, effects=[worn])])]
+    found = campaign_forces([CoreDamper("mgmm", MGMM, effects=[worn])], tests, carry="effects")
     expected = (1.0 - d * (1.0 - np.exp(-(before[-1] + own) / s0))) * CoreDamper("mgmm", warmer).force(*MOTIONS[2])
     # sums in another order
     assert np.max(np.abs(found.force[1][0] - expected)) < 1e-12 * np.max(np.abs(expected))

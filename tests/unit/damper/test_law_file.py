@@ -53,7 +53,7 @@ def test_a_law_file_is_read_with_its_size_and_its_range(folder):
     found = resolve(described, source, 20.0)
     assert found.law.name == "zener"
     assert found.values == pytest.approx({"k0": 2e6, "k1": 5e6, "c1": 1e5})
-    assert found.amendments == ()
+    assert found.effects == ()
     assert found.warnings == ()
 
 

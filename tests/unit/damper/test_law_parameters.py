@@ -1,4 +1,4 @@
-"""The core has the parameters of laws and amendments as edesign/damper/laws.py and amendment_kinds.py have them."""
+"""The core has the parameters of laws and effects as edesign/damper/laws.py and effect_forms.py have them."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from pathlib import Path
 import pytest
 
 from edesign.core import CoreError
-from edesign.core.damper import AmendmentValues, CoreDamper, amendment_number, law_number
-from edesign.damper.amendment_kinds import parameters_in_core
+from edesign.core.damper import CoreDamper, EffectValues, effect_number, law_number
+from edesign.damper.effect_forms import parameters_in_core
 from edesign.damper.law import Law, Parameter
 from edesign.damper.laws import LAWS
 from tools.law_parameters import Entry, _pair, sources
 
 PUBLIC = (Path(__file__).parents[3] / "core_c" / "include" / "eddamper.h").read_text(encoding="utf-8")
-AMENDMENTS = parameters_in_core()
+LAW_EFFECTS = parameters_in_core()
 SOURCES = sources()
 
 
@@ -29,9 +29,9 @@ def test_the_core_has_these_laws_and_no_other() -> None:
     assert {name.lower(): int(number) for name, number in numbers} == {name: law_number(name) for name in LAWS}
 
 
-def test_the_core_has_these_amendments_and_no_other() -> None:
-    numbers = {name.lower(): int(number) for name, number in re.findall(r"ED_AMEND_(\w+) = (\d+)", PUBLIC)}
-    assert numbers == {name.replace(".", "_"): amendment_number(name) for name in AMENDMENTS}
+def test_the_core_has_these_effects_and_no_other() -> None:
+    numbers = {name.lower(): int(number) for name, number in re.findall(r"ED_EFFECT_(\w+) = (\d+)", PUBLIC)}
+    assert numbers == {name.replace(".", "_"): effect_number(name) for name in LAW_EFFECTS}
 
 
 @pytest.mark.parametrize("name", LAWS)
@@ -43,10 +43,10 @@ def test_public_header_names_the_parameters_in_their_order(name: str) -> None:
     assert rest.split()[: len(law.branch)] == [f"{parameter.name}_i" for parameter in law.branch]
 
 
-@pytest.mark.parametrize("name", AMENDMENTS)
-def test_public_header_names_the_parameters_of_amendments(name: str) -> None:
-    comment = _comment(f"ED_AMEND_{name.replace('.', '_').upper()}").replace("(1, -1)", "")
-    assert comment.partition(":")[0].split() == [parameter.name for parameter in AMENDMENTS[name]]
+@pytest.mark.parametrize("name", LAW_EFFECTS)
+def test_public_header_names_the_parameters_of_effects(name: str) -> None:
+    comment = _comment(f"ED_EFFECT_{name.replace('.', '_').upper()}").replace("(1, -1)", "")
+    assert comment.partition(":")[0].split() == [parameter.name for parameter in LAW_EFFECTS[name]]
 
 
 def _comment(name: str) -> str:
@@ -71,18 +71,18 @@ def _within(parameter: Parameter) -> float:
     return 0.5 * (lower + upper)
 
 
-@pytest.mark.parametrize("name", AMENDMENTS)
-def test_the_core_refuses_parameters_of_amendments_beyond_their_bounds(name: str) -> None:
-    parameters = AMENDMENTS[name]
+@pytest.mark.parametrize("name", LAW_EFFECTS)
+def test_the_core_refuses_parameters_of_effects_beyond_their_bounds(name: str) -> None:
+    parameters = LAW_EFFECTS[name]
     good = [_within(parameter) for parameter in parameters]
-    CoreDamper("viscous", [1.0], amendments=[AmendmentValues(name, tuple(good))])
+    CoreDamper("viscous", [1.0], effects=[EffectValues(name, tuple(good))])
     for i, parameter in enumerate(parameters):
         for value in _beyond(parameter):
             values = tuple([*good[:i], value, *good[i + 1 :]])
-            with pytest.raises(CoreError, match=rf"amendment {name}: {parameter.name} = \S+ is not allowed: "):
-                CoreDamper("viscous", [1.0], amendments=[AmendmentValues(name, values)])
-    with pytest.raises(CoreError, match=f"amendment {name}: number of parameters = {len(good) + 1} is not allowed"):
-        CoreDamper("viscous", [1.0], amendments=[AmendmentValues(name, (*good, 1.0))])
+            with pytest.raises(CoreError, match=rf"effect {name}: {parameter.name} = \S+ is not allowed: "):
+                CoreDamper("viscous", [1.0], effects=[EffectValues(name, values)])
+    with pytest.raises(CoreError, match=f"effect {name}: number of parameters = {len(good) + 1} is not allowed"):
+        CoreDamper("viscous", [1.0], effects=[EffectValues(name, (*good, 1.0))])
 
 
 @pytest.mark.parametrize("law", [law for law in LAWS.values() if any(one.choices for one in law.parameters)])

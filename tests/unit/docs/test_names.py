@@ -35,7 +35,7 @@ def test_names(text: str, told: list[str]) -> None:
     ("text", "told"),
     [
         ("`tests/verification/test_verify_nothing.py`", ["tests/verification/test_verify_nothing.py"]),
-        ("`torsion.py`, `edesign/codes/ec8`, `amend_*.c`, `../../README.md`", []),
+        ("`torsion.py`, `edesign/codes/ec8`, `effect_*.c`, `../../README.md`", []),
         ("`core_c/src/damper/NAME.c` and `test_no_such.c`", ["test_no_such.c"]),
     ],
 )

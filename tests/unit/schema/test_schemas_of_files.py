@@ -12,7 +12,7 @@ import schema_files as files
 from every_building_key import EVERY_KEY
 from jsonschema import Draft202012Validator
 
-from edesign.damper.amendments import AMENDMENTS
+from edesign.damper.effects import LAW_EFFECTS
 from edesign.damper.law import Law, Parameter
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import practical_unit, read_parameters
@@ -147,7 +147,7 @@ def test_parameters_are_taken_as_they_are_read() -> None:
     """Of each law and effect a parameter is changed at a time: what edesign reads the schema does not refuse."""
     definitions = files.validator("law").schema["$defs"]
     refused = 0
-    for name, law in (*LAWS.items(), *AMENDMENTS.items()):
+    for name, law in (*LAWS.items(), *LAW_EFFECTS.items()):
         place = f"#/$defs/parameters_of_{name if isinstance(name, str) else '_'.join(name)}"
         schema = Draft202012Validator({"$ref": place, "$defs": definitions})
         parameters = [*law.parameters, *(replace(one, name=f"{one.name}1") for one in law.branch)]

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Amendment, ForceChannel, MotionChannel, Placement
+from edesign.calibration.dampers.acts import CoreEffect, ForceChannel, MotionChannel, Placement
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
@@ -57,8 +57,8 @@ _AXIAL = replace(
     signature="less stiffness and more damping by the same share, in all tests alike",
     source="Koh & Kelly (1988), Int. J. Mech. Sci. 30, 933-943",
     acts=(
-        Amendment("constant", Placement.SPRINGS, lambda p, test: 1.0 - p["q"]),
-        Amendment("constant", Placement.DASHPOTS, lambda p, test: 1.0 + p["q"]),
+        CoreEffect("constant", Placement.SPRINGS, lambda p, test: 1.0 - p["q"]),
+        CoreEffect("constant", Placement.DASHPOTS, lambda p, test: 1.0 + p["q"]),
     ),
     parameters=lambda s: (size("q", "", 0.3, 0.0, 0.9),),
     starts=lambda s: ((0.05,),),

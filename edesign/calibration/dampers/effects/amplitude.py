@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import Amendment, LastingExtremes, Placement
+from edesign.calibration.dampers.acts import CoreEffect, LastingExtremes, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, shape, size
@@ -37,7 +37,7 @@ _WHOLE = EffectForm(
     "softening with amplitude of the whole force",
     _SIGNATURE,
     _SOURCE,
-    (Amendment("payne.whole"),),
+    (CoreEffect("payne.whole"),),
     _share,
     lambda s: _envelope_starts(s, 0.1),
 )
@@ -48,7 +48,7 @@ _EXPONENTIAL = EffectForm(
     "softening of the whole force that goes exponentially with amplitude",
     _SIGNATURE,
     "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; the course with amplitude: phenomenological",
-    (Amendment("payne.exponential"),),
+    (CoreEffect("payne.exponential"),),
     _share,
     lambda s: _envelope_starts(s, 0.1),
 )
@@ -59,7 +59,7 @@ _ELASTIC = EffectForm(
     "softening with amplitude of the elastic force",
     _SIGNATURE,
     _SOURCE,
-    (Amendment("payne.elastic"),),
+    (CoreEffect("payne.elastic"),),
     lambda s: _of_envelope(s, size("k", "N/m", 0.6 * s.stiffness, -2.0 * s.stiffness, 2.0 * s.stiffness)),
     lambda s: _envelope_starts(s, 0.1 * s.stiffness),
 )
@@ -70,7 +70,7 @@ _NETWORK = EffectForm(
     "softening by a filler network that breaks with motion and heals in rest",
     "the force falls within the first cycles, more in fast and large ones, and comes back at rest within seconds",
     "Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92; Lion (1998), Rubber Chem. Technol. 71, 410-429",
-    (Amendment("payne.network"),),
+    (CoreEffect("payne.network"),),
     lambda s: (
         size("d", "", 0.5, -1.0, 0.95),
         shape("s0", "m", 5.0 * s.displacement, 0.1 * s.displacement, 30.0 * s.path / s.tests + s.displacement),

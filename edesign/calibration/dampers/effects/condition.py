@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Act, Amendment, ForceChannel, LawParameters, Placement
+from edesign.calibration.dampers.acts import Act, CoreEffect, ForceChannel, LawParameters, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.effects import gas_spring
 from edesign.calibration.dampers.experiment import Experiment
@@ -106,7 +106,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         "factor",
         "factor of the force",
         "a factor of the force, constant within a test, in proportion to the condition",
-        Amendment("constant", factor=partial(_factor, one.name)),
+        CoreEffect("constant", factor=partial(_factor, one.name)),
     )
     gas = replace(
         gas_spring.FORM,
@@ -114,7 +114,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         form=f"gas_of_{one.name}",
         title=f"gas that is compressed by the rod, its pressure in proportion to {named}",
         signature="a constant force and a stiffness in each test, both in proportion to the condition, at all rates",
-        acts=(replace(gas_spring.FORM.amendments[0], own=partial(_filled, one.name)),),
+        acts=(replace(gas_spring.FORM.core_effects[0], own=partial(_filled, one.name)),),
         constants=lambda s: {**gas_spring.FORM.constants(s), "q_mean": one.mean},
     )
     return (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import Amendment
+from edesign.calibration.dampers.acts import CoreEffect
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.form import size
 
@@ -17,7 +17,7 @@ _POLYTROPIC = EffectForm(
     "gas that is compressed by the rod",
     "a constant force, a stiffness, and more of both to one side: all the same at all rates",
     "polytropic change of a gas: Dixon (2007), The Shock Absorber Handbook, Wiley, section 5.11",
-    (Amendment("gas_spring.polytropic"),),
+    (CoreEffect("gas_spring.polytropic"),),
     lambda s: (
         size("P", "N", 0.1 * s.force, -s.force, s.force),
         size("c", "1/m", 0.3 / s.displacement, -0.9 / s.displacement, 0.9 / s.displacement),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from edesign.calibration.dampers.acts import Amendment, Placement
+from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
@@ -34,7 +34,7 @@ _POWER = EffectForm(
     "elastic hardening at large strain",
     _SIGNATURE,
     "odd power of the simple shear of Yeoh (1990), Rubber Chem. Technol. 63, 792-805, with a free exponent",
-    (Amendment("hardening.power"),),
+    (CoreEffect("hardening.power"),),
     lambda s: (_spring(s), shape("p", "", 3.0, 1.5, 15.0, spread=0.7)),
     lambda s: tuple((0.1 * s.stiffness, p) for p in (2.0, 3.0, 5.0, 9.0)),
     lambda s: {"r": s.displacement},
@@ -46,7 +46,7 @@ _THRESHOLD = EffectForm(
     "a second stiffness beyond a deformation",
     _SIGNATURE,
     "bilinear hardening of high damping rubber: Grant, Fenves & Whittaker (2004), J. Struct. Eng. 130, 1683-1693",
-    (Amendment("hardening.threshold"),),
+    (CoreEffect("hardening.threshold"),),
     lambda s: (
         size("k", "N/m", s.stiffness, -5.0 * s.stiffness, 20.0 * s.stiffness),
         Parameter("u0", "m", 0.0, 0.98 * s.displacement, 0.5 * s.displacement, 0.3 * s.displacement),
@@ -60,7 +60,7 @@ _EXPONENTIAL = EffectForm(
     "exponential hardening at large strain",
     _SIGNATURE,
     "Fung (1993), Biomechanics: Mechanical Properties of Living Tissues, section 7.5",
-    (Amendment("hardening.exponential", more=_at_zero),),
+    (CoreEffect("hardening.exponential", more=_at_zero),),
     lambda s: (
         size("k_r", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness),
         shape("u0", "m", s.displacement, 0.3 * s.displacement, 5.0 * s.displacement, spread=0.7),
@@ -76,7 +76,7 @@ _SATURATING = EffectForm(
     "a spring that is stiff at first and saturates",
     "too little force at small deformation, odd in it, and the same beyond; the same at all frequencies",
     "hyperbolic tangent of a spring: API RP 2A-WSD, section 6.8.7",
-    (Amendment("hardening.saturating", more=_at_rest),),
+    (CoreEffect("hardening.saturating", more=_at_rest),),
     lambda s: (
         size("F_s", "N", 0.3 * s.force, -2.0 * s.force, 2.0 * s.force),
         # in much less than the motion it jumps, as friction does; in much more it is the law's own spring

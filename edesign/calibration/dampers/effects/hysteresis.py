@@ -5,7 +5,7 @@ A part that yields at another deformation is `friction.presliding`: the equation
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import Amendment
+from edesign.calibration.dampers.acts import CoreEffect
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.form import shape, size
 
@@ -17,7 +17,7 @@ _STRETCH = EffectForm(
     "loops that are wide at their tips and narrow in the middle, more than those of the law: the same at all rates",
     "friction in proportion to the deformation: Nims, Richter & Bachman (1993), Earthquake Spectra 9, 467-489; rounded "
     "as by Dahl (1976), AIAA Journal 14, 1675-1682",
-    (Amendment("hysteresis.stretch"),),
+    (CoreEffect("hysteresis.stretch"),),
     lambda s: (
         size("F_y", "N", 0.3 * s.force, 0.0, 10.0 * s.force),
         shape("Y", "m", 0.3 * s.displacement, 1e-3 * s.displacement, 10.0 * s.displacement),

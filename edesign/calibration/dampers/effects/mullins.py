@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from edesign.calibration.dampers.acts import Amendment, Placement
+from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, shape, share, size
@@ -53,7 +53,7 @@ _PATH = EffectForm(
     "softening of the virgin specimen with the path travelled",
     _SIGNATURE,
     _SOURCE,
-    (Amendment("mullins.path"),),
+    (CoreEffect("mullins.path"),),
     lambda s: _by_path(s, size("m", "", 0.5, -0.9, 3.0)),
     lambda s: _path_starts(s, 0.15),
     _constants,
@@ -65,7 +65,7 @@ _ELASTIC = EffectForm(
     "softening of the virgin specimen's elastic force with the path travelled",
     _SIGNATURE,
     _SOURCE,
-    (Amendment("mullins.elastic"),),
+    (CoreEffect("mullins.elastic"),),
     lambda s: _by_path(s, size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness)),
     lambda s: _path_starts(s, 0.15 * s.stiffness),
     _constants,
@@ -77,7 +77,7 @@ _MAXIMUM = EffectForm(
     "softening below the largest deformation so far",
     "too much force in cycles smaller than one before, right again where the deformation reaches its largest so far",
     "Ogden & Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877; beta: Abaqus Theory Manual, section 4.7.1",
-    (Amendment("mullins.maximum"),),
+    (CoreEffect("mullins.maximum"),),
     lambda s: (size("m", "", 0.5, -0.9, 0.95), _distance(s, 0.4), share("beta", 0.1, 0.3), *_recovery(s)),
     lambda s: _with_recovery(s, tuple((0.15, r * s.displacement, 0.1) for r in (0.1, 0.4, 1.5))),
     _constants,
@@ -89,7 +89,7 @@ _DAMAGE = EffectForm(
     "lasting softening by the largest deformation so far",
     "the stiffness falls where the deformation goes beyond its largest so far, and stays lower in smaller cycles after",
     "Simo (1987), Comput. Methods Appl. Mech. Engrg 60, 153-173; Miehe (1995), Eur. J. Mech. A 14, 697-720",
-    (Amendment("mullins.damage"),),
+    (CoreEffect("mullins.damage"),),
     lambda s: (
         size("m", "", 0.5, -0.9, 0.95),
         _distance(s, 0.5),

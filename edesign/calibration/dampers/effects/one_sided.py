@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, Placement
+from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import REFINED, EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import shape, size
@@ -47,7 +47,7 @@ _CONTACT = EffectForm(
     "contact that stiffens",
     _TIPS,
     "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)",
-    (Amendment("one_sided.contact"),),
+    (CoreEffect("one_sided.contact"),),
     lambda s: (_stiffness(s), _begin(s), _exponent(1.5)),
     lambda s: tuple((0.1 * s.stiffness / (1.0 - at) ** 2, at * s.displacement, 2.0) for at in (0.0, 0.4)),
     lambda s: {"r": s.displacement},
@@ -59,7 +59,7 @@ _SPRING = EffectForm(
     "contact or hardening",
     _TIPS,
     "contact by a one-sided spring: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (linear case)",
-    (Amendment("one_sided.spring"),),
+    (CoreEffect("one_sided.spring"),),
     lambda s: (_stiffness(s), _begin(s)),
     lambda s: tuple((0.1 * s.stiffness / (1.0 - at), at * s.displacement) for at in (0.0, 0.3, 0.6, 0.8)),
 )
@@ -70,7 +70,7 @@ _FACTOR = EffectForm(
     "larger or smaller force",
     "loops larger on one side than on the other by a share of the force, at all amplitudes",
     "phenomenological: a law with a stiffness for each side, as for cracked or partly debonded layers",
-    (Amendment("one_sided.factor"),),
+    (CoreEffect("one_sided.factor"),),
     lambda s: (size("b", "", 0.4, -0.9, 3.0),),
     lambda s: ((0.1,),),
     refined=4,  # it changes at once, within a step
@@ -81,7 +81,7 @@ _FORCE = replace(
     title="larger or smaller force where the force is",
     signature="peaks of the force larger to one side than to the other by a share, at all amplitudes and frequencies",
     source="phenomenological: factors of tension and compression, as for bonded layers that are not alike in both",
-    acts=(Amendment("one_sided.force"),),
+    acts=(CoreEffect("one_sided.force"),),
     refined=REFINED,  # the force has no jump
 )
 _VALVE = EffectForm(
@@ -91,7 +91,7 @@ _VALVE = EffectForm(
     "larger or smaller force in motion",
     "loops higher in motion to one side than to the other, by a share of the force of the velocity",
     "valves of rebound and compression: Dixon (2007), The Shock Absorber Handbook, Wiley, chapter 7",
-    (Amendment("one_sided.valve"),),
+    (CoreEffect("one_sided.valve"),),
     lambda s: (
         size("b", "", 0.4, -0.9, 3.0),
         shape("v0", "m/s", 0.02 * s.velocity, 1e-3 * s.velocity, s.velocity),
@@ -106,7 +106,7 @@ _EVEN = EffectForm(
     "stiffer with deformation to one side, softer to the other",
     "a force to the same side at both tips of the loops: even multiples of the frequency alone",
     "Kovacic & Brennan (2011), The Duffing Equation, Wiley, section 2.5 (Helmholtz-Duffing: n = 2)",
-    (Amendment("one_sided.even"),),
+    (CoreEffect("one_sided.even"),),
     lambda s: (size("k", "N/m", 0.5 * s.stiffness, -20.0 * s.stiffness, 20.0 * s.stiffness), _exponent(2.0)),
     lambda s: ((0.1 * s.stiffness, 2.0),),
     lambda s: {"r": s.displacement},

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import Amendment
+from edesign.calibration.dampers.acts import CoreEffect
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.form import shape, size
 
@@ -14,7 +14,7 @@ _SLIP = EffectForm(
     "too much force in the middle of the loops, after a larger deformation alone: wider with that deformation",
     "Baber & Noori (1986), J. Vib. Acoust. Stress Reliab. Des. 108, 411-420; its zone a share of the largest "
     "deformation",
-    (Amendment("pinching.slip"),),
+    (CoreEffect("pinching.slip"),),
     lambda s: (size("d", "", 0.5, -1.0, 0.98), shape("w", "", 0.3, 0.02, 1.0, spread=0.7)),
     lambda s: tuple((0.2, w) for w in (0.1, 0.3, 0.6)),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, LawParameters, Placement
+from edesign.calibration.dampers.acts import CoreEffect, LawParameters, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.sizes import Sizes
@@ -75,7 +75,7 @@ def _unchanged(p: Values, test: Experiment, law: Law, values: dict[str, float]) 
     return values
 
 
-_BY_FACTOR = Amendment("constant", factor=lambda p, test: math.exp(-lost(p, test.temperature)))
+_BY_FACTOR = CoreEffect("constant", factor=lambda p, test: math.exp(-lost(p, test.temperature)))
 
 _EXPONENTIAL = EffectForm(
     "temperature_law",
@@ -161,7 +161,7 @@ _TRANSITION = replace(
     title="softening with temperature across a transition",
     source="Mahieux & Reifsnider (2001), Polymer 42, 3281-3291 (modulus over transitions), with a logistic step",
     acts=(
-        Amendment(
+        CoreEffect(
             "constant",
             factor=lambda p, test: 1.0 - p["d"] * float(passed(test.temperature, p["Tc"], p["w"], REFERENCE_C)),
         ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, Placement
+from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, Values, shape, size
@@ -37,7 +37,7 @@ _MAXWELL = EffectForm(
     "linear in the amplitude; stiffness and damping off by what changes with frequency, and a residual that fades "
     "after a change of the mean",
     "Christensen (1982), Theory of Viscoelasticity, section 1.6; thesis Eq. 4.4",
-    (Amendment("relaxation_branch.maxwell"),),
+    (CoreEffect("relaxation_branch.maxwell"),),
     lambda s: (
         size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 50.0 * s.stiffness),
         shape("tau", "s", 0.2 * s.period, 1e-3 * s.period, 10.0 * max(s.duration, s.period)),  # beyond: a spring
@@ -51,7 +51,7 @@ _DASHPOT = EffectForm(
     "viscous force with a power of the velocity that the law lacks",
     _IN_PHASE,
     "Constantinou & Symans (1993), Struct. Des. Tall Build. 2, 93-132; thesis Eq. 2.24",
-    (Amendment("velocity_exponent.dashpot", more=_coefficient),),
+    (CoreEffect("velocity_exponent.dashpot", more=_coefficient),),
     lambda s: (
         size("F_V", "N", 0.3 * s.force, -2.0 * s.force, 2.0 * s.force),
         shape("alpha", "", 0.7, _LEAST, _MOST, 0.7),
@@ -67,7 +67,7 @@ _POSITION = replace(
     title="viscous force that grows with the deformation",
     signature="in phase with the velocity, more of it at a larger deformation; nothing at the tips nor in the middle",
     source="damping by the depth of an impact: Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445 (alpha = 1)",
-    acts=(Amendment("velocity_exponent.position", more=_coefficient),),
+    acts=(CoreEffect("velocity_exponent.position", more=_coefficient),),
     parameters=lambda s: (*_DASHPOT.parameters(s), shape("q", "", 1.0, 0.3, 4.0, spread=0.5)),
     starts=lambda s: tuple((0.08 * s.force, alpha, 1.0) for alpha in (0.2, 0.5, 1.0, 2.0)),
     constants=lambda s: {"V": s.velocity, "r": s.displacement},
@@ -79,7 +79,7 @@ _FLOW = EffectForm(
     "viscous force that saturates with the velocity",
     _IN_PHASE,
     "Eyring (1936), J. Chem. Phys. 4, 283-291",
-    (Amendment("velocity_exponent.flow"),),
+    (CoreEffect("velocity_exponent.flow"),),
     lambda s: (
         size("f", "N", 0.1 * s.force, -s.force, s.force),
         shape("v0", "m/s", 0.1 * s.velocity, 1e-4 * s.velocity, s.velocity),

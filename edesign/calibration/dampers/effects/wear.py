@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, Placement, Rest
+from edesign.calibration.dampers.acts import CoreEffect, Placement, Rest
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, shape, size
@@ -42,7 +42,7 @@ _RATE = EffectForm(
     "whole again in the next test",
     "Kasai, Munshi, Lai & Maison (1993), ATC-17-1; lumped heat balance, Incropera & DeWitt, Fundamentals of Heat and "
     "Mass Transfer, section 5.1",
-    (Amendment("self_heating.rate"),),
+    (CoreEffect("self_heating.rate"),),
     _heat,
     _heat_starts,
     meanings={"rest": "how long the specimen rests between two tests"},
@@ -64,7 +64,7 @@ _ENERGY = EffectForm(
     "lasting degradation by dissipated energy",
     "the force falls within heavy tests and stays so in all later ones: a test repeated at the end is softer",
     "Baber & Wen (1981), J. Eng. Mech. Div. ASCE 107, 1069-1087 (energy); Simo (1987) (exponential saturation)",
-    (Amendment("degradation.energy"),),
+    (CoreEffect("degradation.energy"),),
     lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("E0", "J", 0.3 * s.work, 1e-3 * s.work, 1e2 * s.work)),
     lambda s: (*((0.1, part * s.work) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.work)),
 )
@@ -75,7 +75,7 @@ _PATH = EffectForm(
     "lasting degradation by the path travelled",
     "the force falls from test to test with the path travelled, small amplitudes counting as much as large ones",
     "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; Simo (1987) (exponential saturation)",
-    (Amendment("degradation.path"),),
+    (CoreEffect("degradation.path"),),
     lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("s0", "m", 0.3 * s.path, 1e-3 * s.path, 1e2 * s.path)),
     lambda s: (*((0.1, part * s.path) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.path)),
 )
@@ -92,7 +92,7 @@ _LINEAR = EffectForm(
     "ageing by as much from test to test",
     "a factor of the force, constant within a test, that goes with the order of the tests",
     "phenomenological: first order in the number of tests; ISO 22762-1:2018, 6.6 (ageing)",
-    (Amendment("constant", factor=lambda p, test: 1.0 + p["rate"] * test.order),),
+    (CoreEffect("constant", factor=lambda p, test: 1.0 + p["rate"] * test.order),),
     lambda s: _rate(s, s.tests - 1.0),
     lambda s: ((0.1 / (s.tests - 1.0),),),
     shown=lambda s: s.between,
@@ -102,7 +102,7 @@ _LOGARITHMIC = replace(
     form="logarithmic",
     title="ageing that slows down from test to test",
     source="physical ageing goes with the logarithm of time: Struik (1978), Physical Aging in Amorphous Polymers",
-    acts=(Amendment("constant", factor=lambda p, test: 1.0 + p["rate"] * math.log1p(test.order / p["n0"])),),
+    acts=(CoreEffect("constant", factor=lambda p, test: 1.0 + p["rate"] * math.log1p(test.order / p["n0"])),),
     # where n0 is small most of it has come with the second test
     parameters=lambda s: (*_rate(s, math.log1p(s.tests - 1.0)), shape("n0", "", 1.0, 1e-3, 1e2)),
     starts=lambda s: tuple((0.1 / math.log1p((s.tests - 1.0) / n0), n0) for n0 in (0.01, 0.3, 3.0)),

@@ -495,7 +495,7 @@ def test_nuisance_amplitudes_are_five_per_cent_of_the_force(label, columns):
 
 
 def test_every_form_is_checked_here_or_by_the_core():
-    """Placements are those of the core's amendments, which have tests of their own; the MGMM has its gamma_T alone."""
+    """Placements are those of the core's effects, which have tests of their own; the MGMM has its gamma_T alone."""
     known = {*EQUATIONS, *RIGS, "lag.delay", "lag.filter", "lag.second_order", "lag.growing", "inertia.sprung"}
     known |= {"offset.per_test", "drift.each_own", "drift.warming", "hum.tone", "hum.two_tones", "hum.harmonics"}
     known |= {"self_heating.carried", "friction.presliding", "play.backlash"}

@@ -201,7 +201,7 @@ def test_a_peak_read_too_large_is_no_part_of_the_damper(tmp_path: Path) -> None:
     low, high = effect.parameters["share"].interval
     assert effect.parameters["share"].value == pytest.approx(0.08, abs=0.005) and low < 0.08 < high
     law = found.law_file
-    assert law.amendments == () and law.measurement_effects[0].startswith("peak_reading.share (instrument)")
+    assert law.effects == () and law.measurement_effects[0].startswith("peak_reading.share (instrument)")
     paths = write_files(found, tmp_path)
     assert [path.name for path in paths] == ["calibration.json", "law.yaml"]
     written = resolve(*read_law_file(tmp_path / "law.yaml"), None)
@@ -254,13 +254,13 @@ def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:
     centres = [one.centre for one in thesis.inner.base]
     values = np.array([*centres, *(value for _, own in chosen for value in own)])
     found = table_law(thesis, *(_at(thesis, effects, values),) * 2)
-    assert [one.label for one in found.amendments] == ["payne.whole", "relaxation_branch.maxwell"]
+    assert [one.label for one in found.effects] == ["payne.whole", "relaxation_branch.maxwell"]
     assert found.measurement_effects == (f"peak_reading.share (instrument): {effects[2].data.title}",)
     row = int(np.flatnonzero((thesis.table.strain == 0.3) & (thesis.table.temperature_C == 20.0))[2])
     every = thesis.model(effects, ("fit", "validate")).forces(values)
     assert not isinstance(every, PredictionError)
     motion = thesis.inner.experiments[row].motion
-    damper = Damper(law("mgmm"), found.parameters, amendments=found.amendments)
+    damper = Damper(law("mgmm"), found.parameters, effects=found.effects)
     force = damper.force(motion.time, motion.displacement, motion.velocity)
     # as the core integrates a motion that it knows only by its samples
     assert force == pytest.approx(every[row], abs=1e-9 * np.max(np.abs(force)))

@@ -81,7 +81,7 @@ def test_the_law_file_makes_the_corrected_force_by_the_ordinary_path(hard, tmp_p
     path = tmp_path / "law.yaml"
     path.write_text(law_text(found, tests), encoding="utf-8")
     law = resolve(*read_law_file(path), 20.0)
-    damper = Damper(law.law, law.values, amendments=law.amendments, temperature_C=20.0)
+    damper = Damper(law.law, law.values, effects=law.effects, temperature_C=20.0)
     for series in found.series:
         force = damper.force(series.time, series.displacement, series.velocity)
         # parameters stand in the file with twelve digits
@@ -129,7 +129,7 @@ def test_effects_that_predict_validation_tests_worse_are_hypotheses_and_in_no_la
     (one,) = found.hypotheses
     assert one.effect.name == "hardening" and "the validation tests are predicted worse" in one.why
     assert found.verdict == "nothing_found" and found.worst is not None
-    assert found.law_file.stage == "refit" and not found.law_file.amendments and found.law_file.withheld == one.why
+    assert found.law_file.stage == "refit" and not found.law_file.effects and found.law_file.withheld == one.why
     text = law_text(found, tests)
     assert "effects:" not in text and "# hypothesis, not in this law: hardening" in text
     assert np.array_equal(found.series[0].predicted["corrected"], found.series[0].predicted["refit"])

@@ -38,7 +38,7 @@ def test_every_carried_form_gives_the_force_of_the_model(law):
         for i in chosen:
             one = tests.experiments[i]
             law_values, _ = at(tests.law, tests.declared, one.temperature, found.temperature or own)
-            damper = Damper(tests.law, law_values, 0.0, found.amendments, one.temperature)
+            damper = Damper(tests.law, law_values, 0.0, found.effects, one.temperature)
             motion = one.motion
             expected = forces[i]
             got = damper.force(motion.time, motion.displacement, motion.velocity, "fixed", tests.prediction._length)

@@ -1,4 +1,4 @@
-"""Amendments of damper laws: effects that tests have shown and the law has not, as law files and projects carry them.
+"""Effects that tests have shown and a damper law has not, as law files and projects carry them.
 
 Each is an equation, a factor or a force, at a placement. The force is phi F_law + parallel forces, phi the product of
 the factors, + what acts inside the law; factors may act on its springs or dashpots alone
@@ -11,26 +11,26 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from edesign.core import AmendmentValues
+from edesign.core import EffectValues
 from edesign.core.damper import PLACEMENTS, Placement
-from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind, placed_form
+from edesign.damper.effect_forms import LAW_EFFECTS, LawEffectForm, law_effect_form, placed_form
 from edesign.damper.law import Law
 from edesign.damper.temperature import REFERENCE_C, GammaT, TemperatureModel, at, passed
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
 
-__all__ = ["AMENDMENTS", "Amendment", "AmendmentKind", "amendment_kind", "parameters_at"]
+__all__ = ["LAW_EFFECTS", "LawEffect", "LawEffectForm", "law_effect_form", "parameters_at"]
 
 
 @dataclass(frozen=True)
-class Amendment:
+class LawEffect:
     """An effect beside or on a damper law.
 
     Attributes:
         name: of the effect, e.g. "payne".
         form: its equation, e.g. "whole"; a former name such as "whole_inside" is that of today with a placement.
         values: parameters by name, SI units; completed with defaults and checked.
-        placement: where it acts, see `edesign.core.AmendmentValues`.
+        placement: where it acts, see `edesign.core.EffectValues`.
 
     Raises:
         InputError: no such effect, form or placement, or wrong parameters.
@@ -40,23 +40,23 @@ class Amendment:
     form: str
     values: Mapping[str, float]
     placement: Placement = "whole"
-    kind: AmendmentKind = field(init=False, repr=False, compare=False)
+    definition: LawEffectForm = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        kind = amendment_kind(self.name, self.form)
+        definition = law_effect_form(self.name, self.form)
         placement = placement_of(self.name, self.form, None if self.placement == "whole" else self.placement)
         object.__setattr__(self, "form", placed_form(self.name, self.form)[0])
         object.__setattr__(self, "placement", placement)
-        object.__setattr__(self, "kind", kind)
-        object.__setattr__(self, "values", kind.complete(self.values))
+        object.__setattr__(self, "definition", definition)
+        object.__setattr__(self, "values", definition.complete(self.values))
 
     @property
     def label(self) -> str:
         """Effect, form and placement, if that is not the usual one, e.g. "payne.whole (springs)"."""
-        return self.kind.name if self.placement == "whole" else f"{self.kind.name} ({self.placement})"
+        return self.definition.name if self.placement == "whole" else f"{self.definition.name} ({self.placement})"
 
-    def for_core(self, temperature_C: float | None = None) -> AmendmentValues:
-        """Return the amendment as the core takes it at a temperature.
+    def for_core(self, temperature_C: float | None = None) -> EffectValues:
+        """Return the effect as the core takes it at a temperature.
 
         Args:
             temperature_C: degC; None: that at which its factor is 1.
@@ -64,9 +64,11 @@ class Amendment:
         Raises:
             InputError: a constant factor is not greater than zero.
         """
-        if self.kind.constant:
-            return AmendmentValues("constant", (self._factor(temperature_C),), self.placement)
-        return AmendmentValues(self.kind.name, tuple(self.values.values())[: self.kind.for_core], self.placement)
+        if self.definition.constant:
+            return EffectValues("constant", (self._factor(temperature_C),), self.placement)
+        return EffectValues(
+            self.definition.name, tuple(self.values.values())[: self.definition.for_core], self.placement
+        )
 
     def _factor(self, temperature_C: float | None) -> float:
         if self.name == "temperature_law":
@@ -77,7 +79,7 @@ class Amendment:
             age, text = math.log1p(n / self.values["n0"]), "ln(1 + n/n0)"
         factor = 1.0 + self.values["rate"] * age
         if not factor > 0.0:
-            raise InputError(f"effect {self.kind.name}: 1 + rate {text} = {factor:g} must be greater than 0")
+            raise InputError(f"effect {self.definition.name}: 1 + rate {text} = {factor:g} must be greater than 0")
         return factor
 
     def _of_temperature(self, degrees: float) -> float:
@@ -86,43 +88,45 @@ class Amendment:
             factor = 1.0 - p["d"] * float(passed(degrees, p["Tc"], p["w"], p["T0"]))
             if not factor > 0.0:
                 raise InputError(
-                    f"effect {self.kind.name}: no force is left at {degrees:g} degC, its factor is {factor:.3g}"
+                    f"effect {self.definition.name}: no force is left at {degrees:g} degC, its factor is {factor:.3g}"
                 )
             return factor
         slowed = 1.0 + p.get("c", 0.0) * warmer
         if not slowed > 0.0:
             raise InputError(
-                f"effect {self.kind.name}: 1 + c (T - T0) = {slowed:.3g} at {degrees:g} degC must be greater than 0"
+                f"effect {self.definition.name}: 1 + c (T - T0) = {slowed:.3g} at {degrees:g} degC "
+                "must be greater than 0"
             )
         return math.exp(-p["b"] * warmer / slowed)
 
 
 def placement_of(name: str, form: str, placement: Placement | None) -> Placement:
-    """Return where an amendment acts, and refuse a placement at which it cannot, whatever the law.
+    """Return where an effect acts, and refuse a placement at which it cannot, whatever the law.
 
     Args:
-        name: of the effect.
         form: of the effect, which there is; a former name says a placement.
         placement: where it should act; None: not said.
 
     Raises:
         InputError: there is no such placement, it is one for factors alone, or the form says another.
     """
-    kind, (today, said) = amendment_kind(name, form), placed_form(name, form)
+    definition, (today, said) = law_effect_form(name, form), placed_form(name, form)
     if placement is None:
         return said
     if placement not in PLACEMENTS:
         hint = did_you_mean(placement, PLACEMENTS)
         raise InputError(
-            f"effect {kind.name}: there is no placement `{placement}`{hint} (there are: {listed(PLACEMENTS)})"
+            f"effect {definition.name}: there is no placement `{placement}`{hint} (there are: {listed(PLACEMENTS)})"
         )
-    if placement not in kind.placements:
+    if placement not in definition.placements:
         why = (
             "it goes with the law's force, and does not act"
-            if kind.is_factor
+            if definition.is_factor
             else "it is a force of its own, and only factors act"
         )
-        raise InputError(f"effect {kind.name}: {why} on {placement} alone (allowed: {listed(kind.placements)})")
+        raise InputError(
+            f"effect {definition.name}: {why} on {placement} alone (allowed: {listed(definition.placements)})"
+        )
     if today != form and placement != said:
         raise InputError(
             f"effect {name}.{form}: the form says the placement `{said}`, which is not `{placement}`; write "
@@ -134,19 +138,19 @@ def placement_of(name: str, form: str, placement: Placement | None) -> Placement
 def parameters_at(
     law: Law,
     values: Mapping[str, float],
-    amendments: Sequence[Amendment],
+    effects: Sequence[LawEffect],
     temperature_C: float,
     model: TemperatureModel | None = None,
     reference_C: float = REFERENCE_C,
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Return the parameters of an amended law at a temperature.
+    """Return the parameters of a law with effects at a temperature.
 
-    Amendments act on the parameters of the law, whatever these are.
+    Effects act on the parameters of the law, whatever these are.
 
     Args:
         law: see `temperature.at`.
         values: parameters at the reference temperature, SI units, see `temperature.at`.
-        amendments: of the law; with one that changes with temperature a law need not.
+        effects: of the law; with one that changes with temperature a law need not.
         temperature_C: degC.
         model: what the temperature changes, see `temperature.at`.
         reference_C: temperature of the values, degC.
@@ -158,5 +162,5 @@ def parameters_at(
         InputError: as of `temperature.at`.
     """
     found, warnings = at(law, values, temperature_C, model, reference_C)
-    changes = any(one.name == "temperature_law" for one in amendments)
+    changes = any(one.name == "temperature_law" for one in effects)
     return found, () if changes and model is None and law.name not in GammaT().laws else warnings

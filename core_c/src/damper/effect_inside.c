@@ -1,6 +1,6 @@
-/* Amendments inside a law that relaxes all of its forces, F + tau F' = everything. A force G there adds Q, Q + tau Q' = G. A factor phi
+/* Effects inside a law that relaxes all of its forces, F + tau F' = everything. A force G there adds Q, Q + tau Q' = G. A factor phi
  * adds Q, Q + tau Q' = (phi - 1)(F + tau F'): with Q = (phi - 1) F + R the law's force is not differentiated, R + tau R' = -tau phi' F. */
-#include "damper/amendment.h"
+#include "damper/effect.h"
 #include "damper/relaxation.h"
 
 #include <math.h>
@@ -20,8 +20,8 @@ static shares shares_of(double h, double tau)
 
 enum { RELAXING, LAST }; /* what relaxes, and the last force, or factor less 1 */
 
-void ed_amend_relaxed_factor(double tau, const ed_amended *found, double h, double law0, double law1, const double before[2],
-                             double after[2], ed_amended *beside, double *by_law)
+void ed_effect_relaxed_factor(double tau, const ed_effect_value *found, double h, double law0, double law1, const double before[2],
+                             double after[2], ed_effect_value *beside, double *by_law)
 {
   const shares of = shares_of(h, tau);
   const double now = found->value - 1.0, change = now - before[LAST], mean = of.first * law0 + of.last * law1, left = law1 - mean;
@@ -33,7 +33,7 @@ void ed_amend_relaxed_factor(double tau, const ed_amended *found, double h, doub
   *by_law += now - change * of.last;
 }
 
-void ed_amend_relaxed_force(double tau, const ed_amended *found, double h, const double before[2], double after[2], ed_amended *beside)
+void ed_effect_relaxed_force(double tau, const ed_effect_value *found, double h, const double before[2], double after[2], ed_effect_value *beside)
 {
   const shares of = shares_of(h, tau);
   const double time = h / tau, share = time * of.last;

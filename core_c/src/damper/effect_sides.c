@@ -1,7 +1,7 @@
 /* Springs and dashpots of a law apart: F = F_s + F_d, F_s the force of the same law without its dashpots, which goes along as a damper of its
  * own. Factors phi_s and phi_d add (phi_s - 1) F_s + (phi_d - 1) F_d; in a law that relaxes all of its forces they act inside, each side
  * with its own F + tau F'. */
-#include "damper/amendment.h"
+#include "damper/effect.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -61,7 +61,7 @@ void ed_sides_keep_law(const ed_damper *damper, const double *before, double *ow
 }
 
 int ed_sides_act(const ed_damper *damper, const double *before, double law0, const ed_path *path, const ed_path direction[2],
-                 const ed_amended factor[ED_SIDES], double *after, const ed_damper_force *law, ed_damper_force *out)
+                 const ed_effect_value factor[ED_SIDES], double *after, const ed_damper_force *law, ed_damper_force *out)
 {
   const ed_damper *springs = damper->springs;
   const double h = path->h, tau = damper->law->relaxation_time ? damper->law->relaxation_time(damper) : 0.0;
@@ -79,12 +79,12 @@ int ed_sides_act(const ed_damper *damper, const double *before, double law0, con
   for (int i = 0; i < ED_SIDES; i++) {
     const double less = factor[i].value - 1.0, force = side[i].force;
     const int own = RELAXED + 2 * i;
-    ed_amended made = {.value = less * force, .by_u1 = factor[i].by_u1 * force, .by_v1 = factor[i].by_v1 * force};
+    ed_effect_value made = {.value = less * force, .by_u1 = factor[i].by_u1 * force, .by_v1 = factor[i].by_v1 * force};
     double by_side = less;
     if (tau > 0.0) {
-      made = (ed_amended){0};
+      made = (ed_effect_value){0};
       by_side = 0.0;
-      ed_amend_relaxed_factor(tau, &factor[i], h, first[i], force, before + own, after + own, &made, &by_side);
+      ed_effect_relaxed_factor(tau, &factor[i], h, first[i], force, before + own, after + own, &made, &by_side);
     }
     out->force += made.value;
     for (int j = 0; j < 2; j++) {

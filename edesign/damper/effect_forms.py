@@ -1,4 +1,4 @@
-"""The kinds of amendments of damper laws: names and forms of effects with their parameters, and where they act."""
+"""Forms of effects of damper laws: names, parameters, and where they act."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _INSIDE = "_inside"
 
 
 @dataclass(frozen=True)
-class AmendmentKind(Law):
+class LawEffectForm(Law):
     """A form of an effect; `parameters` in the order of the core, then those that the core does not take.
 
     Attributes:
@@ -84,8 +84,8 @@ _SIDE_OF_FORCE = replace(_SIDE, meaning="1: where the force of the law is positi
 _T0 = Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False)
 
 
-def _kinds() -> tuple[AmendmentKind, ...]:
-    def kind(
+def _forms() -> tuple[LawEffectForm, ...]:
+    def form(
         name: str,
         title: str,
         equation: str,
@@ -94,14 +94,14 @@ def _kinds() -> tuple[AmendmentKind, ...]:
         rate_dependent: bool = False,
         more: Sequence[Parameter] = (),
         constant: bool = False,
-    ) -> AmendmentKind:
+    ) -> LawEffectForm:
         every = (*parameters, *more)
-        return AmendmentKind(
+        return LawEffectForm(
             name, title, every, equation, source, rate_dependent, for_core=len(parameters), constant=constant
         )
 
     return (
-        kind(
+        form(
             "payne.whole",
             "softening with amplitude of the whole force",
             "phi = 1 - d g(a), g = (a/a0)^m / (1 + (a/a0)^m)",
@@ -109,7 +109,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (_share("d", "share of the force that goes"), *_BROKEN),
             True,
         ),
-        kind(
+        form(
             "payne.elastic",
             "softening with amplitude of the elastic force",
             "-k g(a) u",
@@ -117,7 +117,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (_any("k", "stiffness that goes", "N/m"), *_BROKEN),
             True,
         ),
-        kind(
+        form(
             "payne.network",
             "softening by a network that breaks with motion and heals in rest",
             "phi = 1 - d x, x' = (1 - x) |u'|/s0 - x/tau",
@@ -129,7 +129,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
-        kind(
+        form(
             "payne.exponential",
             "softening with amplitude that goes exponentially",
             "phi = 1 - d (1 - exp(-(a/a0)^m))",
@@ -141,7 +141,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
-        kind(
+        form(
             "mullins.path",
             "softening with the path of the whole force",
             "phi = 1 + m exp(-s/s0)",
@@ -152,7 +152,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _RECOVERY,
             ),
         ),
-        kind(
+        form(
             "mullins.maximum",
             "softening below the largest deformation",
             "phi = 1 - m erf((M^2 - u^2)/(r^2 + beta M^2))",
@@ -165,7 +165,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _RECOVERY,
             ),
         ),
-        kind(
+        form(
             "mullins.damage",
             "softening by the largest deformation",
             "phi = 1 - m (1 - exp(-(M/r)^p))",
@@ -177,7 +177,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _RECOVERY,
             ),
         ),
-        kind(
+        form(
             "mullins.elastic",
             "softening with the path of the elastic force",
             "k exp(-s/s0) u",
@@ -188,7 +188,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _RECOVERY,
             ),
         ),
-        kind(
+        form(
             "degradation.energy",
             "softening with the work done",
             "phi = 1 - d (1 - exp(-max(E, 0)/E0))",
@@ -198,7 +198,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("E0", "work after which 1 - 1/e of it has gone", "J"),
             ),
         ),
-        kind(
+        form(
             "degradation.path",
             "softening with the path",
             "phi = 1 - d (1 - exp(-s/s0))",
@@ -208,7 +208,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("s0", "path after which 1 - 1/e of it has gone", "m"),
             ),
         ),
-        kind(
+        form(
             "self_heating.rate",
             "softening by the heat of the work done",
             "phi = exp(-q), q' = -q/tau_h + beta F u'",
@@ -216,7 +216,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (_any("beta", "softening per work", "1/J"), _positive("tau_h", "time constant of cooling", "s")),
             True,
         ),
-        kind(
+        form(
             "temperature_law.exponential",
             "change with temperature",
             "phi = exp(-b (T - T0))",
@@ -225,7 +225,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             more=(_any("b", "softening per temperature", "1/K"), _T0),
             constant=True,
         ),
-        kind(
+        form(
             "temperature_law.wlf",
             "change with temperature at a changing rate",
             "phi = exp(-b w/(1 + c w)), w = T - T0",
@@ -238,7 +238,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             constant=True,
         ),
-        kind(
+        form(
             "temperature_law.transition",
             "change with temperature across a transition",
             "phi = 1 - d (S(T) - S(T0)), S(T) = 1/(1 + exp(-(T - Tc)/w))",
@@ -252,7 +252,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             constant=True,
         ),
-        kind(
+        form(
             "ageing.linear",
             "change from test to test",
             "phi = 1 + rate n",
@@ -264,7 +264,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             constant=True,
         ),
-        kind(
+        form(
             "ageing.logarithmic",
             "change from test to test that slows down",
             "phi = 1 + rate ln(1 + n/n0)",
@@ -277,7 +277,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             constant=True,
         ),
-        kind(
+        form(
             "hardening.power",
             "hardening spring",
             "k u (|u|/r)^(p-1)",
@@ -288,7 +288,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 Parameter("r", "deformation at which the secant stiffness is k", "m", fitted=False),
             ),
         ),
-        kind(
+        form(
             "hardening.exponential",
             "spring that stiffens exponentially",
             "k u (exp((u/u0)^2) - 1)",
@@ -298,7 +298,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("u0", "deformation at which the secant stiffness is (e - 1) k", "m"),
             ),
         ),
-        kind(
+        form(
             "hardening.saturating",
             "spring that saturates",
             "k u0 tanh(u/u0)",
@@ -308,7 +308,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("u0", "deformation over which it bends: its force ends at k u0", "m"),
             ),
         ),
-        kind(
+        form(
             "hardening.threshold",
             "hardening beyond a deformation",
             "k max(|u| - u0, 0) sgn u",
@@ -318,14 +318,14 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 Parameter("u0", "deformation at which it begins", "m", lower_allowed=True),
             ),
         ),
-        kind(
+        form(
             "one_sided.factor",
             "stronger to one side",
             "phi = 1 + b where side u > 0",
             "asymmetric loops",
             (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE),
         ),
-        kind(
+        form(
             "one_sided.valve",
             "stronger in motion to one side",
             "phi = 1 + b max(tanh(side u'/v0), 0)",
@@ -337,14 +337,14 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
-        kind(
+        form(
             "one_sided.force",
             "stronger where it pulls, or pushes",
             "phi = 1 + b where side F_law > 0",
             "factors of tension and compression",
             (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE_OF_FORCE),
         ),
-        kind(
+        form(
             "one_sided.spring",
             "spring to one side",
             "k max(side u - u0, 0) side",
@@ -355,7 +355,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _SIDE,
             ),
         ),
-        kind(
+        form(
             "one_sided.contact",
             "contact to one side that stiffens",
             "k x (x/r)^(n-1) side, x = max(side u - u0, 0)",
@@ -368,7 +368,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 Parameter("r", "deformation beyond u0 at which the secant stiffness is k", "m", fitted=False),
             ),
         ),
-        kind(
+        form(
             "one_sided.even",
             "stiffer to one side, softer to the other",
             "k |u| (|u|/r)^(n-1)",
@@ -379,7 +379,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 Parameter("r", "deformation at which the secant stiffness is k", "m", fitted=False),
             ),
         ),
-        kind(
+        form(
             "gas_spring.polytropic",
             "gas that is compressed",
             "P (1 - c u)^-n",
@@ -390,7 +390,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 Parameter("n", "exponent: 1 isothermal, 1.4 adiabatic", "", fitted=False),
             ),
         ),
-        kind(
+        form(
             "relaxation_branch.maxwell",
             "further Maxwell branch",
             "Q' + Q/tau = k u'",
@@ -398,7 +398,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (_any("k", "stiffness of the branch", "N/m"), _positive("tau", "relaxation time", "s")),
             True,
         ),
-        kind(
+        form(
             "velocity_exponent.dashpot",
             "further power-law dashpot",
             "c |u'|^alpha sgn u'",
@@ -409,7 +409,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
-        kind(
+        form(
             "velocity_exponent.flow",
             "viscous force that saturates with the velocity",
             "f asinh(u'/v0)",
@@ -420,7 +420,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
-        kind(
+        form(
             "velocity_exponent.position",
             "power-law dashpot that is stronger at larger deformation",
             "c (|u|/r)^q |u'|^alpha sgn u'",
@@ -433,7 +433,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
-        kind(
+        form(
             "hysteresis.stretch",
             "hysteresis whose force grows with the deformation",
             "F_y (|u|/r)^n z/Y, z' = u' - |u'| z/Y",
@@ -446,7 +446,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 Parameter("r", "deformation at which the force is F_y", "m", fitted=False),
             ),
         ),
-        kind(
+        form(
             "hysteresis.bouc_wen",
             "hysteresis that stiffens or softens on its way",
             "k z, z' = u' - gamma |u'| z - beta u' |z|",
@@ -458,7 +458,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("gamma", "share of the bend that makes loops", "1/m"),
             ),
         ),
-        kind(
+        form(
             "pinching.slip",
             "force that slips through the middle of the loops",
             "phi = 1 - d exp(-(u/(w M))^2)",
@@ -469,7 +469,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("w", "half width of the zone of slip, of the largest deformation so far", ""),
             ),
         ),
-        kind(
+        form(
             "friction.coulomb",
             "friction",
             "F_c tanh(u'/v0)",
@@ -477,14 +477,14 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (_positive("F_c", "friction force", "N"), _positive("v0", "velocity over which it rises", "m/s")),
             True,
         ),
-        kind(
+        form(
             "friction.presliding",
             "friction that builds up over a way",
             "F_c z/x0, z' = u' - |u'| z/x0",
             "Dahl (1968), Aerospace Corp. TOR-0158(3107-18)-1; Dahl (1976), AIAA Journal 14, 1675-1682",
             (_positive("F_c", "friction force", "N"), _positive("x0", "way over which it builds up", "m")),
         ),
-        kind(
+        form(
             "friction.stribeck",
             "friction that falls from breaking away to sliding",
             "F_c (1 + s exp(-(u'/v_s)^2)) tanh(10 u'/v_s)",
@@ -499,17 +499,17 @@ def _kinds() -> tuple[AmendmentKind, ...]:
     )
 
 
-AMENDMENTS: dict[tuple[str, str], AmendmentKind] = {
-    (name, form): kind for kind in _kinds() for name, form in (kind.name.split("."),)
+LAW_EFFECTS: dict[tuple[str, str], LawEffectForm] = {
+    (name, form): one for one in _forms() for name, form in (one.name.split("."),)
 }
-"""All amendments by name of the effect and form."""
+"""All forms of effects of laws by the name of the effect and of the form."""
 
 _ONCE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_exponent")
 _WITH_PLACEMENTS = ("exponential", "saturating", "valve", "force", "position")  # which came with placements, or later
 
 FORMER_FORMS: dict[tuple[str, str], tuple[str, Placement]] = {
     (name, form + _INSIDE): (form, "inside")
-    for name, form in AMENDMENTS
+    for name, form in LAW_EFFECTS
     if name in _ONCE_INSIDE and form not in _WITH_PLACEMENTS
 }
 """Forms that law files had before they said placements, by effect and form: the form today, and its placement."""
@@ -524,42 +524,36 @@ def placed_form(name: str, form: str) -> tuple[str, Placement]:
     return FORMER_FORMS.get((name, form), (form, "whole"))
 
 
-def kind_if_known(name: str, form: str) -> AmendmentKind | None:
-    """Return the kind of an amendment by a name of today or a former one; None: there is none.
-
-    Args:
-        name: of the effect.
-        form: of the effect.
-    """
-    return AMENDMENTS.get((name, placed_form(name, form)[0]))
+def form_if_known(name: str, form: str) -> LawEffectForm | None:
+    """Return the form of an effect by a name of today or a former one; None: there is none."""
+    return LAW_EFFECTS.get((name, placed_form(name, form)[0]))
 
 
 def parameters_in_core() -> dict[str, tuple[Parameter, ...]]:
-    """Parameters that the core takes of each amendment, in its order, by what it calls the amendment.
+    """Parameters that the core takes of each effect, in its order, by what it calls the effect.
 
-    All that do not change in a run are one amendment there, `constant`, whose factor they make.
+    All that do not change in a run are one effect there, `constant`, whose factor they make.
     """
-    changing = [kind for kind in AMENDMENTS.values() if not kind.constant]
+    changing = [one for one in LAW_EFFECTS.values() if not one.constant]
     constant = {"constant": (_positive("factor", "of the force of the law", ""),)}
-    return constant | {kind.name: kind.parameters[: kind.for_core] for kind in changing}
+    return constant | {one.name: one.parameters[: one.for_core] for one in changing}
 
 
-def amendment_kind(name: str, form: str) -> AmendmentKind:
-    """Return the kind of an amendment.
+def law_effect_form(name: str, form: str) -> LawEffectForm:
+    """Return the form of an effect.
 
     Args:
-        name: of the effect.
         form: of the effect; a former name is that of today.
 
     Raises:
         InputError: there is no such effect, or it has no such form.
     """
-    known = kind_if_known(name, form)
+    known = form_if_known(name, form)
     if known is not None:
         return known
-    forms = [kind for effect, kind in AMENDMENTS if effect == name]
+    forms = [of_effect for effect, of_effect in LAW_EFFECTS if effect == name]
     if not forms:
-        names = list(dict.fromkeys(effect for effect, _ in AMENDMENTS))
+        names = list(dict.fromkeys(effect for effect, _ in LAW_EFFECTS))
         hint = did_you_mean(name, names)
         raise InputError(f"there is no effect `{name}` of a damper law{hint} (there are: {listed(names)})")
     hint = did_you_mean(form, forms)

@@ -1,10 +1,10 @@
-/* Amendments that rub, beside the law. */
-#include "damper/amendment.h"
+/* Effects that rub, beside the law. */
+#include "damper/effect.h"
 
 #include <math.h>
 
 /* A force of the velocity alone, with its slope and its chord from rest. */
-static void of_velocity(double force, double slope, double v, ed_amended *out)
+static void of_velocity(double force, double slope, double v, ed_effect_value *out)
 {
   out->value = force;
   out->by_v1 = slope;
@@ -19,20 +19,20 @@ static double rise(double x, double *slope)
   return tanh(x);
 }
 
-static void coulomb(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+static void coulomb(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
-  enum { ED_AMEND_FRICTION_COULOMB_PARAMETERS };
+  enum { ED_EFFECT_FRICTION_COULOMB_PARAMETERS };
   (void)before, (void)after;
   double slope;
   const double v = ends->v1, size = rise(v / p[V0], &slope);
   of_velocity(p[F_C] * size, p[F_C] * slope / p[V0], v, out);
 }
 
-const ed_amendment_kind ed_amend_friction_coulomb = {.name = "friction.coulomb", .on_speed = 1, .at_end = coulomb};
+const ed_effect_form ed_effect_friction_coulomb = {.name = "friction.coulomb", .on_speed = 1, .at_end = coulomb};
 
-static void stribeck(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+static void stribeck(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
-  enum { ED_AMEND_FRICTION_STRIBECK_PARAMETERS };
+  enum { ED_EFFECT_FRICTION_STRIBECK_PARAMETERS };
   static const double STEEP = 10.0; /* it breaks away within a tenth of v_s */
   (void)before, (void)after;
   double slope;
@@ -40,7 +40,7 @@ static void stribeck(const double *p, double before, const ed_ends *ends, double
   of_velocity(p[F_C] * (1.0 + more) * size, p[F_C] * ((1.0 + more) * STEEP * slope - 2.0 * x * more * size) / p[V_S], v, out);
 }
 
-const ed_amendment_kind ed_amend_friction_stribeck = {.name = "friction.stribeck", .on_speed = 1, .at_end = stribeck};
+const ed_effect_form ed_effect_friction_stribeck = {.name = "friction.stribeck", .on_speed = 1, .at_end = stribeck};
 
 /* A state at the end of a way that does not turn, with its derivatives to the state before it and to the way. */
 typedef struct {
@@ -51,7 +51,7 @@ typedef struct {
  * two unknowns of the path are those of the state; the force is the caller's. */
 static void times_state(
     double force, const double *p, ed_gone (*go)(const double *p, double z, double way), double z, const ed_ends *ends, double *after,
-    ed_amended *out)
+    ed_effect_value *out)
 {
   double at[3], by[2] = {0.0}, from = 0.0, from_by[2] = {0.0};
   int n = 0;
@@ -88,13 +88,13 @@ static ed_gone dahl(double x0, double z, double way)
 
 static ed_gone presliding_way(const double *p, double z, double way)
 {
-  enum { ED_AMEND_FRICTION_PRESLIDING_PARAMETERS };
+  enum { ED_EFFECT_FRICTION_PRESLIDING_PARAMETERS };
   return dahl(p[X0], z, way);
 }
 
-static void presliding(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+static void presliding(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
-  enum { ED_AMEND_FRICTION_PRESLIDING_PARAMETERS };
+  enum { ED_EFFECT_FRICTION_PRESLIDING_PARAMETERS };
   times_state(p[F_C], p, presliding_way, before, ends, after, out);
 }
 
@@ -105,30 +105,30 @@ static double let_go(const double *p, double before)
   return 0.0;
 }
 
-const ed_amendment_kind ed_amend_friction_presliding = {
+const ed_effect_form ed_effect_friction_presliding = {
     .name = "friction.presliding", .has_state = 1, .at_end = presliding, .rested = let_go};
 
 static ed_gone stretch_way(const double *p, double z, double way)
 {
-  enum { ED_AMEND_HYSTERESIS_STRETCH_PARAMETERS };
+  enum { ED_EFFECT_HYSTERESIS_STRETCH_PARAMETERS };
   return dahl(p[Y], z, way);
 }
 
-static void stretch(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+static void stretch(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
-  enum { ED_AMEND_HYSTERESIS_STRETCH_PARAMETERS };
+  enum { ED_EFFECT_HYSTERESIS_STRETCH_PARAMETERS };
   const double u = fabs(ends->u1);
   times_state(p[F_Y] * pow(u / p[R], p[N]), p, stretch_way, before, ends, after, out);
   out->by_u1 = u > 0.0 ? p[N] * out->value / ends->u1 : 0.0;
 }
 
-const ed_amendment_kind ed_amend_hysteresis_stretch = {
+const ed_effect_form ed_effect_hysteresis_stretch = {
     .name = "hysteresis.stretch", .has_state = 1, .at_end = stretch, .rested = let_go};
 
 /* y = z sgn v: y' = 1 - (gamma + beta) y where the force grows, before it y' = 1 + (gamma - beta) |y|, y of the way. */
 static ed_gone bouc_wen_way(const double *p, double z, double way)
 {
-  enum { ED_AMEND_HYSTERESIS_BOUC_WEN_PARAMETERS };
+  enum { ED_EFFECT_HYSTERESIS_BOUC_WEN_PARAMETERS };
   const double sign = way < 0.0 ? -1.0 : 1.0, grows = p[GAMMA] + p[BETA], falls = p[GAMMA] - p[BETA]; /* no way: z stays */
   double y = sign * z, length = fabs(way), left = 1.0;
   if (y < 0.0) {
@@ -146,11 +146,11 @@ static ed_gone bouc_wen_way(const double *p, double z, double way)
   return (ed_gone){sign * y, left, y < 0.0 ? 1.0 - falls * y : 1.0 - grows * y};
 }
 
-static void bouc_wen(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+static void bouc_wen(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
-  enum { ED_AMEND_HYSTERESIS_BOUC_WEN_PARAMETERS };
+  enum { ED_EFFECT_HYSTERESIS_BOUC_WEN_PARAMETERS };
   times_state(p[K], p, bouc_wen_way, before, ends, after, out);
 }
 
-const ed_amendment_kind ed_amend_hysteresis_bouc_wen = {
+const ed_effect_form ed_effect_hysteresis_bouc_wen = {
     .name = "hysteresis.bouc_wen", .has_state = 1, .at_end = bouc_wen, .rested = let_go};

@@ -1,4 +1,4 @@
-"""Amendments of damper laws by their definitions (docs/reference/laws/effects.md), on samples; examples of each."""
+"""Effects of damper laws by their definitions (docs/reference/laws/effects.md), on samples; examples of each."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.special import erf
 
 from edesign.core.damper import Placement
-from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.damper.effects import LAW_EFFECTS, LawEffect
 
 EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "whole"): {"d": 0.3, "a0": 3e-3, "m": 1.2, "tau_a": 3.0},
@@ -53,14 +53,14 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("friction", "stribeck"): {"F_c": 1e3, "s": 0.7, "v_s": 2e-2},
 }
 PLACED: list[tuple[str, str, Placement]] = [
-    (*of, place) for of, kind in AMENDMENTS.items() for place in kind.placements
+    (*of, place) for of, kind in LAW_EFFECTS.items() for place in kind.placements
 ]
 """All equations at all their placements."""
 
 
-def example(name: str, form: str, placement: Placement = "whole") -> Amendment:
-    """An amendment that changes forces of some ten kN at some mm visibly."""
-    return Amendment(name, form, EXAMPLES[name, form], placement)
+def example(name: str, form: str, placement: Placement = "whole") -> LawEffect:
+    """An effect that changes forces of some ten kN at some mm visibly."""
+    return LawEffect(name, form, EXAMPLES[name, form], placement)
 
 
 def springs_of(name: str, values: Mapping[str, float]) -> tuple[str, dict[str, float]]:
@@ -80,8 +80,8 @@ def springs_of(name: str, values: Mapping[str, float]) -> tuple[str, dict[str, f
     }
 
 
-def amended(
-    amendments: Sequence[Amendment],
+def with_effects(
+    effects: Sequence[LawEffect],
     law_force: np.ndarray,
     time: np.ndarray,
     u: np.ndarray,
@@ -90,35 +90,35 @@ def amended(
     tau: float = 0.0,
     springs: np.ndarray | None = None,
 ) -> np.ndarray:
-    """Force (n,) N of a law with amendments, of the law's own force (n,) N, all by the definitions.
+    """Force (n,) N of a law with effects, of the law's own force (n,) N, all by the definitions.
 
     tau: of a law that relaxes all of its forces, s, for those inside it and on its sides; it has been held before the
     first sample. springs: what these carry of the force (n,) N.
     """
     carried = {"springs": np.zeros_like(u) if springs is None else springs}
     carried["dashpots"] = law_force - carried["springs"]
-    given = [_values(one, time, u, v, temperature_C) for one in amendments]
-    count = [0.0] * len(amendments)
-    inside: list[_Relaxing | None] = [None] * len(amendments)
+    given = [_values(one, time, u, v, temperature_C) for one in effects]
+    count = [0.0] * len(effects)
+    inside: list[_Relaxing | None] = [None] * len(effects)
     sides: dict[str, _Relaxing | None] = {"springs": None, "dashpots": None}
     found = np.empty_like(u)
     for i in range(u.size):
         h = time[i] - time[i - 1] if i else 0.0
         phi = {"whole": 1.0, "springs": 1.0, "dashpots": 1.0}
         beside = 0.0
-        for k, one in enumerate(amendments):
+        for k, one in enumerate(effects):
             values = given[k]
             value = _counted(one, count[k]) if values is None else float(values[i])
-            if one.kind.name == "one_sided.force":
+            if one.definition.name == "one_sided.force":
                 value = 1.0 + one.values["b"] * (one.values["side"] * law_force[i] > 0.0)
-            if one.placement == "inside" and one.kind.is_factor:
+            if one.placement == "inside" and one.definition.is_factor:
                 inside[k] = _relaxed(inside[k], value - 1.0, law_force[i], h, tau)
                 beside += inside[k].q
             elif one.placement == "inside":
                 held = 0.0 if one.name in ("velocity_exponent", "friction") else value
                 inside[k] = _relaxed(inside[k], value, 1.0, h, tau, held)
                 beside += inside[k].q
-            elif one.kind.is_factor:
+            elif one.definition.is_factor:
                 phi[one.placement] *= value
             else:
                 beside += value
@@ -133,7 +133,7 @@ def amended(
         found[i] = phi["whole"] * law + beside
         if i:
             work = 0.5 * (found[i - 1] + found[i]) * (u[i] - u[i - 1])
-            count = [_after(one, state, h, work) for one, state in zip(amendments, count, strict=True)]
+            count = [_after(one, state, h, work) for one, state in zip(effects, count, strict=True)]
     return found
 
 
@@ -161,27 +161,27 @@ def _relaxed(
     return _Relaxing(steady + (last.q - first) * exp(-h / tau), factor, force)
 
 
-def _counted(one: Amendment, state: float) -> float:
+def _counted(one: LawEffect, state: float) -> float:
     """The factor of what counts work, after what it has counted."""
     p = one.values
     return exp(-state) if one.name == "self_heating" else 1.0 - p["d"] * (1.0 - exp(-max(state, 0.0) / p["E0"]))
 
 
-def _after(one: Amendment, state: float, h: float, work: float) -> float:
+def _after(one: LawEffect, state: float, h: float, work: float) -> float:
     """What has been counted after a step; it acts from the next sample on."""
     p = one.values
     return state * exp(-h / p["tau_h"]) + p["beta"] * work if one.name == "self_heating" else state + work
 
 
 def _values(
-    one: Amendment, time: np.ndarray, u: np.ndarray, v: np.ndarray, temperature_C: float | None
+    one: LawEffect, time: np.ndarray, u: np.ndarray, v: np.ndarray, temperature_C: float | None
 ) -> np.ndarray | None:
-    """The factor or force (n,) of an amendment; None: it counts work."""
+    """The factor or force (n,) of an effect; None: it counts work."""
     h, du, p = np.diff(time), np.diff(u), one.values
     path = np.concatenate(([0.0], np.cumsum(np.abs(du))))
     largest = np.maximum.accumulate(np.abs(u))
     ones = np.ones_like(u)
-    match one.kind.name:
+    match one.definition.name:
         case "payne.whole":
             ratio = (_envelope(p, h, u) / p["a0"]) ** p["m"]
             return 1.0 - p["d"] * ratio / (1.0 + ratio)
@@ -261,7 +261,7 @@ def _values(
             return 1.0 - p["d"] * np.exp(-((u / (p["w"] * np.maximum(largest, 1e-300))) ** 2))
         case "degradation.energy" | "self_heating.rate":
             return None
-    raise KeyError(one.kind.name)
+    raise KeyError(one.definition.name)
 
 
 def _envelope(p: Mapping[str, float], h: np.ndarray, u: np.ndarray) -> np.ndarray:

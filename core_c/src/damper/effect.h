@@ -1,10 +1,10 @@
-/* Amendments of a damper law: effects that its tests showed and the law has not. An equation, which is a factor or a force, acts at a
+/* Effects that the tests of a damper law showed and the law has not. An equation, which is a factor or a force, acts at a
  * placement: the force is phi F_law + parallel forces, phi the product of the factors of the whole law, or what stands inside the law or acts
- * on its springs or dashpots alone. Drivers (largest deformation, path, work ...) are those of the ends of steps. Private to amend*.c. */
-#ifndef ED_AMENDMENT_H
-#define ED_AMENDMENT_H
+ * on its springs or dashpots alone. Drivers (largest deformation, path, work ...) are those of the ends of steps. Private to effect*.c. */
+#ifndef ED_EFFECT_H
+#define ED_EFFECT_H
 
-#include "damper/amendment_parameters.h"
+#include "damper/effect_parameters.h"
 #include "damper/law.h"
 
 /* A step by its two ends; du: from the one to the other, as far as it counts. law: the law's force at the end. jump: deformation over which a force that jumps rises,
@@ -18,7 +18,7 @@ typedef struct {
  * unknowns of the path, of a force that knows more of it than its ends. */
 typedef struct {
   double value, by_u1, by_v0, by_v1, chord, by_path[2];
-} ed_amended;
+} ed_effect_value;
 
 typedef struct {
   const char *name;
@@ -27,40 +27,40 @@ typedef struct {
   int on_speed;   /* depends on time or velocity */
   int by_force;   /* goes with the law's force, so that none of springs or dashpots has it without a jump */
   /* The value at the end of a step from the state before it; writes the state after it. `out` holds zeros. */
-  void (*at_end)(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out);
+  void (*at_end)(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out);
   /* The state after a step in which the law, with all factors, has done this work. NULL: none is counted. */
   double (*worked)(const double *p, double before, double h, double work);
   /* What the next test of a specimen begins with after this state, but for what time alone changes. NULL: all of it. */
   double (*rested)(const double *p, double before);
-} ed_amendment_kind;
+} ed_effect_form;
 
-struct ed_amendment {
-  const ed_amendment_kind *kind;
+struct ed_effect {
+  const ed_effect_form *form;
   int placement; /* ED_PLACE_* */
-  int state;     /* its place among the amendments' state */
+  int state;     /* its place among the effects' state */
   double tau;    /* of the law that it stands inside; 0: it does not stand inside it */
   int relaxed;   /* inside: the place of what relaxes, and behind it of the last force, or factor less 1 */
-  double parameter[ED_MOST_AMENDMENT_PARAMETERS];
+  double parameter[ED_MOST_EFFECT_PARAMETERS];
 };
 
-/* amend_factor.c */
-extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend_mullins_path, ed_amend_mullins_maximum,
-    ed_amend_degradation_energy, ed_amend_self_heating_rate, ed_amend_one_sided_factor, ed_amend_payne_network, ed_amend_mullins_damage,
-    ed_amend_degradation_path, ed_amend_payne_exponential, ed_amend_one_sided_valve, ed_amend_one_sided_force,
-    ed_amend_pinching_slip;
-/* amend_parallel.c */
-extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
-    ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_exponent_dashpot,
-    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even, ed_amend_hardening_exponential, ed_amend_gas_spring_polytropic,
-    ed_amend_hardening_saturating, ed_amend_velocity_exponent_position;
-/* amend_friction.c */
-extern const ed_amendment_kind ed_amend_friction_coulomb, ed_amend_friction_presliding, ed_amend_friction_stribeck,
-    ed_amend_hysteresis_stretch, ed_amend_hysteresis_bouc_wen;
+/* effect_factor.c */
+extern const ed_effect_form ed_effect_constant, ed_effect_payne_whole, ed_effect_mullins_path, ed_effect_mullins_maximum,
+    ed_effect_degradation_energy, ed_effect_self_heating_rate, ed_effect_one_sided_factor, ed_effect_payne_network, ed_effect_mullins_damage,
+    ed_effect_degradation_path, ed_effect_payne_exponential, ed_effect_one_sided_valve, ed_effect_one_sided_force,
+    ed_effect_pinching_slip;
+/* effect_parallel.c */
+extern const ed_effect_form ed_effect_payne_elastic, ed_effect_mullins_elastic, ed_effect_hardening_power,
+    ed_effect_hardening_threshold, ed_effect_one_sided_spring, ed_effect_relaxation_branch_maxwell, ed_effect_velocity_exponent_dashpot,
+    ed_effect_velocity_exponent_flow, ed_effect_one_sided_contact, ed_effect_one_sided_even, ed_effect_hardening_exponential, ed_effect_gas_spring_polytropic,
+    ed_effect_hardening_saturating, ed_effect_velocity_exponent_position;
+/* effect_friction.c */
+extern const ed_effect_form ed_effect_friction_coulomb, ed_effect_friction_presliding, ed_effect_friction_stribeck,
+    ed_effect_hysteresis_stretch, ed_effect_hysteresis_bouc_wen;
 
-/* amendment_table.c: the kinds by their id in eddamper.h (ED_AMEND_*). NULL: no such amendment. */
-const ed_amendment_kind *ed_amendment_kind_of(int id);
+/* effect_table.c: the forms by their id in eddamper.h (ED_EFFECT_*). NULL: no such effect. */
+const ed_effect_form *ed_effect_form_of(int id);
 /* Whether a damper takes one of these parameters at a placement, of which there is one. */
-int ed_check_amendment(const ed_damper *damper, const ed_amendment_kind *kind, int id, int placement, int n_parameters,
+int ed_effect_check(const ed_damper *damper, const ed_effect_form *form, int id, int placement, int n_parameters,
                        const double *parameters, char message[ED_DAMPER_MESSAGE]);
 
 /* Whether a placement is that of one side of the law. */
@@ -74,28 +74,28 @@ static inline double ed_sign(double x)
   return (double)((x > 0.0) - (x < 0.0));
 }
 
-/* amend_inside.c: what a force, or a factor of a force, makes inside a law that relaxes with tau, of what it is at the end of a step,
+/* effect_inside.c: what a force, or a factor of a force, makes inside a law that relaxes with tau, of what it is at the end of a step,
  * `found`. before, after: what relaxes, and the last force, or factor less 1; law0, law1: the force with the factor at both ends. Adds to the
  * force beside the law with its derivatives, and to by_law its derivative to law1. */
-void ed_amend_relaxed_force(double tau, const ed_amended *found, double h, const double before[2], double after[2], ed_amended *beside);
-void ed_amend_relaxed_factor(double tau, const ed_amended *found, double h, double law0, double law1, const double before[2],
-                             double after[2], ed_amended *beside, double *by_law);
+void ed_effect_relaxed_force(double tau, const ed_effect_value *found, double h, const double before[2], double after[2], ed_effect_value *beside);
+void ed_effect_relaxed_factor(double tau, const ed_effect_value *found, double h, double law0, double law1, const double before[2],
+                             double after[2], ed_effect_value *beside, double *by_law);
 
-/* amend_sides.c: the first side are the springs of the law, the other its dashpots; ED_PLACE_SPRINGS is that of the first. */
+/* effect_sides.c: the first side are the springs of the law, the other its dashpots; ED_PLACE_SPRINGS is that of the first. */
 enum { ED_SIDES = 2 };
 /* Gives a damper the law without dashpots, which has one. ED_E_MEMORY and what `prepare` returns. */
 int ed_sides_new(ed_damper *damper, char message[ED_DAMPER_MESSAGE]);
 int ed_sides_size(const ed_damper *damper); /* doubles of state */
 /* Of a state that is all zero; factor: of each side at rest. */
 void ed_sides_start(const ed_damper *damper, const double factor[ED_SIDES], double *own);
-void ed_sides_jump(double *own, const double *after); /* as ed_amendments_jump */
-/* Of a state at the end of a test, `before`, what relaxes goes on, as ed_amendments_keep says; and what the law of the springs keeps. */
+void ed_sides_jump(double *own, const double *after); /* as ed_effects_jump */
+/* Of a state at the end of a test, `before`, what relaxes goes on, as ed_effects_keep says; and what the law of the springs keeps. */
 void ed_sides_keep(const double *before, double *own);
 void ed_sides_keep_law(const ed_damper *damper, const double *before, double *own);
 /* Adds to `out`, with its derivatives, what the factors change of the law's force. before, after: the state of the sides; law0: the law's
  * force at the beginning of the path; law: that at its end. */
 int ed_sides_act(const ed_damper *damper, const double *before, double law0, const ed_path *path, const ed_path direction[2],
-                 const ed_amended factor[ED_SIDES], double *after, const ed_damper_force *law, ed_damper_force *out);
+                 const ed_effect_value factor[ED_SIDES], double *after, const ed_damper_force *law, ed_damper_force *out);
 
 /* Payne effect: the share g of the softening at the envelope a of the deformation, which fades with time constant tau.
  * g = (a/a0)^m / (1 + (a/a0)^m) [Kraus 1984]. */

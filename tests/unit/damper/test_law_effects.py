@@ -1,20 +1,20 @@
-"""Amendments of damper laws in files: names, units, temperature; in projects and on the virtual rig; refusals."""
+"""Effects of damper laws in files: names, units, temperature; in projects and on the virtual rig; refusals."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
 
-import damper_amendments as definitions
+import damper_effects as definitions
 import numpy as np
 import pytest
 
 from edesign.building.project_file import load_project
 from edesign.core import Analysis, Channel, CoreDamper, Newmark
 from edesign.core.damper import PLACEMENTS
-from edesign.damper.amendment_kinds import FORMER_FORMS
-from edesign.damper.amendments import AMENDMENTS, Amendment
 from edesign.damper.damper import Damper
+from edesign.damper.effect_forms import FORMER_FORMS
+from edesign.damper.effects import LAW_EFFECTS, LawEffect
 from edesign.damper.effects_file import read_effects, write_effects
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
@@ -39,9 +39,9 @@ EFFECTS = """effects:
 """
 LAW = "type: mgmm\nparameters: thesis_table_4_2\n" + EFFECTS
 READ = (
-    Amendment("payne", "whole", {"d": 0.2, "a0": 3e-3, "m": 1.0, "tau_a": 5.0}),
-    Amendment("velocity_exponent", "dashpot", {"c": 1.2e3 * 1e3**0.4, "alpha": 0.4}),
-    Amendment("degradation", "energy", {"d": 0.1, "E0": 2e4}),
+    LawEffect("payne", "whole", {"d": 0.2, "a0": 3e-3, "m": 1.0, "tau_a": 5.0}),
+    LawEffect("velocity_exponent", "dashpot", {"c": 1.2e3 * 1e3**0.4, "alpha": 0.4}),
+    LawEffect("degradation", "energy", {"d": 0.1, "E0": 2e4}),
 )
 
 
@@ -67,13 +67,13 @@ def project_file(folder: Path, old: str = "      parameters: thesis_table_4_2\n"
 
 @pytest.mark.parametrize("placed", definitions.PLACED)
 def test_what_is_written_reads_back(placed):
-    amendment = definitions.example(*placed)
-    (written,) = write_effects([amendment])
+    effect = definitions.example(*placed)
+    (written,) = write_effects([effect])
     (back,) = read_effects([Effect(**written)])
     assert (back.name, back.form, back.placement) == placed
-    assert ("placement" in written) == (amendment.placement != "whole")
-    assert back.values == pytest.approx(amendment.values, rel=1e-12)
-    assert set(written["parameters"]) == {parameter.name for parameter in amendment.kind.parameters}
+    assert ("placement" in written) == (effect.placement != "whole")
+    assert back.values == pytest.approx(effect.values, rel=1e-12)
+    assert set(written["parameters"]) == {parameter.name for parameter in effect.definition.parameters}
 
 
 @pytest.mark.parametrize(("name", "former"), FORMER_FORMS)
@@ -90,10 +90,10 @@ def test_a_former_form_is_read_and_written_as_one_of_today_with_its_placement(na
 def test_a_law_file_carries_effects(tmp_path):
     found = resolve(*read_law_file(law_file(tmp_path, LAW)), None)
     assert found.values == MGMM
-    assert [one.kind.name for one in found.amendments] == [one.kind.name for one in READ]
-    for one, expected in zip(found.amendments, READ, strict=True):
+    assert [one.definition.name for one in found.effects] == [one.definition.name for one in READ]
+    for one, expected in zip(found.effects, READ, strict=True):
         assert one.values == pytest.approx(expected.values, rel=1e-12)
-    assert [one.kind for one in found.for_core.amendments] == [one.kind.name for one in READ]
+    assert [one.name for one in found.for_core.effects] == [one.definition.name for one in READ]
 
 
 def test_a_project_or_its_law_file_says_the_effects(tmp_path):
@@ -136,7 +136,7 @@ WRONG = {
             .replace("thesis_table_4_2", "{c: 1 kN*s/mm}")
             .replace("whole", "whole_inside"),
         ),
-        r"law.yaml:4:25: effects\[0\].form: amendment payne.whole: it can stand inside .* but law viscous does not",
+        r"law.yaml:4:25: effects\[0\].form: effect payne.whole: it can stand inside .* but law viscous does not",
     ),
     "no such placement": (
         ("form: whole,", "form: whole, placement: spring,"),
@@ -155,7 +155,7 @@ WRONG = {
             .replace("thesis_table_4_2", "{c: 1 kN*s/mm}")
             .replace("form: whole,", "form: whole, placement: springs,"),
         ),
-        r"law.yaml:4:43: effects\[0\].placement: amendment payne.whole: it can act on springs or dashpots alone of a "
+        r"law.yaml:4:43: effects\[0\].placement: effect payne.whole: it can act on springs or dashpots alone of a "
         r"law whose force is a sum of both, .* but that of law viscous is not",
     ),
     "inside by placement": (
@@ -165,7 +165,7 @@ WRONG = {
             .replace("thesis_table_4_2", "{c: 1 kN*s/mm}")
             .replace("form: whole,", "form: whole, placement: inside,"),
         ),
-        r"effects\[0\].placement: amendment payne.whole: it can stand inside .* but law viscous does not",
+        r"effects\[0\].placement: effect payne.whole: it can stand inside .* but law viscous does not",
     ),
     "two placements": (
         ("form: whole,", "form: whole_inside, placement: whole,"),
@@ -213,7 +213,7 @@ def test_an_effect_that_a_braced_law_cannot_have_is_told(tmp_path):
         .replace("thesis_table_4_2", "{c: 300 kN*(s/m)^0.35, alpha: 0.35, k: 50 kN/mm}")
     )
     path.write_text(text.replace("layers: 4,", "layers: 4, brace: {stiffness: 90 kN/mm},"), encoding="utf-8")
-    message = r"project.yaml:\d+:\d+: dampers.devices\[0\]: .*S_1_1: amendment payne.whole: .* brace must be rigid"
+    message = r"project.yaml:\d+:\d+: dampers.devices\[0\]: .*S_1_1: effect payne.whole: .* brace must be rigid"
     with pytest.raises(InputError, match=message):
         make_frame(load_project(path), dampers=True)
 
@@ -228,12 +228,12 @@ def test_a_temperature_is_that_of_the_dampers(tmp_path):
     warm = resolve(*described, 35.0)
     assert warm.values["k0"] == pytest.approx(0.82 * MGMM["k0"])  # Table 4.4, and the effect on top of it
     assert "published factor gamma_T" in warm.warnings[0]
-    assert warm.for_core.amendments[0].values == pytest.approx((np.exp(-0.3),))
-    assert resolve(*described, None).for_core.amendments[0].values == (1.0,)
+    assert warm.for_core.effects[0].values == pytest.approx((np.exp(-0.3),))
+    assert resolve(*described, None).for_core.effects[0].values == (1.0,)
     both = law_file(tmp_path, text + effect + "temperature_law: {gamma_T: {20 degC: 1, 35 degC: 0.8}}\n")
     warm = resolve(*read_law_file(both), 35.0)
     assert warm.values["k0"] == pytest.approx(0.8 * MGMM["k0"]) and warm.warnings == ()
-    assert warm.for_core.amendments[0].values == pytest.approx((np.exp(-0.3),))
+    assert warm.for_core.effects[0].values == pytest.approx((np.exp(-0.3),))
 
 
 def test_arrhenius_is_a_wlf_whose_rate_falls_with_the_absolute_temperature(tmp_path):
@@ -245,7 +245,7 @@ def test_arrhenius_is_a_wlf_whose_rate_falls_with_the_absolute_temperature(tmp_p
     )
     for degrees in (5.0, 20.0, 35.0):
         expected = np.exp(3000.0 * (1.0 / (273.15 + degrees) - 1.0 / 293.15))
-        assert resolve(*described, degrees).for_core.amendments[0].values == pytest.approx((expected,), rel=1e-9)
+        assert resolve(*described, degrees).for_core.effects[0].values == pytest.approx((expected,), rel=1e-9)
 
 
 def test_a_transition_is_half_done_at_its_middle(tmp_path):
@@ -256,7 +256,7 @@ def test_a_transition_is_half_done_at_its_middle(tmp_path):
         law_file(tmp_path, "type: kelvin_voigt\nparameters: {k: 3 kN/mm, c: 0.2 kN*s/mm}\n" + effect)
     )
     for degrees, expected in ((-10.0, 1.0), (26.85, 0.8), (60.0, 0.6)):  # 36 widths away S is 0 or 1 to 1e-14
-        assert resolve(*described, degrees).for_core.amendments[0].values == pytest.approx((expected,), rel=1e-12)
+        assert resolve(*described, degrees).for_core.effects[0].values == pytest.approx((expected,), rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -293,17 +293,17 @@ def test_a_law_without_temperature_law_has_the_effect_alone(tmp_path):
 def test_constant_factors_multiply_the_force():
     t = np.linspace(0.0, 1.0, 101)
     u = 5e-3 * np.sin(6.0 * t)
-    aged = Amendment("ageing", "linear", {"rate": -0.02, "n": 5.0})
-    cold = Amendment("temperature_law", "exponential", {"b": 0.01, "T0": 20.0})
-    both = Damper(law("mgmm"), MGMM, amendments=(aged, cold), temperature_C=10.0).force(t, u)
+    aged = LawEffect("ageing", "linear", {"rate": -0.02, "n": 5.0})
+    cold = LawEffect("temperature_law", "exponential", {"b": 0.01, "T0": 20.0})
+    both = Damper(law("mgmm"), MGMM, effects=(aged, cold), temperature_C=10.0).force(t, u)
     assert both == pytest.approx(0.9 * np.exp(0.1) * Damper(law("mgmm"), MGMM).force(t, u), rel=1e-12)
 
 
 def test_properties_of_steady_tests_see_effects_and_temperature():
     """Law and effects are multiplied: G' and G'' by the same factor, the loss factor stays."""
-    cold = Amendment("temperature_law", "exponential", {"b": 0.02, "T0": 20.0})
+    cold = LawEffect("temperature_law", "exponential", {"b": 0.02, "T0": 20.0})
     plain = predict(Damper(law("mgmm"), MGMM), PROTOTYPE, 0.3, 1.0, [20.0, 30.0], cycles=(2, 3))
-    found = predict(Damper(law("mgmm"), MGMM, amendments=(cold,)), PROTOTYPE, 0.3, 1.0, [20.0, 30.0], cycles=(2, 3))
+    found = predict(Damper(law("mgmm"), MGMM, effects=(cold,)), PROTOTYPE, 0.3, 1.0, [20.0, 30.0], cycles=(2, 3))
     assert found.G_storage == pytest.approx(plain.G_storage * np.exp([0.0, -0.2]), rel=1e-12)
     assert found.loss_factor == pytest.approx(plain.loss_factor, rel=1e-12)
     assert found.warnings == plain.warnings
@@ -331,7 +331,7 @@ def test_a_frame_has_the_effects_of_its_law_at_the_size_of_the_device(tmp_path):
     u, v = found["displacement"], found["velocity"]
     assert np.max(np.abs(u)) > 1e-3
     plain = CoreDamper("mgmm", list(MGMM.values())).force(t, 2.0 * u, 2.0 * v)
-    expected = 2.0 * definitions.amended(READ, plain, t, 2.0 * u, 2.0 * v)
+    expected = 2.0 * definitions.with_effects(READ, plain, t, 2.0 * u, 2.0 * v)
     peak = np.max(np.abs(expected))
     assert np.max(np.abs(found["force"] - expected)) < 1e-8 * peak  # the same steps; rounding of u in the frame
     assert np.max(np.abs(2.0 * plain - expected)) > 0.05 * peak
@@ -350,7 +350,7 @@ def test_the_virtual_specimen_has_effects_that_its_campaign_does_not_name(tmp_pa
     campaign = load_campaign(tmp_path / "out" / "campaign.yaml")
     (test,) = campaign.tests
     assert "effects" not in (tmp_path / "out" / "campaign.yaml").read_text(encoding="utf-8")
-    expected = Damper(law("mgmm"), MGMM, amendments=READ).force(test.time, test.displacement)
+    expected = Damper(law("mgmm"), MGMM, effects=READ).force(test.time, test.displacement)
     assert test.force == pytest.approx(expected, abs=1e-5 * np.max(np.abs(expected)))  # digits of the CSV
     path.write_text(text.replace("E0: 20 kJ", "E0: 20 mm"), encoding="utf-8")
     with pytest.raises(InputError, match=r"programme.yaml:8:\d+: law.effects\[2\].parameters.E0: `20 mm` is a length"):
@@ -363,8 +363,8 @@ def test_the_virtual_specimen_has_effects_that_its_campaign_does_not_name(tmp_pa
 def test_the_page_has_every_effect_with_its_parameters():
     text = (ROOT / "docs" / "reference" / "laws" / "effects.md").read_text(encoding="utf-8")
     rows = set(re.findall(r"^\| `([\w.]+)` \| `(\w+)` \| (\S+) \| .+ \|$", text, re.M))
-    assert rows == {(k.name, p.name, practical_unit(p) or "-") for k in AMENDMENTS.values() for p in k.parameters}
-    for name, form in AMENDMENTS:
+    assert rows == {(k.name, p.name, practical_unit(p) or "-") for k in LAW_EFFECTS.values() for p in k.parameters}
+    for name, form in LAW_EFFECTS:
         assert re.search(rf"^\| `{name}`, `{form}` \|", text, re.M), (name, form)
     placements = re.findall(
         r"^\| `(\w+)` \| .* \| .* \|$", text.partition("## Placement")[2].partition("\n## ")[0], re.M
