@@ -52,7 +52,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     if campaign.law is None or campaign.law.parameters is None:
         raise InputError(
             f"{campaign.path}: law: the law thought of is needed, for example "
-            "`law: {type: mgmm, parameters: thesis_table_4_2}`; without parameters it is fitted first"
+            "`law: {type: mgmm, parameters: thesis_table_4_2}`; without parameters it is fitted first [E-CALIB-01]"
         )
     check_uses(campaign.path, campaign.tests)
     for test in campaign.tests:
@@ -128,12 +128,12 @@ def check_uses(path: Path, tests: Sequence[_Used]) -> None:
     if fitted < 2:
         raise InputError(
             f"{path}: tests: {fitted} with `use: fit`; an effect is adopted when it lowers the error on tests it was "
-            "not fitted to, so that two are the least (six or more are better)"
+            "not fitted to, so that two are the least (six or more are better) [E-CALIB-02]"
         )
     if fitted == len(tests):
         raise InputError(
             f"{path}: tests: none has `use: validate`; the error before and after is reported on tests that nothing "
-            "was fitted to, so that one is the least"
+            "was fitted to, so that one is the least [E-CALIB-02]"
         )
 
 
@@ -148,7 +148,7 @@ def _check_motion(test: DamperTest) -> None:
         raise InputError(
             f"{test.where}: no samples from {lost[0]:.6g} s to {lost[1]:.6g} s, while the specimen moved: what it did "
             "there is not known, and what it remembers of that neither. Make two tests of the file, one before and one "
-            "after it; or correct its times"
+            "after it; or correct its times [E-CALIB-03]"
         )
 
 
@@ -189,7 +189,9 @@ def _declared_forces(problem: DamperProblem, campaign: Campaign) -> list[np.ndar
     for i, test in enumerate(campaign.tests):
         (one,) = problem.prediction.predict([(problem.declared, ())], (i,))
         if isinstance(one, PredictionError):
-            raise InputError(f"{campaign.path}: {test.name}: the declared law cannot predict it: {one}") from one
+            raise InputError(
+                f"{campaign.path}: {test.name}: the declared law cannot predict it: {one} [E-CALIB-04]"
+            ) from one
         found += one
     return found
 

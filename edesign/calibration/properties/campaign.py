@@ -141,11 +141,12 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
     check_specimen(file.specimen, problems)
     check_law(file.law, problems, complete=True)
     if file.law.parameters is None:
-        problems.under(("law",), "parameters", "this key is missing; the loop needs a declared law")
+        problems.under(("law",), "parameters", "this key is missing; the loop needs a declared law [E-CALIB-01]")
     at = path.parent / file.properties.table
     if file.properties.table != PUBLISHED and not is_there(at):
         problems.at_value(
-            (KEY, "table"), f"there is no file {at}; name a CSV file, or {PUBLISHED}, the table that comes with edesign"
+            (KEY, "table"),
+            f"there is no file {at}; name a CSV file, or {PUBLISHED}, the table that comes with edesign [E-FILE-01]",
         )
     if problems.found:
         raise CampaignError(path, problems.found)
@@ -158,13 +159,14 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
         problems.at_key(
             (KEY,),
             f"{count['fit']} of {len(groups)} groups of rows (one temperature and strain each) are left to be fitted "
-            f"to; an effect is adopted when it lowers the error of groups left out, so that {_LEAST} are the least",
+            f"to; an effect is adopted when it lowers the error of groups left out, so that {_LEAST} are the least"
+            " [E-CALIB-02]",
         )
     if not problems.found and not count["validate"]:
         problems.at_key(
             (KEY,),
             "no row is held out; the error before and after is reported on rows that nothing was fitted to: "
-            "`hold_out: {temperatures: [...], strains: [...], frequencies: [...]}`",
+            "`hold_out: {temperatures: [...], strains: [...], frequencies: [...]}` [E-CALIB-02]",
         )
     if problems.found:
         raise CampaignError(path, problems.found)
@@ -231,5 +233,5 @@ def _check_levels(table: PropertyTable, held: HoldOut, problems: Problems) -> No
                 there = ", ".join(f"{scale * value:.4g} {unit}" for value in known)
                 problems.at_value(
                     (KEY, "hold_out", key, i),
-                    f"the table has no row at {scale * level:.4g} {unit} (there are: {there})",
+                    f"the table has no row at {scale * level:.4g} {unit} (there are: {there}) [E-CALIB-05]",
                 )

@@ -30,7 +30,7 @@ def property_problem(
         InputError: no law is declared.
     """
     if campaign.law.parameters is None:
-        raise InputError(f"{campaign.path}: law: the law thought of is needed, with its parameters")
+        raise InputError(f"{campaign.path}: law: the law thought of is needed, with its parameters [E-CALIB-01]")
     law = law_of(campaign.law.type)
     declared = law.complete(read_parameters(law, campaign.law.parameters))
     of = campaign.table, campaign.specimen, campaign.groups

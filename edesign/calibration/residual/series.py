@@ -86,13 +86,15 @@ class Residual:
         for name in ("time", "displacement", "velocity", "measured", "predicted"):
             values = np.asarray(getattr(self, name), dtype=float)
             if values.shape != (size,):
-                raise InputError(f"test {self.name}: {values.size} samples of {name}, {size} of time")
+                raise InputError(f"test {self.name}: {values.size} samples of {name}, {size} of time [E-CALIB-03]")
             if not np.isfinite(values).all():
                 at = int(np.argmin(np.isfinite(values)))
-                raise InputError(f"test {self.name}: {name}: sample {at + 1} is {values[at]:g}, not a finite number")
+                raise InputError(
+                    f"test {self.name}: {name}: sample {at + 1} is {values[at]:g}, not a finite number [E-CALIB-03]"
+                )
             object.__setattr__(self, name, values)
         if size < FEWEST:
-            raise InputError(f"test {self.name}: a residual needs at least {FEWEST} samples, not {size}")
+            raise InputError(f"test {self.name}: a residual needs at least {FEWEST} samples, not {size} [E-CALIB-03]")
         temperature = np.broadcast_to(np.asarray(self.temperature_C, dtype=float), (size,))
         object.__setattr__(self, "temperature_C", temperature)
 

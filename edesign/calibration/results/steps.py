@@ -109,6 +109,7 @@ def searched(problem: Problem, settings: SearchSettings, progress: Progress, cam
     except EffortSpentError:
         raise InputError(
             f"--effort {settings.effort:g}: too little to fit the {model} alone; {SETTINGS.effort:g} are usual"
+            " [E-CALIB-06]"
         ) from None
     if found.ending == "interrupted":
         progress("interrupted: going on with what was found so far; interrupting again writes it as it stands")

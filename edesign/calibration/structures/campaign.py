@@ -95,10 +95,12 @@ def load_structure_campaign(path: Path | str) -> StructureCampaign:
     for i, entry in enumerate(file.tests):
         at = ("tests", i, "file")
         if not is_there(path.parent / entry.file):
-            problems.at_value(at, f"there is no file {path.parent / entry.file}")
+            problems.at_value(at, f"there is no file {path.parent / entry.file} [E-FILE-01]")
         other = first.setdefault(Path(entry.file), i)
         if other != i:
-            problems.at_value(at, f"the file is there already, in line {problems.node(('tests', other)).mark.line}")
+            problems.at_value(
+                at, f"the file is there already, in line {problems.node(('tests', other)).mark.line} [E-FILE-09]"
+            )
     if problems.found:
         raise CampaignError(path, problems.found)
     tests, wrong = [], []
@@ -160,22 +162,26 @@ def _record(path: Path, block: ChannelsBlock) -> tuple[float, np.ndarray, tuple[
     table = read_table(path)
     time = block.units.time * _column(table, block.time)
     if time.size < _FEWEST:
-        raise InputError(f"{path}:{table.lines[-1]}: a test needs at least {_FEWEST} samples, not {time.size}")
+        raise InputError(
+            f"{path}:{table.lines[-1]}: a test needs at least {_FEWEST} samples, not {time.size} [E-CALIB-03]"
+        )
     back = np.flatnonzero(np.diff(time) <= 0.0)
     if back.size:
         at = int(back[0]) + 1
-        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s is not after {time[at - 1]:g} s")
+        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s is not after {time[at - 1]:g} s [E-CALIB-03]")
     step = float(time[-1] - time[0]) / (time.size - 1)
     off = np.abs(time - time[0] - step * np.arange(time.size))
     if off.max() > _UNEVEN * step:
         at = int(np.argmax(off > _UNEVEN * step))
         raise InputError(
             f"{table.where(row=at)}: the time {time[at]:g} s is {off[at]:g} s off an even step of {step:g} s; "
-            "records of structures need even steps"
+            "records of structures need even steps [E-CALIB-03]"
         )
     base = block.units.acceleration * _column(table, block.base_acceleration)
     if np.ptp(base) == 0.0:
-        raise InputError(f"{table.where(row=0)}: the base acceleration is the same in all lines; nothing moved")
+        raise InputError(
+            f"{table.where(row=0)}: the base acceleration is the same in all lines; nothing moved [E-CALIB-03]"
+        )
     channels, values = [], []
     measures: tuple[Measure, ...] = ("acceleration", "displacement")
     for measure in measures:
@@ -185,12 +191,16 @@ def _record(path: Path, block: ChannelsBlock) -> tuple[float, np.ndarray, tuple[
                 channels.append(Channel(measure, floor))
                 values.append(getattr(block.units, measure) * _column(table, header))
                 if np.ptp(values[-1]) == 0.0:
-                    raise InputError(f"{table.where(row=0)}: `{header}` is the same in all lines; nothing moved")
+                    raise InputError(
+                        f"{table.where(row=0)}: `{header}` is the same in all lines; nothing moved [E-CALIB-03]"
+                    )
     return step, base, tuple(channels), np.column_stack(values)
 
 
 def _column(table: Table, header: str) -> np.ndarray:
     if header not in table.headers:
         hint = did_you_mean(header, table.headers)
-        raise InputError(f"{table.where()}: there is no column `{header}`{hint} (there are: {listed(table.headers)})")
+        raise InputError(
+            f"{table.where()}: there is no column `{header}`{hint} (there are: {listed(table.headers)}) [E-TABLE-10]"
+        )
     return table.rows[:, table.headers.index(header)]

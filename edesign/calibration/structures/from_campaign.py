@@ -46,7 +46,7 @@ def _check_channels(problem: StructureProblem, campaign: StructureCampaign) -> N
     try:
         histories = problem.model((), USES).histories(np.array([one.centre for one in problem.base]))
     except PredictionError as error:
-        raise InputError(f"{campaign.path}: the declared building has no response: {error}") from error
+        raise InputError(f"{campaign.path}: the declared building has no response: {error} [E-CALIB-04]") from error
     correlations = []
     for test, values in zip(problem.tests, histories, strict=True):
         for channel, measured, predicted in zip(test.channels, test.values.T, values.T, strict=True):
@@ -54,11 +54,11 @@ def _check_channels(problem: StructureProblem, campaign: StructureCampaign) -> N
             if not 1.0 / _ABSURD < ratio < _ABSURD:
                 raise InputError(
                     f"{test.source}: the {channel.label} is {ratio:.3g} times that of the declared building: are "
-                    f"`channels.units` in {campaign.path} and the properties of the building right?"
+                    f"`channels.units` in {campaign.path} and the properties of the building right? [E-CALIB-07]"
                 )
             correlations.append(float(measured @ predicted) / max(ratio * float(predicted @ predicted), 1e-300))
     if float(np.median(correlations)) < _OPPOSITE:
         raise InputError(
             f"{campaign.path}: the floors move against what the base makes the declared building do; positive "
-            "acceleration of base and floors, and positive displacement, must point the same way"
+            "acceleration of base and floors, and positive displacement, must point the same way [E-CALIB-07]"
         )

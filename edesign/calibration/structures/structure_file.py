@@ -157,26 +157,35 @@ def check_structure(file: StructureFile, problems: Problems) -> None:
         given = getattr(block, key)
         if given is not None and len(given) != storeys:
             above = " above the isolation layer" if block.base == "isolated" else ""
-            problems.at_value(("structure", key), f"{len(given)} values; {floors} floors have {storeys} storeys{above}")
+            problems.at_value(
+                ("structure", key), f"{len(given)} values; {floors} floors have {storeys} storeys{above} [E-VALUE-04]"
+            )
     if storeys and block.damping is None:
-        problems.under(("structure",), "damping", "this key is missing, for example `{type: modal, ratio: 2 %}`")
+        problems.under(
+            ("structure",), "damping", "this key is missing, for example `{type: modal, ratio: 2 %}` [E-KEY-02]"
+        )
     _check_damping(block.damping, problems)
     if block.base == "isolated" and file.law is None:
-        problems.under((), "law", "an isolated building needs the law of its isolation layer")
+        problems.under((), "law", "an isolated building needs the law of its isolation layer [E-KEY-03]")
     if block.base == "isolated" and file.law is not None and file.law.parameters is None:
-        problems.under(("law",), "parameters", "the parameters of the isolation layer are missing")
+        problems.under(("law",), "parameters", "the parameters of the isolation layer are missing [E-KEY-02]")
     if block.base == "fixed" and file.law is not None:
-        problems.at_key(("law",), "a building on a fixed base has no isolation layer that could follow a law")
+        problems.at_key(
+            ("law",), "a building on a fixed base has no isolation layer that could follow a law [E-KEY-03]"
+        )
     given = False
     for key in ("floor_accelerations", "floor_displacements"):
         headers = getattr(file.channels, key)
         if headers is not None and len(headers) != floors:
             problems.at_value(
-                ("channels", key), f"{len(headers)} headers for {floors} floors; write `null` for one without"
+                ("channels", key),
+                f"{len(headers)} headers for {floors} floors; write `null` for one without [E-VALUE-04]",
             )
         given = given or any(header is not None for header in headers or ())
     if not given:
-        problems.at_key(("channels",), "no floor is measured: `floor_accelerations` or `floor_displacements` is needed")
+        problems.at_key(
+            ("channels",), "no floor is measured: `floor_accelerations` or `floor_displacements` is needed [E-KEY-03]"
+        )
 
 
 def _check_damping(damping: DampingBlock | None, problems: Problems) -> None:
@@ -185,8 +194,8 @@ def _check_damping(damping: DampingBlock | None, problems: Problems) -> None:
         return
     at = ("structure", "damping")
     if damping.other is None and damping.share is not None:
-        problems.at_value((*at, "share"), "a share needs the second kind of damping, the key `other`")
+        problems.at_value((*at, "share"), "a share needs the second kind of damping, the key `other` [E-KEY-03]")
     if damping.other is not None and damping.share is None:
-        problems.under(at, "share", "the share of the second kind of damping is missing, for example `30 %`")
+        problems.under(at, "share", "the share of the second kind of damping is missing, for example `30 %` [E-KEY-02]")
     if damping.other == damping.type:
-        problems.at_value((*at, "other"), f"the damping is of the kind `{damping.type}` already")
+        problems.at_value((*at, "other"), f"the damping is of the kind `{damping.type}` already [E-KEY-03]")

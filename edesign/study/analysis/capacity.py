@@ -111,7 +111,7 @@ class Capacity:
         response = self.push.response
         error = response.statistics.get("energy_error", 0.0)
         if not response.finite or not error <= self.project.validity.energy_error or response.time.size < 2:
-            raise AnalysisError(f"there is no capacity curve: {response.reason}")
+            raise AnalysisError(f"there is no capacity curve: {response.reason} [E-PUSH-01]")
         try:
             return CapacityCurve(self.push.displacement, np.append(0.0, self.push.base_shear[1:]))
         except InputError as problem:

@@ -110,7 +110,7 @@ def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float |
         return spec.damper_deformation
     if spec.damper_strain is not None:
         if device.layer_thickness is None:
-            message = f"the damper {device.name} has no layers; give `damper_deformation`"
+            message = f"the damper {device.name} has no layers; give `damper_deformation` [E-DAMPER-01]"
             raise InputError(f"{_where(project, spec)}: damper_strain: {message}")
         return spec.damper_strain * device.layer_thickness
     return device.design_deformation

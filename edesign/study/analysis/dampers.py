@@ -90,10 +90,12 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     prototype = spec.prototype or described.prototype
     if numbers.law == "buckling_restrained":  # a fit writes the specimen of its tests, whose layers mean nothing here
         if spec.prototype is not None:
-            raise asked.refuse(("prototype",), "a buckling-restrained brace has no layers; leave this key out")
+            raise asked.refuse(
+                ("prototype",), "a buckling-restrained brace has no layers; leave this key out [E-DAMPER-01]"
+            )
         if described.effects:  # K, the strain of the core and the adjusted strengths would not know of them
             message = "a buckling-restrained brace takes no effects: omega and beta say what its tests showed"
-            raise source.refuse(("effects",), f"{message}; leave this key out")
+            raise source.refuse(("effects",), f"{message}; leave this key out [E-DAMPER-01]")
         prototype = None
     if prototype is None and numbers.law == "friction_pendulum":
         # what changes is the friction; the dish that brings it back keeps its radius

@@ -160,7 +160,7 @@ def _damping(structure: Structure, modes: Modes) -> float:
     try:
         value = damped_eigenvalue(stiffness, analysis.masses(), damping, omega, shape)
     except (ValueError, RuntimeError) as error:
-        raise AnalysisError(f"the first mode with the dashpots of the footings: {error}") from error
+        raise AnalysisError(f"the first mode with the dashpots of the footings: {error} [E-MODAL-01]") from error
     return float(-value.real / abs(value))
 
 

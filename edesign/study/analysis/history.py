@@ -54,7 +54,7 @@ def run_history(
         CoreError: the frame is a mechanism.
     """
     if project.integration is None:
-        raise InputError(f"{project.path}: the history {spec.name} needs `integration`")
+        raise InputError(f"{project.path}: the history {spec.name} needs `integration` [E-KEY-02]")
     motion = motion or _motion(project, spec.record)
     factor = scale_factor(project, spec, motion.record)
     if spec.vertical is not None and spec.vertical.record is not None:

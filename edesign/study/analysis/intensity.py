@@ -59,13 +59,13 @@ def record_intensity(project: Project, study: Incremental, record: Record, perio
     elif isinstance(study, LevelFactorStudy):
         if project.hazard is None:
             raise InputError(
-                f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels"
+                f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels [E-KEY-02]"
             )
         found = 1.0 / factor_of_level(project.hazard, study.level)
     else:
         found = _spectral_acceleration(project, study, record, period)
     if found <= 0.0:
-        raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled")
+        raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled [E-IDA-01]")
     return found
 
 
@@ -138,7 +138,7 @@ def _not_rising(
         shown = [intensity_text(item, value) for value in (second, first)]
         at = f" at {given:g} s" if isinstance(item, SpectralAccelerationStudy) else ""
         said += f"{at} ({shown[0]} and {shown[1]})"
-    return f"{said}; the longer a return period, the larger must be the intensity"
+    return f"{said}; the longer a return period, the larger must be the intensity [E-IDA-02]"
 
 
 def first_period(project: Project, dampers: bool, damper_strain: float | None = None) -> float:
@@ -166,6 +166,8 @@ def _spectral_acceleration(
     """Return the pseudo acceleration at 5 % damping of a record as it is applied with the factor 1, m/s2."""
     period = period if study.period is None else study.period
     if period is None:
-        raise InputError(f"{project.path}: incremental study `{study.name}`: a frame without masses has no period T1")
+        raise InputError(
+            f"{project.path}: incremental study `{study.name}`: a frame without masses has no period T1 [E-MODAL-02]"
+        )
     applied = input_motion(record, 1.0, project.integration.time_step if project.integration else None, 0.0)
     return float(psa(applied.acceleration, applied.time_step, [period], DAMPING)[0])

@@ -34,7 +34,9 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
     """
     if not frame.masses:
         name = pattern_name(pattern)
-        raise AnalysisError(f"pattern {name}: lateral loads are proportional to masses, and no node has one")
+        raise AnalysisError(
+            f"pattern {name}: lateral loads are proportional to masses, and no node has one [E-MODAL-02]"
+        )
     if pattern == "uniform":
         weights = dict(frame.masses)
     elif pattern == "triangular":
@@ -51,7 +53,7 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
     total = sum(weights.values())
     if abs(total) <= NO_RESULTANT * sum(abs(weight) for weight in weights.values()):
         what = f"pattern {pattern_name(pattern)}"
-        raise AnalysisError(f"{what}: the lateral loads have no resultant, the mode is not lateral")
+        raise AnalysisError(f"{what}: the lateral loads have no resultant, the mode is not lateral [E-PUSH-02]")
     return {name: float(weight / total) for name, weight in weights.items()}
 
 
@@ -101,7 +103,9 @@ def _spread(frame: FrameModel, floors: tuple[float, ...] | np.ndarray, name: str
     found: dict[str, float] = {}
     for floor, (force, mass) in enumerate(zip(floors, masses, strict=True), start=1):
         if force and not mass:
-            raise AnalysisError(f"pattern {name}: floor {floor} has a share of the lateral loads, and no mass")
+            raise AnalysisError(
+                f"pattern {name}: floor {floor} has a share of the lateral loads, and no mass [E-PUSH-02]"
+            )
         there = [node for node in frame.level_nodes(floor) if node in frame.masses]
         found |= {node: float(force * frame.masses[node] / mass) for node in there}
     return found

@@ -87,7 +87,7 @@ class Structure:
         if abs(frequency - before) > _TOLERATED * frequency:
             raise AnalysisError(
                 f"modes: the frequency at which devices vibrate and that of the frame with them did not agree within "
-                f"{_MOST_ROUNDS} iterations (last {before:.6g} Hz and {frequency:.6g} Hz)"
+                f"{_MOST_ROUNDS} iterations (last {before:.6g} Hz and {frequency:.6g} Hz) [E-MODAL-01]"
             )
         return modes, found
 
@@ -109,9 +109,9 @@ class Structure:
         """
         response = self.analysis.static(self.frame.gravity, factor=1.0, steps=GRAVITY_STEPS, channels=channels)
         if response.status != "completed":
-            raise AnalysisError(f"under the gravity loads: {response.reason}")
+            raise AnalysisError(f"under the gravity loads: {response.reason} [E-GRAV-01]")
         if not response.finite:
-            raise AnalysisError("under the gravity loads: a result is not a finite number")
+            raise AnalysisError("under the gravity loads: a result is not a finite number [E-GRAV-01]")
         return response
 
 

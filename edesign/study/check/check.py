@@ -84,7 +84,10 @@ def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
         laws = device_laws(project)
         runs = project.dampers.devices if project.dampers is not None else ()
         idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
-        hint = "; a frame that stands by its buckling-restrained braces needs `carries_gravity: true` with them"
+        hint = (
+            "; a frame that stands by its buckling-restrained braces needs `carries_gravity: true` with them"
+            " [E-GRAV-01]"
+        )
         raise InputError(f"{project.where('frame')}: frame: {error}{hint if idle else ''}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
@@ -202,4 +205,4 @@ def _check_series(project: Project) -> None:
 
 
 def _no_mode(count: int, most: int) -> str:
-    return f"there is no mode {count}; the frame has {most} degrees of freedom with mass"
+    return f"there is no mode {count}; the frame has {most} degrees of freedom with mass [E-MODAL-03]"

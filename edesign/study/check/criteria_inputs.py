@@ -43,6 +43,7 @@ def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
                 raise InputError(
                     f"{where}.statistic: `{criterion.statistic}` wants at least {code.set_rules.least_number} motions "
                     f"({with_standard(code.set_rules.clauses.number)}), and {variant} has {count} at {level}"
+                    " [E-CRIT-01]"
                 )
         if isinstance(criterion, QuantityCriterion) and criterion.frequency is not None:
             _check_samples(study, where, criterion.frequency, found)
@@ -72,7 +73,7 @@ def _check_objectives(study: Study) -> None:
             )
         raise InputError(
             f"{study.where('objectives', i)}: objectives[{i}]: objective {letter} needs a hazard level of "
-            f"{probability} in 50 years, {has}"
+            f"{probability} in 50 years, {has} [E-CRIT-02]"
         )
 
 
@@ -132,5 +133,5 @@ def _check_samples(study: Study, where: str, frequency: float, found: Mapping[st
             kept = f"one step in {every} of {step:g} s is kept" if every > 1 else f"the steps are {step:g} s"
             raise InputError(
                 f"{where}.frequency: {frequency:g} Hz is beyond {highest:g} Hz, half the rate of the samples of "
-                f"{reference} ({kept}; see `integration: time_step` and `outputs: every`)"
+                f"{reference} ({kept}; see `integration: time_step` and `outputs: every`) [E-CRIT-03]"
             )

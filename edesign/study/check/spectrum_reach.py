@@ -70,7 +70,7 @@ def check_incremental_reach(study: Study) -> None:
             last = elastic_spectrum(study.base.hazard, level).last_period
             for variant, period in _periods(study, item).items() if math.isfinite(last) else ():
                 if period > last:
-                    text = f"{_short(last, period)} of the variant `{variant}`"
+                    text = f"{_short(last, period)} of the variant `{variant}` [E-HAZ-01]"
                     raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {text}")
 
 
@@ -87,4 +87,4 @@ def _periods(study: Study, item: SpectralAccelerationStudy) -> dict[str, float]:
 
 
 def _short(last: float, period: float) -> str:
-    return f"the spectrum of the hazard ends at {last:g} s, before the period of {period:.4g} s"
+    return f"the spectrum of the hazard ends at {last:g} s, before the period of {period:.4g} s [E-HAZ-01]"

@@ -96,13 +96,15 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         _, trial_device, message = str(error).rpartition("dampers.devices[0]: ")
         if not trial_device:
             raise
-        raise InputError(f"designs.{name}: {message}; its bays and storeys reach beyond the members") from error
+        raise InputError(
+            f"designs.{name}: {message}; its bays and storeys reach beyond the members [E-DESIGN-01]"
+        ) from error
     if spec.state == "gravity":
         structure.apply_gravity()
     frame = condense(structure)
     devices = structure.frame.devices
     if not devices:
-        raise InputError(f"designs.{name}: no place is left for a damper in these bays and storeys")
+        raise InputError(f"designs.{name}: no place is left for a damper in these bays and storeys [E-DESIGN-01]")
     storeys = np.array(spec.storeys.numbers(1, project.frame.n_storeys))
     index = {storey: i for i, storey in enumerate(storeys.tolist())}
     computed = storey_stiffness(frame)
@@ -133,7 +135,9 @@ def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
     shear = mode_shears(frame, mode)[0]
     drift = np.diff(mode.floors[0], prepend=0.0)
     if np.any(shear * drift <= 0.0):
-        raise AnalysisError("a storey does not shear in the first mode of the frame: it has no storey stiffness")
+        raise AnalysisError(
+            "a storey does not shear in the first mode of the frame: it has no storey stiffness [E-DESIGN-02]"
+        )
     return shear / drift
 
 
@@ -181,7 +185,7 @@ def read_law(building: Building, name: str, spec: SizedDesign, read: Callable[[L
         InputError: the law has layers, or is refused.
     """
     if building.law.layers is not None:
-        message = f"the law `{spec.law}` has a `prototype`: {spec.method} dampers have no layers"
+        message = f"the law `{spec.law}` has a `prototype`: {spec.method} dampers have no layers [E-DESIGN-03]"
         raise InputError(f"designs.{name}.law: {message}")
     try:
         return read(building.law.law)

@@ -117,7 +117,7 @@ class CondensedFrame:
         root = np.sqrt(self.mass)
         inverse = scipy.linalg.eigvals(root[:, None] * flexibility * root)
         if not np.all(np.isfinite(inverse)) or np.any(np.abs(inverse) == 0.0):
-            raise AnalysisError(f"complex modes: {UNSTABLE}")
+            raise AnalysisError(f"complex modes: {UNSTABLE} [E-DESIGN-02]")
         omega = np.sqrt(1.0 / inverse)
         order = np.argsort(np.abs(omega))
         return np.abs(omega)[order], (omega.imag / np.abs(omega))[order]
@@ -160,7 +160,7 @@ def condense(structure: Structure) -> CondensedFrame:
     mass = analysis.masses()
     heavy = np.flatnonzero(mass > 0.0)
     if heavy.size == 0:
-        raise AnalysisError("the frame has no masses")
+        raise AnalysisError("the frame has no masses [E-MODAL-02]")
     n = mass.size
     across = analysis.equations[:, 0]
     floor_rows = np.zeros((frame.frame.n_storeys, n))
@@ -178,7 +178,7 @@ def condense(structure: Structure) -> CondensedFrame:
     try:
         solver = scipy.sparse.linalg.splu(analysis.stiffness())
     except RuntimeError as error:
-        raise AnalysisError(f"the stiffness of the frame is singular: {error}") from error
+        raise AnalysisError(f"the stiffness of the frame is singular: {error} [E-GRAV-01]") from error
     by_masses, by_dampers = solver.solve(unit), solver.solve(np.ascontiguousarray(directions.T))
     return CondensedFrame(
         mass[heavy],

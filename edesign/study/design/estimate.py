@@ -73,7 +73,7 @@ def make_action(project: Project, spec: SizedDesign) -> Action | None:
         ways = "give `corner_period` with the table, or take another method" if table else "take another method"
         raise InputError(
             f"{project.where('hazard', 'code')}: hazard.code: a simplified design is by the lateral force method "
-            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none: {ways}"
+            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none: {ways} [E-HAZ-02]"
         )
     return action
 

@@ -91,7 +91,9 @@ def ground_motion(
     elif given.pga is not None:
         if other.pga == 0.0:
             place = project.where("records", given.record)
-            raise InputError(f"{place}: records.{given.record}: the record is zero throughout; it has no peak to scale")
+            raise InputError(
+                f"{place}: records.{given.record}: the record is zero throughout; it has no peak to scale [E-HIST-01]"
+            )
         own = given.pga / other.pga
     else:
         own = factor if given.scale is None else given.scale
@@ -150,14 +152,14 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
     if step > record.duration:
         raise InputError(
             f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} "
-            f"({record.duration:g} s)"
+            f"({record.duration:g} s) [E-HIST-02]"
         )
     steps = (record.duration + spec.free_vibration) / step
     if steps > MOST_STEPS:
         raise InputError(
             f"{where}: integration.time_step: with {step:g} s the history {spec.name} has {steps:.3g} steps "
             f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
-            f"{MOST_STEPS} are possible"
+            f"{MOST_STEPS} are possible [E-HIST-02]"
         )
     if spec.wave_passage is not None:
         frame = project.frame
@@ -167,8 +169,10 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
             raise InputError(
                 f"{project.where('analyses')}: the history {spec.name} ends after "
                 f"{record.duration + spec.free_vibration:g} s, and the wave reaches line {last} after "
-                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity"
+                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity [E-HIST-03]"
             )
     if spec.pga is not None and record.pga == 0.0:
         place = project.where("records", spec.record)
-        raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")
+        raise InputError(
+            f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale [E-HIST-01]"
+        )

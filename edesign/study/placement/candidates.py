@@ -139,7 +139,7 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
             raise
         option, (bay, storey), _ = wanted[int(found[1])]
         where = f"designs.{name}.catalogue.{list(spec.catalogue)[option - 1]}{found[2]}"
-        raise InputError(f"{where}: {found[3]} (at bay {bay}, storey {storey})") from error
+        raise InputError(f"{where}: {found[3]} (at bay {bay}, storey {storey}) [E-PLACE-01]") from error
     if spec.state == "gravity":
         structure.apply_gravity()
     keys = [(option, place) for option, place, _ in wanted]

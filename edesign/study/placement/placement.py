@@ -129,15 +129,18 @@ def check_placement(project: Project, name: str, spec: PlacementDesign, per_layo
         return  # `run_placement` keeps the reason
     positions = len(space.positions)
     if spec.verify.budget < per_layout:
-        message = f"{spec.verify.budget} histories are not enough for one layout, which takes {per_layout}"
+        message = f"{spec.verify.budget} histories are not enough for one layout, which takes {per_layout} [E-PLACE-02]"
         raise InputError(f"designs.{name}.verify.budget: {message}")
     if positions > MOST_POSITIONS:
-        message = f"{positions} positions are more than {MOST_POSITIONS}; take `limits`, or fewer bays and storeys"
+        message = (
+            f"{positions} positions are more than {MOST_POSITIONS}; take `limits`, or fewer bays and storeys"
+            " [E-PLACE-02]"
+        )
         raise InputError(f"designs.{name}: {message}")
     if space.size == 1:
         lowest = [at for at in space.positions if at.below is None]
         fewest = min(len(at.places) * space.numbers[option] for at in lowest for option in at.options)
-        message = f"{spec.limits.most_dampers} are fewer than the smallest layout takes, {fewest}"
+        message = f"{spec.limits.most_dampers} are fewer than the smallest layout takes, {fewest} [E-PLACE-02]"
         raise InputError(f"designs.{name}.limits.most_dampers: {message}")
 
 

@@ -130,7 +130,7 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
             at = next(i for i, spec in enumerate(project.analyses) if spec.name == task.entry)
             raise InputError(
                 f"{project.where('analyses', at, 'name')}: analyses[{at}].name: the analyses `{other.entry}` and "
-                f"`{task.entry}` both lead to one named `{task.name}`; rename one of them"
+                f"`{task.entry}` both lead to one named `{task.name}`; rename one of them [E-NAME-02]"
             )
     return selected(tasks, only, project.path)
 
@@ -157,7 +157,7 @@ def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Ta
         if name not in names:
             hint = did_you_mean(name, names)
             known = ", ".join(dict.fromkeys(task.entry for task in tasks))
-            raise InputError(f"{path}: no analysis is named {name!r}{hint} (there are: {known})")
+            raise InputError(f"{path}: no analysis is named {name!r}{hint} (there are: {known}) [E-NAME-01]")
     return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
 
 

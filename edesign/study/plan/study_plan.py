@@ -42,7 +42,7 @@ def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
             if task.name in names:
                 raise InputError(
                     f"{study.where(*keys)}: {keys_text(keys)}: there is an analysis `{task.name}` already; "
-                    "leave one of them out"
+                    "leave one of them out [E-NAME-02]"
                 )
             names.add(task.name)
             tasks.append(task)
@@ -137,7 +137,7 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
         known = references(study.base, record)
         if recording and name not in known:
             if known == (record,):
-                message = f"`{record}` is a single record, not a suite; write `{record}`"
+                message = f"`{record}` is a single record, not a suite; write `{record}` [E-VALUE-01]"
             else:
                 message = unknown_name("recording", recording, [key.partition("/")[2] for key in known])
             raise InputError(f"{study.where(*keys, i)}: {keys_text(keys)}: {message}")

@@ -140,18 +140,22 @@ def _layers(project: Project, asked: FibreOutput, last: int, keys: tuple[str | i
     highest = max((b for _, b in asked.layers.ranges), default=1)
     if highest > last:
         where = project.where(*keys, "layers")
-        raise InputError(f"{where}: {asked.member} has {last} layers of fibres, there is no layer {highest}")
+        raise InputError(
+            f"{where}: {asked.member} has {last} layers of fibres, there is no layer {highest} [E-NAME-01]"
+        )
     return asked.layers.numbers(1, last)
 
 
 def _member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
     if name not in frame.members:
-        raise InputError(f"{project.where(*keys)}: there is no member `{name}` in this frame")
+        raise InputError(f"{project.where(*keys)}: there is no member `{name}` in this frame [E-NAME-01]")
     return frame.members[name]
 
 
 def _fibre_member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
     member = _member(project, frame, name, keys)
     if member.layers is None:
-        raise InputError(f"{project.where(*keys)}: `{name}` stays elastic, so it has no sections and fibres to record")
+        raise InputError(
+            f"{project.where(*keys)}: `{name}` stays elastic, so it has no sections and fibres to record [E-HIST-04]"
+        )
     return member

@@ -138,7 +138,7 @@ def match_records(
             fitted = [motion for motion in motions.values() if not motion.failure]
             if not fitted:
                 reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
-                raise AnalysisError(f"none of the recordings can be fitted:{reasons}")
+                raise AnalysisError(f"none of the recordings can be fitted:{reasons} [E-RUN-01]")
             verdicts: tuple[RuleCheck, ...] = ()
             factors = {motion.name: motion.scale for motion in fitted}
             stand_ins = {motion.name for motion in fitted if motion.found.origin == "stand-in"}

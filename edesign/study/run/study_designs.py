@@ -66,7 +66,7 @@ def study_designs(study: Study, run: RunState) -> Prepared:
     def prepared(task: Task) -> tuple[Project, PlannedAnalysis]:
         design = study.variants[task.variant].design
         if design is not None and made[design].status != "completed":
-            raise AnalysisError(f"its design `{design}` failed: {made[design].reason}")
+            raise AnalysisError(f"its design `{design}` failed: {made[design].reason} [E-DESIGN-05]")
         key = (task.variant, task.temperature_C, task.details, task.stripe is not None)
         if key not in frames:
             project = variant_project(study, task.variant, designed, task.temperature_C)

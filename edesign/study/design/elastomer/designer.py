@@ -55,7 +55,7 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         self, project: Project, name: str, spec: ElastomerDesign, folder: Path, progress: Callable[[str], None]
     ) -> None:
         if law_at(project, spec.law, spec.temperature).layers is None:
-            message = f"the law `{spec.law}` has no `prototype`: it has no layers to be sized"
+            message = f"the law `{spec.law}` has no `prototype`: it has no layers to be sized [E-DESIGN-03]"
             raise InputError(f"designs.{name}.law: {message}")
         if spec.level is None and spec.verify is not None and spec.verify.levels:
             spec = spec.model_copy(update={"level": spec.verify.levels[0]})  # of what is estimated beside the sizing

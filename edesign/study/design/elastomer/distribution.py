@@ -105,7 +105,7 @@ def _scale(model: ElastomerModel, pattern: np.ndarray, loss_factor: float, targe
     largest = -math.inf
     low = float(_SCALES[0])
     if excess(low) >= 0.0:
-        raise InputError(f"a damping of {100.0 * target:.4g} % needs next to no dampers in this frame")
+        raise InputError(f"a damping of {100.0 * target:.4g} % needs next to no dampers in this frame [E-DESIGN-04]")
     for high in _SCALES[1:].tolist():
         found = excess(high)
         largest = max(largest, found)
@@ -114,5 +114,5 @@ def _scale(model: ElastomerModel, pattern: np.ndarray, loss_factor: float, targe
         low = high
     raise AnalysisError(
         f"these places and this distribution reach a damping of {100.0 * (largest + target):.4g} % in the first mode "
-        f"at most (loss factor {loss_factor:.4g}), not {100.0 * target:.4g} %"
+        f"at most (loss factor {loss_factor:.4g}), not {100.0 * target:.4g} % [E-DESIGN-04]"
     )

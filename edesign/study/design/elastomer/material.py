@@ -84,7 +84,7 @@ def _at(
     if isinstance(chosen, FileProperties):
         path = folder / chosen.file
         if not is_file(path):
-            raise InputError(f"designs.{name}.properties.file: there is no file `{path}`")
+            raise InputError(f"designs.{name}.properties.file: there is no file `{path}` [E-FILE-01]")
         table = read_property_table(path, property_table_content(project, path))
     else:
         rows = measured()
@@ -113,6 +113,7 @@ def law_moduli(law: DeviceLaw, strain: float, frequency: float) -> Moduli:
         raise InputError(
             f"law {law.law.law} at {100.0 * strain:.4g} % strain and {frequency:.4g} Hz has K' = {stiffness.real:.4g} "
             f"N/m and K'' = {stiffness.imag:.4g} N/m; dampers that are sized here store and dissipate energy"
+            " [E-DESIGN-03]"
         )
     modulus = stiffness.real * law.layer_thickness / (law.layers * law.layer_area)
     return Moduli(modulus, stiffness.imag / stiffness.real)

@@ -115,7 +115,7 @@ def at_consistent_strain(
         strain *= math.exp(min(max(change, -_LARGEST_STEP), _LARGEST_STEP))
     if not steps:
         assert wrong is not None
-        raise InputError(f"whatever the strain of the dampers, {wrong}") from wrong
+        raise InputError(f"whatever the strain of the dampers, {wrong} [E-DESIGN-04]") from wrong
     last = steps[-1]
     reason = (
         f"the strain at which properties are taken ({100.0 * last.strain:.4g} %) and the one that is reached "

@@ -101,16 +101,19 @@ def _unreachable(model: HystereticModel, target: float, share: float, found: flo
     wanted = f"a damping of {100.0 * target:.4g} % is a target these dampers cannot reach"
     yielding = float(model.yield_deformation.min())
     if float(loop.energy(np.array(2.0 * loop.yield_force / loop.stiffness))) <= 0.0:
-        return f"{wanted}: their law `{spec.law}` dissipates nothing"
+        return f"{wanted}: their law `{spec.law}` dissipates nothing [E-DESIGN-03]"
     if found <= 0.0:
-        return f"{wanted}: they yield at {1e3 * yielding:.4g} mm, more than they deform at the amplitude of the design"
+        return (
+            f"{wanted}: they yield at {1e3 * yielding:.4g} mm, more than they deform at the amplitude of the design"
+            " [E-DESIGN-04]"
+        )
     cause = "they stiffen the frame more and more"
     if isinstance(spec.brace, BraceRatio):
         cause = f"their braces are {spec.brace.ratio:g} times as stiff as the storeys"
     where = "" if share >= LARGEST_SHARE else f", with {100.0 * share:.4g} % of the storey shears"
     return (
         f"{wanted}: with `distribution: {spec.distribution}` the first mode has {100.0 * found:.4g} % at "
-        f"most{where}, because {cause}"
+        f"most{where}, because {cause} [E-DESIGN-04]"
     )
 
 

@@ -79,7 +79,9 @@ def _at_wanted_roof(model: HystereticModel, scale: np.ndarray, action: Action | 
             if excess(low) >= 0.0:
                 break
     else:
-        raise AnalysisError("no amplitude of the first mode with these dampers is the one that the design wants")
+        raise AnalysisError(
+            "no amplitude of the first mode with these dampers is the one that the design wants [E-DESIGN-02]"
+        )
     excess(scipy.optimize.brentq(excess, low, high, xtol=AGREEMENT))
     assert found is not None
     return found
@@ -103,7 +105,9 @@ def _at_roof(model: HystereticModel, scale: np.ndarray, roof: float, start: Seca
         if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
             return _vibration(model, scale, roof, deformation, secants, modes)
         shape = relax(shape, modes.masses[0] / modes.floors[0, -1])
-    raise AnalysisError(f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g}")
+    raise AnalysisError(
+        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g} [E-DESIGN-02]"
+    )
 
 
 def _static(model: HystereticModel, scale: np.ndarray, roof: float, loads: np.ndarray, start: np.ndarray) -> np.ndarray:
@@ -138,7 +142,9 @@ def _static(model: HystereticModel, scale: np.ndarray, roof: float, loads: np.nd
                 break
             part *= 0.5
         u = tried
-    raise AnalysisError("the frame with its dampers under the inertia forces of its first mode did not converge")
+    raise AnalysisError(
+        "the frame with its dampers under the inertia forces of its first mode did not converge [E-DESIGN-02]"
+    )
 
 
 def _vibration(

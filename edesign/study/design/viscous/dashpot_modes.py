@@ -77,7 +77,7 @@ def dashpot_modes(
     left[2 * n :, 2 * n :] = (C0 + np.diag(flexibility)) * dashpots
     inverse, vectors = scipy.linalg.eig(np.linalg.solve(right, left))
     if not np.all(np.isfinite(inverse)):
-        raise AnalysisError("complex modes: an eigenvalue is not finite")
+        raise AnalysisError("complex modes: an eigenvalue is not finite [E-DESIGN-02]")
     oscillates = np.flatnonzero(inverse.imag < -_REAL * np.abs(inverse))
     oscillates = oscillates[np.argsort(-np.abs(inverse[oscillates]), kind="stable")]
     s, shapes = 1.0 / inverse[oscillates], vectors[:, oscillates].T

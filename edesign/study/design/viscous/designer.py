@@ -52,7 +52,10 @@ class ViscousDesigner(Designer[ViscousSizing]):
         self.spec = spec
         found = read_law(self.building, name, spec, dashpot)
         if found.alpha < 1.0 and spec.amplitude is None and self.action is None:
-            message = f"this key is missing (or `level`): with alpha = {found.alpha:g} damping follows the amplitude"
+            message = (
+                f"this key is missing (or `level`): with alpha = {found.alpha:g} damping follows the amplitude"
+                " [E-KEY-02]"
+            )
             raise InputError(f"designs.{name}.amplitude: {message}")
         self.model = ViscousModel(self.building, spec, found, self.action)
 

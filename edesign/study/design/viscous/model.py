@@ -155,7 +155,7 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
         linear = weight * self.at_places(coefficient)
         modes = self.modes(linear, coefficient)
         if modes.first is None:
-            raise AnalysisError("with these dampers the first mode of the frame does not oscillate")
+            raise AnalysisError("with these dampers the first mode of the frame does not oscillate [E-DESIGN-02]")
         roof = self.roof(modes, action)
         return Vibration(coefficient, linear, self.flexibility(coefficient), modes.first_omega, roof, modes)
 

@@ -205,4 +205,5 @@ def _unreachable(model: ViscousModel, target: float, found: float, followed: boo
     return (
         f"a damping of {100.0 * target:.4g} % is a target these dampers cannot reach: with `distribution: "
         f"{model.spec.distribution}` the first mode has {100.0 * found:.4g} % at most{at}, because {cause}"
+        " [E-DESIGN-04]"
     )

@@ -31,12 +31,15 @@ def make_backend(name: str, workers: int = 1, scheduler: str | None = None) -> B
     if name not in BACKENDS:
         raise InputError(
             f"there is no back end {name!r}{did_you_mean(name, BACKENDS)} (there are: {', '.join(BACKENDS)})"
+            " [E-NAME-01]"
         )
     if workers < 1:
-        raise InputError(f"{workers} workers: at least one is needed")
+        raise InputError(f"{workers} workers: at least one is needed [E-CLUSTER-02]")
     if name != "dask":
         if scheduler is not None:
-            raise InputError(f"the back end {name!r} has no scheduler; with {scheduler} it must be 'dask'")
+            raise InputError(
+                f"the back end {name!r} has no scheduler; with {scheduler} it must be 'dask' [E-CLUSTER-02]"
+            )
         return SerialBackend() if name == "serial" or workers == 1 else ThreadsBackend(workers)
     try:
         from edesign.study.run.backends.dask_cluster import DaskBackend
@@ -45,6 +48,6 @@ def make_backend(name: str, workers: int = 1, scheduler: str | None = None) -> B
             raise
         raise InputError(
             f"the back end 'dask' needs the package {error.name}: pip install 'edesign[cluster]' "
-            "(or: pip install dask distributed)"
+            "(or: pip install dask distributed) [E-CLI-06]"
         ) from error
     return DaskBackend(workers, scheduler)

@@ -52,6 +52,7 @@ class DaskBackend:
             except TimeoutError:
                 raise InputError(
                     f"the scheduler {address} has no workers; start some: dask worker {address} --nthreads 1"
+                    " [E-CLUSTER-01]"
                 ) from None
             self._stack = stack.pop_all()
         return self
@@ -95,7 +96,7 @@ def _certificates() -> distributed.Security:
     except ImportError as error:
         raise InputError(
             "the back end 'dask' on this machine needs the package cryptography, so that no other user can run code in "
-            "its processes: pip install 'edesign[cluster]' (or: pip install cryptography), or use 'threads'"
+            "its processes: pip install 'edesign[cluster]' (or: pip install cryptography), or use 'threads' [E-CLI-06]"
         ) from error
 
 
@@ -128,7 +129,7 @@ def _connect(address: str, security: distributed.Security | None) -> distributed
         return distributed.Client(address, timeout=CONNECT, set_as_default=False, security=security)
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise InputError(f"there is no dask scheduler at {address}: {reason}") from error
+        raise InputError(f"there is no dask scheduler at {address}: {reason} [E-CLUSTER-01]") from error
 
 
 def _check_workers(client: distributed.Client) -> None:

@@ -186,7 +186,9 @@ class Session:
             if self._threads:
                 self._peopled = now
             elif now - self._peopled > ALONE_FOR:
-                raise AnalysisError(f"the scheduler {self._address} has had no workers for {ALONE_FOR:.0f} s")
+                raise AnalysisError(
+                    f"the scheduler {self._address} has had no workers for {ALONE_FOR:.0f} s [E-CLUSTER-01]"
+                )
         return self._threads
 
     def _check_connection(self) -> None:
@@ -194,4 +196,4 @@ class Session:
             raise self._lost()
 
     def _lost(self) -> AnalysisError:
-        return AnalysisError(f"the connection to the dask scheduler {self._address} was lost")
+        return AnalysisError(f"the connection to the dask scheduler {self._address} was lost [E-CLUSTER-01]")
