@@ -28,7 +28,7 @@ from edesign.project.document import Document
 from edesign.project.notation.temperature import parse_temperature
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.archive.document import check_page_path, write_html
-from edesign.report.check.damper_files import force_doubts
+from edesign.report.check.damper_files import force_warnings
 from edesign.report.damper import sheet_tables as tables
 from edesign.report.page.sheet import sheet_page
 from edesign.report.pdf.document import check_pdf, write_page_as_pdf
@@ -79,7 +79,7 @@ def sheet(
             notes.append(str(error))
             continue
         runs += found
-        notes += [f"{test.name}: {doubt}" for doubt in force_doubts(test)]
+        notes += [f"{test.name}: {warning}" for warning in force_warnings(test)]
         designs += _designs(test, found, damper, notes)
     if not runs:
         raise InputError("\n".join(notes))

@@ -35,7 +35,7 @@ _PHASE = 0.05
 times the sine of the phase: 1.8 degrees, which a filter of a load cell shifts by 5 ms at 1 Hz."""
 
 
-def sign_doubtful(displacement: np.ndarray, force: np.ndarray) -> bool:
+def sign_questionable(displacement: np.ndarray, force: np.ndarray) -> bool:
     """Return whether the force or the displacement of a passive device seems to have the other sign.
 
     A passive device gives back no more than it has stored when the test starts, which is at most what a spring of its

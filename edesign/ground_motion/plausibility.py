@@ -1,4 +1,4 @@
-"""Doubts about a record that reads well but may not mean what it says."""
+"""Warnings about a record that reads well but may not mean what it says."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _NAMED = 3  # of records that are scaled beyond the usual, so many are named
 _ROUNDING = 1e-9  # relative: a factor of 3 as written is not beyond 3
 
 
-def doubts(record: Record) -> tuple[str, ...]:
+def record_warnings(record: Record) -> tuple[str, ...]:
     """Return what looks wrong about a record or its file, one sentence each; nothing if it looks like an earthquake."""
     pga = record.pga
     if pga == 0.0:

@@ -58,7 +58,7 @@ def find(archive: Archive, name: str) -> str:
 
 
 def input_warnings(archive: Archive) -> list[str]:
-    """Return one sentence for each doubt about the input of a run, and for missing criteria of its sets of records."""
+    """Return one sentence for each warning about the input of a run, and for missing criteria of its suites."""
     found = archive.attributes.get(ATTRIBUTE)
     texts = [str(text) for text in found] if isinstance(found, list) else []
     for name in archive.names(RECORDS):
@@ -67,7 +67,7 @@ def input_warnings(archive: Archive) -> list[str]:
 
 
 def design_warnings(archive: Archive) -> list[str]:
-    """Return one sentence for each doubt about the designs of a study, with the name of the design."""
+    """Return one sentence for each warning about the designs of a study, with the name of the design."""
     lines = []
     for name in archive.names(DESIGNS):
         found = archive.group_attributes(f"{DESIGNS}/{name}").get(ATTRIBUTE)

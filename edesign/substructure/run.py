@@ -115,7 +115,7 @@ def run_tests(
 
 
 def _asked(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:
-    """Return results with what the linearised loop says of them; where it cannot be asked, runs are doubtful."""
+    """Return results with what the linearised loop says of them; where it cannot be asked, runs get a warning."""
     with optional(f"whether the loops of {results.name} are stable") as attempt:
         return with_unstable_loops(laboratory, results)
     told = str(attempt.failure)

@@ -1,4 +1,4 @@
-"""A virtual test with one compensator: outcome, errors against the direct analysis, and what is doubtful about it."""
+"""A virtual test with one compensator: outcome, errors against the direct analysis, and the warnings about it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class VirtualTest:
         outcome: `done`, `unstable`, `saturated` or `failed`.
         reason: why, if it is not done.
         saturated: limits of rig and sensors that it met.
-        warnings: what is doubtful about it, in sentences.
+        warnings: about the run, in sentences.
     """
 
     test: str
@@ -112,7 +112,7 @@ def judged(
         outcome=outcome,
         reason=reason,
         saturated=met_limits(record, drive.time),
-        warnings=tuple(_doubts(computed, test, named, drive, direct, record)),
+        warnings=tuple(_warnings(computed, test, named, drive, direct, record)),
     )
 
 
@@ -172,7 +172,7 @@ def _outcome(computed: ComputedStructure, drive: Drive, direct: Direct | None, r
     return "done", ""
 
 
-def _doubts(
+def _warnings(
     computed: ComputedStructure,
     test: CommandTest | RtsTest,
     named: tuple[str, Compensator],
@@ -180,7 +180,7 @@ def _doubts(
     direct: Direct | None,
     record: LoopRecord,
 ) -> Iterator[str]:
-    """What is doubtful about a run."""
+    """The warnings about a run."""
     motion, force = (drive.wanted, record.true_force) if direct is None else (direct.deformation, direct.force)
     yield from computed.step_warnings(test.name, drive)
     yield from lost_in_noise(test.name, computed.laboratory.sensors, _largest(motion), _largest(force))

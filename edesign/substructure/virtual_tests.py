@@ -122,7 +122,7 @@ class VirtualLaboratory:
         return self.computed.in_loop()
 
     def step_warnings(self, test: CommandTest | RtsTest) -> Iterator[str]:
-        """Yield what is doubtful about the main steps of a test, as `ComputedStructure.step_warnings`."""
+        """Yield the warnings about the main steps of a test, as `ComputedStructure.step_warnings`."""
         yield from self.computed.step_warnings(test.name, self.drives[test.name])
 
     def moved(self, compensator: str, target: np.ndarray) -> LoopRecord:

@@ -69,7 +69,7 @@ def test_broken_chevrons_carry_nothing_and_energy_is_kept(results_of: Results) -
     assert "broken by low-cycle fatigue" in str(group.attributes["warnings"])
 
 
-def test_what_buckles_is_not_doubted_for_its_compression(results_of: Results) -> None:
+def test_what_buckles_gets_no_warning_for_its_compression(results_of: Results) -> None:
     for analysis in ("gravity", "push", "shake"):
         group = results_of(CASE, analysis)
         assert "brace_buckling" not in str(group.attributes["warnings"])

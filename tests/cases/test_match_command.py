@@ -246,7 +246,7 @@ def test_scaling_beyond_the_usual_is_told(tmp_path: Path, capsys: pytest.Capture
     assert "(a stand-in)" in said and f"set: {said}" in output
 
 
-def test_a_unit_that_cannot_be_right_is_doubted(
+def test_a_unit_that_cannot_be_right_gets_a_warning(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The file is in m/s2 and peaks at some; declared as g that is more than 3 g."""
@@ -274,7 +274,7 @@ def test_spectrum_prints_writes_and_draws(tmp_path: Path, capsys: pytest.Capture
     assert drawn.startswith("<?xml") and "EN 1998-1:2004 design, q = 4" in drawn
 
 
-def test_spectrum_says_what_is_simulated_or_doubtful(
+def test_spectrum_says_what_is_simulated_or_questionable(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     suite_project.write_suite(tmp_path)

@@ -132,7 +132,7 @@ def _compare(state: dict[str, Any], archive: h5py.File) -> None:
         for name, force in frame["forces"]:
             i = [damper.decode() for damper in group["damper"][:]].index(name)
             near(force, group["damper_force"][:], group["damper_force"][k, i])
-        yielded, doubtful = set(), set()
+        yielded, unclear = set(), set()
         for kind in ("column", "beam"):
             rotation = np.maximum.accumulate(np.abs(group[f"{kind}_plastic_rotation"][: picture + 1]))[-1]
             if at_end:
@@ -142,10 +142,10 @@ def _compare(state: dict[str, Any], archive: h5py.File) -> None:
                 for end, value in zip(("start", "end"), ends, strict=True):
                     label = f"{name.decode()} {end}"
                     if abs(value - 1e-3) < 2e-5:  # so near the limit, 1 mrad, rounding decides
-                        doubtful.add(label)
+                        unclear.add(label)
                     elif value > 1e-3:
                         yielded.add(label)
-        assert set(frame["shown"]) - doubtful == yielded
+        assert set(frame["shown"]) - unclear == yielded
         assert int(frame["hinges"]) == len(frame["shown"])
 
 

@@ -81,7 +81,7 @@ def test_slips_are_warned_of(templates: Path, tmp_path: Path, capsys: Capture, s
 
 
 @pytest.mark.parametrize("place", ["damped/project.yaml", "study/study.yaml", "laboratory/campaign.yaml"])
-def test_the_templates_are_not_doubted(templates: Path, capsys: Capture, place: str) -> None:
+def test_the_templates_give_no_warnings(templates: Path, capsys: Capture, place: str) -> None:
     assert main(["check", str(templates / place)]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "ok"
 

@@ -38,7 +38,7 @@ def test_one_set_of_parameters_for_all_temperatures_is_worse_and_said() -> None:
     one = fit_forces(MGMM, tests, truth, starts=1)
     two = fit_forces(MGMM, tests, truth, starts=1, temperature="gamma")
     assert one.cost > 5.0 * two.cost  # 18 % of force against 2 % of noise
-    assert any("one set of parameters" in doubt for doubt in one.doubts)
+    assert any("one set of parameters" in warning for warning in one.warnings)
 
 
 def test_ferrys_shift_is_recovered() -> None:

@@ -125,5 +125,5 @@ def test_check_tells_before_the_run(tmp_path: Path) -> None:
     for kind, told in (("storey", True), ("chevron", False)):
         file = tmp_path / f"{kind}.yaml"
         file.write_text(PROJECT.format(kind=kind, k=15.0, c=1000.0, motion=MOTION), encoding="utf-8")
-        doubts = check_project(load_project(file)).get("warnings", "")
-        assert ("dampers.devices[0]: dampers of the kind `storey`" in doubts) == told
+        warnings = check_project(load_project(file)).get("warnings", "")
+        assert ("dampers.devices[0]: dampers of the kind `storey`" in warnings) == told

@@ -84,9 +84,9 @@ damping: {damping}"""
         "mass_proportional": 0.04 * first / omega,
         "modal": 0.0,
     }[kind]
-    doubts = check_project(of).get("warnings", "")
+    warnings = check_project(of).get("warnings", "")
     assert (
-        f"T_1_1 has 2 % of critical damping, and `{kind}` damping of the frame adds {100 * added:.3g} %" in doubts
+        f"T_1_1 has 2 % of critical damping, and `{kind}` damping of the frame adds {100 * added:.3g} %" in warnings
     ) == (kind != "modal")
     u = values(result(of), "tuned_mass_displacement")[300:, 0]  # the pulse is over, and the frame at rest
     peaks = np.array([u[i] for i in range(1, u.size - 1) if u[i] > u[i - 1] and u[i] >= u[i + 1]])

@@ -1,6 +1,6 @@
 """Where an effect is adopted: every gate, in the order in which docs/theory/calibration.md tells them.
 
-    rule of adoption   `sure`: tests that are left out are predicted better, beyond doubt
+    rule of adoption   `sure`: tests that are left out are predicted significantly better
     search, step 5     `Adoption.pruned`: an effect is needed beside the others, is of some size (`insignificant`),
                        explains more than instruments see, and is no error of the equations of others (`_identified`)
     search, step 6     `Adoption.best_of`: the best of what is left
@@ -32,7 +32,7 @@ Validate = Callable[[FittedModel], float]
 
 
 def sure(difference: Difference) -> bool:
-    """Return whether one model is better than another beyond doubt: the rule of adoption.
+    """Return whether one model is significantly better than another: the rule of adoption.
 
     Args:
         difference: of their log densities of tests left out, with its error.

@@ -1,4 +1,4 @@
-"""The minimum as a Fit: values, errors, doubts."""
+"""The minimum as a Fit: values, errors, warnings."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Literal
 
 import numpy as np
 
-from edesign.damper.fitting.doubts import LOOSE, doubts_of, start_doubts
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.identifiable import LIMITED_BY
 from edesign.damper.fitting.setup import Setup
 from edesign.damper.fitting.solve import Outcome
+from edesign.damper.fitting.warnings import LOOSE, identifiability_warnings, search_warnings
 from edesign.estimation.uncertainty import uncertainty
 
 
@@ -65,22 +65,22 @@ def assemble(
     robust |= {name: max(robust[name], white[name]) for name in loose if enough}
     printed = robust if enough else {name: error * fewer for name, error in white.items()}
     at_bound = {name: values[name] for name in coordinates.names if name not in names}
-    doubts = [
+    warnings = [
         f"{name} ended at its bound {value:g}"
         if coordinates.is_bound(name, value)
         else f"{name} ran off to {value:g}, the end of the search: what lies beyond fits as well"
         for name, value in at_bound.items()
     ]
-    doubts += [
+    warnings += [
         f"{name} is left with nothing beside {other}, which is held above zero: start from {other} = 0"
         for name, other in LIMITED_BY.get(law.name, {}).items()
         if name in at_bound and other in setup.held and values[other] > 0.0
     ]
-    doubts += doubts_of(names, values, printed, correlation, loose, found.condition)
+    warnings += identifiability_warnings(names, values, printed, correlation, loose, found.condition)
     if setup.thermal.kind is None and len(setup.thermal.temperatures) > 1:
         low, high = setup.thermal.temperatures[0], setup.thermal.temperatures[-1]
-        doubts.append(f"tests at {low:g} to {high:g} degC were fitted with one set of parameters")
-    doubts += start_doubts(outcome.costs, outcome.same, fitted.converged)
+        warnings.append(f"tests at {low:g} to {high:g} degC were fitted with one set of parameters")
+    warnings += search_warnings(outcome.costs, outcome.same, fitted.converged)
     own = {parameter.name for parameter in setup.thermal.parameters}
     return Fit(
         law=law,
@@ -101,7 +101,7 @@ def assemble(
         peak_error=peak_error,
         determination=determined,
         condition=found.condition,
-        doubts=tuple(doubts),
+        warnings=tuple(warnings),
         cost=outcome.cost,
         starts=outcome.costs,
         same_minimum=outcome.same,

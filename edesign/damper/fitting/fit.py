@@ -54,7 +54,7 @@ class Fit:
         peak_error: of each test: rms of the error / largest measured force.
         determination: R2 of each test.
         condition: of the least squares, columns of unit length.
-        doubts: what the user should know, in words.
+        warnings: what the user should know, in words.
         cost: half the weighted sum of squares, relative to the measured forces.
         starts: costs at the end of each start, ascending.
         same_minimum: how many starts ended at the least cost.
@@ -84,7 +84,7 @@ class Fit:
     peak_error: dict[str, float]
     determination: dict[str, float]
     condition: float
-    doubts: tuple[str, ...]
+    warnings: tuple[str, ...]
     cost: float
     starts: tuple[float, ...]
     same_minimum: int

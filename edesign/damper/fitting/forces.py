@@ -12,15 +12,15 @@ import numpy as np
 from edesign.damper.damper import Damper
 from edesign.damper.fitting.assemble import assemble
 from edesign.damper.fitting.coordinates import Bounds
-from edesign.damper.fitting.doubts import misfit_doubts, reversed_doubts
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.loading import Loading, Predict, prepare, scales_of
 from edesign.damper.fitting.observed import observe
 from edesign.damper.fitting.setup import Setup, set_up
 from edesign.damper.fitting.solve import ErrorModel, Loss, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
-from edesign.damper.fitting.starts import ValuesAt, same_starts, start_doubts, with_starts
+from edesign.damper.fitting.starts import ValuesAt, same_starts, start_warnings, with_starts
 from edesign.damper.fitting.thermal import ThermalKind
+from edesign.damper.fitting.warnings import misfit_warnings, sign_warnings
 from edesign.damper.law import Law
 from edesign.damper.testing.independence import independent_errors
 from edesign.damper.testing.nrms import determination, error_of_peak, nrms
@@ -138,9 +138,9 @@ def fit_forces(
         tested=_tested(loadings, specimen),
         independent=independent_errors(p - a.judged_force for p, a in zip(predicted, loadings, strict=True)),
     )
-    misfits = misfit_doubts(found.mean_rms_error)
-    doubts = (*start_doubts(loadings), *reversed_doubts(loadings), *misfits, *found.doubts)
-    return replace(found, doubts=doubts, seconds=time.perf_counter() - begun)
+    misfits = misfit_warnings(found.mean_rms_error)
+    warnings = (*start_warnings(loadings), *sign_warnings(loadings), *misfits, *found.warnings)
+    return replace(found, warnings=warnings, seconds=time.perf_counter() - begun)
 
 
 def core_predict(law: Law) -> Predict:

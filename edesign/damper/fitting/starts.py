@@ -69,7 +69,7 @@ def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: V
     return True
 
 
-def start_doubts(loadings: Sequence[Loading]) -> list[str]:
+def start_warnings(loadings: Sequence[Loading]) -> list[str]:
     """List what the user should know of tests that start away from rest.
 
     Returns:

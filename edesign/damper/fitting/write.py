@@ -42,7 +42,7 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
         f"# NRMS (of measured forces) {100.0 * fit.nrms_overall:.4g} %; standard errors: {fit.error_kind}",
     ]
     lines += [f"# {name}: held; {why}" for name, why in fit.held.items() if name in fit.values and why != "a choice"]
-    lines += [f"# {doubt}" for doubt in fit.doubts]
+    lines += [f"# {warning}" for warning in fit.warnings]
     return "\n".join(lines) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 
 
@@ -69,7 +69,7 @@ def fit_json(fit: Fit) -> dict[str, Any]:
         "rms_error_over_peak_percent": {name: 100.0 * value for name, value in fit.peak_error.items()},
         "R2": _finite(fit.determination),
         "condition": fit.condition if math.isfinite(fit.condition) else None,
-        "doubts": list(fit.doubts),
+        "doubts": list(fit.warnings),
         "starts": {"costs": list(fit.starts), "same_minimum": fit.same_minimum},
         "iterations": fit.iterations,
         "evaluations": fit.evaluations,

@@ -43,7 +43,7 @@ def clipped(force: np.ndarray) -> np.ndarray:
     return found
 
 
-def clipping_doubt(test: DamperTest) -> str:
+def clipping_warning(test: DamperTest) -> str:
     """Return what is to be said of a force that was clipped, for people; "" if it was not.
 
     Args:
@@ -76,8 +76,8 @@ def clipping_notes(tests: Sequence[DamperTest]) -> tuple[str, ...]:
     Args:
         tests: of a campaign.
     """
-    doubts = ((test.name, clipping_doubt(test)) for test in tests)
-    return tuple(f"{name}: {doubt} They are not judged" for name, doubt in doubts if doubt)
+    warnings = ((test.name, clipping_warning(test)) for test in tests)
+    return tuple(f"{name}: {warning} They are not judged" for name, warning in warnings if warning)
 
 
 def _rows(end: np.ndarray) -> list[tuple[int, int]]:

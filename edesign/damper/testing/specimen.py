@@ -80,7 +80,7 @@ class Specimen:
         return shear_modulus * self.area / self.layer_thickness
 
 
-def layer_doubt(area: float, thickness: float) -> str:
+def layer_warning(area: float, thickness: float) -> str:
     """Return what is unlikely about the size of a layer, "" if nothing is.
 
     Args:

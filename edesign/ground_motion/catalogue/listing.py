@@ -13,7 +13,7 @@ from edesign.ground_motion.catalogue.gather import candidates_of, short_reason
 from edesign.ground_motion.formats.read import detect
 from edesign.ground_motion.intensity import Measures, measures
 from edesign.ground_motion.packages import PackageNotInstalled
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.suite import PACKAGES, load_suite
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import did_you_mean
@@ -42,7 +42,7 @@ class Listed:
         file_format: of a file; the origin of others.
         time_step, duration: s.
         measures: of the record as it is.
-        doubts: what looks wrong about it.
+        warnings: what looks wrong about it.
     """
 
     candidate: Candidate
@@ -52,7 +52,7 @@ class Listed:
     time_step: float
     duration: float
     measures: Measures
-    doubts: tuple[str, ...]
+    warnings: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,9 @@ def _listed(candidate: Candidate) -> Listed:
     else:
         kind = found.origin
     duration = (record.acceleration.size - 1) * record.time_step
-    return Listed(candidate, found.origin, place, kind, record.time_step, duration, measures(record), doubts(record))
+    return Listed(
+        candidate, found.origin, place, kind, record.time_step, duration, measures(record), record_warnings(record)
+    )
 
 
 def _of_package(name: str) -> list[tuple[Source, str]]:

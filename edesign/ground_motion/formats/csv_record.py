@@ -139,13 +139,13 @@ def _columns_of(
 def _check_proof(table: RecordTable, step: float) -> None:
     """The first of two numbers a line is a time only if enough of them show it, at a step that recorders have."""
     if len(table.rows) < _PROOF:
-        doubt = f"{len(table.rows)} lines do not show it"
+        why = f"{len(table.rows)} lines do not show it"
     elif step > LONGEST_STEP:
-        doubt = f"the step would be {step:g} s, and recorders have at most {LONGEST_STEP:g} s"
+        why = f"the step would be {step:g} s, and recorders have at most {LONGEST_STEP:g} s"
     else:
         return
     raise InputError(
-        f"{table.where}: is the first of two numbers a line the time? {doubt}; write {COLUMNS} if it is, or {ROWS} if "
+        f"{table.where}: is the first of two numbers a line the time? {why}; write {COLUMNS} if it is, or {ROWS} if "
         "both are samples"
     )
 

@@ -65,7 +65,7 @@ _SUFFIXES: dict[str, FileFormat] = {
     **{suffix: name for name, one in NAMING.items() for suffix in one.suffixes},
     **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
 }
-_POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
+_POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; warnings begin far earlier
 _COMMENTS = ("#", "%")
 _PROOF = 5  # lines of as many numbers in turn, to the end of the head: a table below words
 _HEAD = 100  # lines in which the marks of a format stand

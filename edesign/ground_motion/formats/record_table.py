@@ -189,8 +189,8 @@ def _top(rows: list[list[str]], given: TableFormat) -> int:
     if top <= 1 or headers < 0 or any(map(_is_row, rows[:top])) or any(map(like_number, rows[headers])):
         return plain
     above = rows[headers - 1] if headers else []
-    doubtful = headers and len(above) == len(rows[headers]) > 1 and not any(map(like_number, above))
-    return plain if doubtful or given.skip is not None and headers else top
+    ambiguous = headers and len(above) == len(rows[headers]) > 1 and not any(map(like_number, above))
+    return plain if ambiguous or given.skip is not None and headers else top
 
 
 def _is_row(row: list[str]) -> bool:

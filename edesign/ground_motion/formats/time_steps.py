@@ -6,7 +6,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.plausibility import LONGEST_STEP, SHORTEST_STEP
 
 _BEYOND = 1000.0
-"""Times as far as the steps that are doubted lie those that are refused: no instrument has them, and what is computed
+"""Times as far as the steps with a warning lie those that are refused: no instrument has them, and what is computed
 with them may overflow."""
 
 

@@ -7,11 +7,11 @@ from edesign.project.reading.base import Model
 
 
 class Validity(Model):
-    """Limits beyond which an analysis has failed, and from which its result is doubtful.
+    """Limits beyond which an analysis has failed, and from which its result gets a warning.
 
     Attributes:
         energy_error: largest error of the energy balance over the energy put in, beyond which an analysis has failed.
-        energy_error_warning: error of the energy balance from which the result is doubtful.
+        energy_error_warning: error of the energy balance from which the result gets a warning.
         drift: drift ratio of a storey beyond which an analysis has failed; without the key where the geometry errs by
             `energy_error`.
     """

@@ -40,7 +40,7 @@ def project_tables(archive: Archive) -> list[Table]:
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
-    """Return the doubts about the input and about results of the given analyses, as a table without columns.
+    """Return the warnings about the input and about results of the given analyses, as a table without columns.
 
     Args:
         groups: results of analyses by name, whose warnings the table has too; None: none.

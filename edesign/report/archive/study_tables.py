@@ -123,7 +123,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
     """Return the number of analyses of each variant and level, how many completed, and their computing time.
 
     Of incremental studies there is a row for each variant, with the histories that ended in collapse, and those that
-    were skipped after one. Failed analyses are named with their reasons below, and what is doubtful about the others.
+    were skipped after one. Failed analyses are named with their reasons below, and warnings about the others.
 
     Args:
         archive: complete or partial.

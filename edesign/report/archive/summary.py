@@ -28,7 +28,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
         "variant", "record", "level", "status", "reason", "warnings": [...], "measures": {...}, "statistics": {...}}]}.
         Of a study also "criteria": [{"criterion", "variant", "level", "verdict", "statistic", "value", "limit", ...}].
         Analyses that were planned and have no result have the status "not run". Warnings are sentences; those of the
-        archive are doubts about the input and about designs. Records have the attributes of their groups, and those of
+        archive are about the input and about designs. Records have the attributes of their groups, and those of
         suites stand under "records" of their suite; they are left out when one analysis is asked for.
 
     Raises:
@@ -41,7 +41,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
     names = planned(archive) if analysis is None else [find(archive, analysis)]
     about = {name: archive.attributes.get(name) for name in ROOT} | {"complete": archive.complete}
     about |= {name: archive.attributes[name] for name in OF_KINDS if name in archive.attributes}
-    found, doubts = kind_of(archive).summary(archive, names, analysis is None)
-    about[ATTRIBUTE] = [*input_warnings(archive), *design_warnings(archive), *doubts]
+    found, warnings = kind_of(archive).summary(archive, names, analysis is None)
+    about[ATTRIBUTE] = [*input_warnings(archive), *design_warnings(archive), *warnings]
     damage = {"damage": archive.damage} if archive.damage_in_short() else {}
     return {"archive": finite(about | damage), **found}

@@ -143,7 +143,7 @@ def _worst(calibration: Calibration) -> list[str]:
 
 
 def _warnings(calibration: Calibration) -> list[str]:
-    """What makes effects doubtful that predict well: numbers at their bounds, a law that is another one beside them."""
+    """Warnings about effects that predict well: numbers at their bounds, a law that is another one beside them."""
     texts = []
     for effect in calibration.effects:
         at = [name for name, one in effect.parameters.items() if one.not_determined.startswith("at its")]

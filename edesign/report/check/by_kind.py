@@ -55,7 +55,7 @@ SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
 
 
 def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
-    """Return a description of a file, text by label; `warnings` has one line for each doubt.
+    """Return a description of a file, text by label; `warnings` has one line for each.
 
     Args:
         kind: of it by its content; None: none that is known.

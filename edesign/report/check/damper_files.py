@@ -9,18 +9,18 @@ from pathlib import Path
 import numpy as np
 
 from edesign.damper.effects_file import read_effects
-from edesign.damper.history import sign_doubtful
+from edesign.damper.history import sign_questionable
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import practical_unit, write_parameters
 from edesign.damper.testing.campaign import load_campaign
 from edesign.damper.testing.campaign_blocks import LawChoice, is_programme
-from edesign.damper.testing.clipping import clipping_doubt
+from edesign.damper.testing.clipping import clipping_warning
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.damper.testing.programme import planned_tests
 from edesign.damper.testing.programme_file import Programme, SineTest, SweepTest, load_programme
 from edesign.damper.testing.property_table import PropertyTable
-from edesign.damper.testing.specimen import LARGE_STRAIN, Specimen, layer_doubt
+from edesign.damper.testing.specimen import LARGE_STRAIN, Specimen, layer_warning
 from edesign.project.reading.yaml_file import read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
 
@@ -79,14 +79,14 @@ def tests_summary(path: Path) -> dict[str, str]:
 def _campaign_summary(path: Path) -> dict[str, str]:
     campaign = load_campaign(path, needs_force=False)
     specimen, tests = campaign.specimen, campaign.tests
-    warnings = [*campaign.left_out, *_specimen_doubts(specimen)]
+    warnings = [*campaign.left_out, *_specimen_warnings(specimen)]
     uses = Counter(test.use for test in tests)
     if uses["fit"] < 2:
         warnings.append(f"{uses['fit']} tests with `use: fit`; `edesign calibrate` needs two, `edesign fit` one")
     if not uses["validate"]:
         warnings.append("no test has `use: validate`; `edesign calibrate` needs one to judge what it finds")
     for test in tests:
-        warnings += [f"{test.name}: {text}" for text in _test_doubts(test, specimen)]
+        warnings += [f"{test.name}: {text}" for text in _test_warnings(test, specimen)]
     return {
         "title": campaign.title or path.stem,
         "specimen": f"{campaign.specimen_name}: {_size(specimen)}",
@@ -100,7 +100,7 @@ def _campaign_summary(path: Path) -> dict[str, str]:
 
 def _programme_summary(programme: Programme) -> dict[str, str]:
     specimen = programme.specimen.specimen
-    warnings, planned = _specimen_doubts(specimen), []
+    warnings, planned = _specimen_warnings(specimen), []
     for plan, test in planned_tests(programme, specimen):
         planned.append(test)
         strain = _largest_strain(test, specimen)
@@ -166,25 +166,25 @@ def _largest_strain(test: DamperTest, specimen: Specimen | None) -> float:
     return 0.0 if specimen is None else specimen.strain(float(np.max(np.abs(test.displacement))))
 
 
-def _specimen_doubts(specimen: Specimen | None) -> list[str]:
+def _specimen_warnings(specimen: Specimen | None) -> list[str]:
     """What is unlikely about the size of a specimen."""
     if specimen is None:
         return []
-    doubt = layer_doubt(specimen.layer_area, specimen.layer_thickness)
-    return [f"specimen {specimen.name}: {doubt}"] if doubt else []
+    warning = layer_warning(specimen.layer_area, specimen.layer_thickness)
+    return [f"specimen {specimen.name}: {warning}"] if warning else []
 
 
-def _test_doubts(test: DamperTest, specimen: Specimen | None) -> list[str]:
+def _test_warnings(test: DamperTest, specimen: Specimen | None) -> list[str]:
     """What is unlikely about a test."""
     found = []
     strain = _largest_strain(test, specimen)
     if strain > LARGE_STRAIN:
         found.append(f"a shear strain of {strain:.0%}; are the unit of the displacement and the layers right?")
-    return [*found, *force_doubts(test)]
+    return [*found, *force_warnings(test)]
 
 
-def force_doubts(test: DamperTest) -> list[str]:
-    """Return the doubts about the force of a test.
+def force_warnings(test: DamperTest) -> list[str]:
+    """Return the warnings about the force of a test.
 
     Args:
         test: with or without a force.
@@ -193,8 +193,8 @@ def force_doubts(test: DamperTest) -> list[str]:
         return ["no force was measured"]
     if not np.any(test.force - np.mean(test.force)):
         return ["the force is the same throughout; was the load cell connected?"]
-    found = [doubt] if (doubt := clipping_doubt(test)) else []
-    if sign_doubtful(test.displacement, test.force):
+    found = [warning] if (warning := clipping_warning(test)) else []
+    if sign_questionable(test.displacement, test.force):
         found.append("the damper gives energy instead of taking it: is the sign of force or displacement reversed?")
     return found
 

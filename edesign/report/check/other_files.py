@@ -18,7 +18,7 @@ def suite_summary(path: Path) -> dict[str, str]:
     Raises:
         InputError: it is wrong, or a recording is found nowhere.
     """
-    from edesign.ground_motion.plausibility import doubts
+    from edesign.ground_motion.plausibility import record_warnings
     from edesign.ground_motion.sources import find_suite
     from edesign.ground_motion.suite import load_suite
     from edesign.project.notation.units import STANDARD_GRAVITY
@@ -28,7 +28,7 @@ def suite_summary(path: Path) -> dict[str, str]:
     found = find_suite(suite, ())
     origins = Counter(item.origin for item in found)
     pgas = sorted(item.record.pga / STANDARD_GRAVITY for item in found)
-    warnings = [f"{item.record.name}: {text}" for item in found for text in doubts(item.record)]
+    warnings = [f"{item.record.name}: {text}" for item in found for text in record_warnings(item.record)]
     peer = sum(entry.peer is not None for entry in suite.records)
     missing = sum(item.origin == "stand-in" and item.entry is not None and item.entry.file is None for item in found)
     if missing:

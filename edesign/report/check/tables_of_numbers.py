@@ -10,9 +10,9 @@ from edesign.damper.testing.measured_files import EXAMPLE, read_test
 from edesign.damper.testing.property_table import COLUMNS, read_property_table
 from edesign.ground_motion.formats.read import FORMATS, component_labels, detect, read_record_file
 from edesign.ground_motion.intensity import measures
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import record_warnings
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.check.damper_files import force_doubts, table_range
+from edesign.report.check.damper_files import force_warnings, table_range
 from edesign.tables.quantities import names_quantity
 from edesign.tables.table import read_table
 
@@ -69,7 +69,7 @@ def record_summary(path: Path) -> dict[str, str]:
             f"D5-95 {own.duration_5_95:.3g} s"
         )
         summary.setdefault("source", record.source)
-        warnings += [f"{label}: {text}" if label else text for text in doubts(record)]
+        warnings += [f"{label}: {text}" if label else text for text in record_warnings(record)]
     return summary | ({"warnings": "\n".join(warnings)} if warnings else {})
 
 
@@ -84,7 +84,7 @@ def _test_summary(path: Path) -> dict[str, str]:
     warnings = [f"not read: {', '.join(test.unread)}"] if test.unread else []
     if np.ptp(steps) > 0.5 * np.median(steps):
         warnings.append(f"times are uneven: steps from {np.min(steps):.3g} to {np.max(steps):.3g} s")
-    warnings += force_doubts(test) if test.force is not None else []
+    warnings += force_warnings(test) if test.force is not None else []
     return {
         "table": "test of a damper",
         **({"read": test.reading} if test.reading else {}),

@@ -93,7 +93,7 @@ def parameter_table(fit: Fit) -> Table:
             rho = fit.correlation_of(other, first)
             if abs(rho) >= SHOWN:
                 notes.append(f"correlation of {other} and {first}: {rho:.3f}")
-    notes += [f"doubt: {doubt}" for doubt in fit.doubts]
+    notes += [f"warning: {warning}" for warning in fit.warnings]
     notes.append("tested: " + ", ".join(f"{name.replace('_', ' ')} {text}" for name, text in tested(fit).items()))
     notes.append(
         f"{fit.same_minimum} of {len(fit.starts)} starts ended at this minimum; {fit.iterations} iterations, "

@@ -136,7 +136,7 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
     """
     method = group.attributes.get("method")
     if method == "placement":
-        tables = [*placement_tables(group, sets, factors), _lines(_doubts(group))]
+        tables = [*placement_tables(group, sets, factors), _lines(_warning_lines(group))]
         return [table for table in tables if table.rows or table.notes]
     if method == "viscous":
         sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
@@ -186,16 +186,16 @@ def _prototypes(about: Mapping[str, Any]) -> str:
 
 
 def _warnings(group: Group) -> Table:
-    """Return why a design failed, and what is doubtful about it; no columns."""
+    """Return why a design failed, and the warnings about it; no columns."""
     reason = group.attributes.get("reason")
-    return _lines([*([f"failed: {reason}"] if reason else []), *_doubts(group)])
+    return _lines([*([f"failed: {reason}"] if reason else []), *_warning_lines(group)])
 
 
 def _lines(notes: list[str]) -> Table:
     return Table("", notes=notes, headed=False)
 
 
-def _doubts(group: Group) -> list[str]:
+def _warning_lines(group: Group) -> list[str]:
     warnings = group.attributes.get("warnings")
     return [f"warning: {text}" for text in (warnings if isinstance(warnings, list) else [])]
 

@@ -58,7 +58,7 @@ def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusa
         refused: the files that are no records, with the reason of each.
     """
     table = RECORDINGS.of(found, count=len(found), where=where)
-    table.notes += [f"{one.candidate.name}: {text}" for one in found for text in one.doubts]
+    table.notes += [f"{one.candidate.name}: {text}" for one in found for text in one.warnings]
     if found:
         table.notes.append("t: duration; D5-95: significant duration; all as recorded, before any processing")
     else:
@@ -88,7 +88,7 @@ def listing_data(found: Sequence[Listed], refused: Sequence[Refusal]) -> dict[st
                 "time_step_s": one.time_step,
                 "duration_s": one.duration,
                 "measures": asdict(one.measures),
-                "doubts": list(one.doubts),
+                "doubts": list(one.warnings),
                 **{key: getattr(one.candidate.entry, key, None) for key in _FACTS},
             }
             for one in found
@@ -119,5 +119,5 @@ def write_listing(found: Sequence[Listed], path: Path) -> None:
         m = one.measures
         row: list[Cell] = [one.candidate.name, one.origin, one.place, one.file_format, one.time_step, one.duration]
         row += [m.pga, m.pgv, m.pgd, m.arias, m.duration_5_95, m.duration_5_75, m.cav]
-        rows.append([*row, *(getattr(one.candidate.entry, key, None) for key in _FACTS), "; ".join(one.doubts)])
+        rows.append([*row, *(getattr(one.candidate.entry, key, None) for key in _FACTS), "; ".join(one.warnings)])
     write_csv_file(headers, rows, path)

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.csv_files import write_csv_file
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.sources import Found
@@ -59,9 +59,11 @@ def spectrum_table(
 
 
 def record_notes(recordings: Mapping[str, Found]) -> list[str]:
-    """Return a line on each recording that is simulated, or about which there are doubts."""
+    """Return a line on each recording that is simulated, or has warnings."""
     notes = [f"{name}: simulated, {found.detail}" for name, found in recordings.items() if found.origin == "stand-in"]
-    return notes + [f"{name}: {doubt}" for name, found in recordings.items() for doubt in doubts(found.record)]
+    return notes + [
+        f"{name}: {warning}" for name, found in recordings.items() for warning in record_warnings(found.record)
+    ]
 
 
 def write_table(table: Table, path: Path) -> None:

@@ -46,20 +46,20 @@ def names_test(path: Path) -> bool:
 
 
 def test_account(table: Table) -> Account:
-    """Return what a table is as a test of a damper; what its headers do not say without doubt is asked.
+    """Return what a table is as a test of a damper; what its headers leave ambiguous is asked.
 
     Args:
         table: as `read_test_table` reads it.
     """
     found = candidates(table.headers)
-    doubtful = {quantity: _rivals(table, quantity, places) for quantity, places in found.items()}
-    places = {quantity: at[0] for quantity, at in found.items() if len(doubtful[quantity]) < 2}
+    ambiguous = {quantity: _rivals(table, quantity, places) for quantity, places in found.items()}
+    places = {quantity: at[0] for quantity, at in found.items() if len(ambiguous[quantity]) < 2}
     names = {at: quantity for quantity, at in places.items()}
     units = {quantity: unit_of(table, at, quantity) for quantity, at in places.items()}
     questions = []
     for quantity in ("time", "displacement", "force"):
         if quantity not in places:
-            which = [f"{i + 1} (`{table.headers[i]}`)" for i in doubtful.get(quantity, ())]
+            which = [f"{i + 1} (`{table.headers[i]}`)" for i in ambiguous.get(quantity, ())]
             among = f": {' or '.join(which)}" if which else ""
             also = ", or the sampling by `time_step`" if quantity == "time" else ""
             questions.append(f"Which column is the {quantity}{among}? Say it by `columns`{also}.")

@@ -65,7 +65,7 @@ def goes_with_speed(device: Device) -> bool:
 
 
 def law_warnings(project: Project) -> list[str]:
-    """Return one sentence for each doubt about the laws, e.g. a temperature outside the range of their tests."""
+    """Return one sentence for each warning about the laws, e.g. a temperature outside the range of their tests."""
     if project.dampers is None:
         return []
     return [

@@ -64,14 +64,14 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     response = structure.analysis.static(
         frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]), rotation_limits(project, names)
     )
-    response, doubts = judged(response, project, names, "load factor")
+    response, energy_warnings = judged(response, project, names, "load factor")
     reason = _sunk(project, frame, response)
     if response.status == "completed" and reason:
-        response, doubts = replace(response, status="failed", reason=reason), None
+        response, energy_warnings = replace(response, status="failed", reason=reason), None
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
     warnings = buckling_warnings(group, project, frame)
-    store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
+    store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings, *fracture_warnings(group)])
     store_run(group, response)
     return group
 

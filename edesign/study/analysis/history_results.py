@@ -129,8 +129,8 @@ class HistoryResults:
         """
         group, frame = self._group, self._frame
         group.attributes["fundamental_period_s"] = period
-        response, doubts = judged(response, self._project, self._names)
-        reason = "" if doubts is None else collapse_reason(response, self._drifts, line_drift_storeys(frame))
+        response, energy_warnings = judged(response, self._project, self._names)
+        reason = "" if energy_warnings is None else collapse_reason(response, self._drifts, line_drift_storeys(frame))
         if reason:
             response = replace(response, status="failed", reason=reason)
             group.attributes["collapsed"] = True
@@ -149,7 +149,7 @@ class HistoryResults:
         warnings += core_strain_warnings(group, frame.devices)
         warnings += fracture_warnings(group) + hinge_warnings(group, self._project, frame)
         warnings += self._couples.warnings(response)
-        store_warnings(group, [] if doubts is None else [*doubts, *warnings])
+        store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings])
         _store_energy(group, response, self.energies)
         if response.status == "completed":
             floors, drift = (quantity.last_values(response) for quantity in (self._displacements, self._drift))

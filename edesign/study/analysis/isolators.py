@@ -1,4 +1,4 @@
-"""What is doubtful about an isolated base after a history: isolators that are pulled, weights that change."""
+"""Warnings about an isolated base after a history: isolators that are pulled, weights that change."""
 
 from __future__ import annotations
 

@@ -135,14 +135,14 @@ def push(
         stop,
         rotation_limits(project, names),
     )
-    response, doubts = judged(response, project, names, "displacement")
+    response, energy_warnings = judged(response, project, names, "displacement")
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
     warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
     warnings += core_strain_warnings(group, frame.devices) + couples.warnings(response)
     warnings += hinge_warnings(group, project, frame)
-    store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
+    store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings, *fracture_warnings(group)])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
     label = "share of the node in the lateral load"

@@ -8,7 +8,7 @@ from edesign.building.frame_model import FrameModel
 from edesign.building.masses import still_beams
 from edesign.errors import AnalysisError
 from edesign.ground_motion.hazard import objective_level
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
@@ -41,7 +41,7 @@ STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a per
 
 
 def project_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
-    """Return one sentence for each doubt about the input of a project, without those about its records.
+    """Return one sentence for each warning about the input of a project, without those about its records.
 
     Args:
         records: as recorded, those that its histories use, by reference.
@@ -82,7 +82,7 @@ def _held_period(project: Project) -> float | None:
 
 
 def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
-    """Return the doubt about damping by a stiffness matrix in a frame with buckling-restrained braces.
+    """Return the warning about damping by a stiffness matrix in a frame with buckling-restrained braces.
 
     Args:
         laws: of the dampers that stand in the frame, or will by a design.
@@ -98,14 +98,14 @@ def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
 
 
 def frame_warnings(project: Project, records: Mapping[str, Record], designed: Iterable[str] = ()) -> list[str]:
-    """Return the doubts about a frame and its analysis; errors as `project_warnings`.
+    """Return the warnings about a frame and its analysis; errors as `project_warnings`.
 
     Args:
         records: as recorded, those that its histories use, by reference.
         designed: laws of the dampers that designs add.
 
     Returns:
-        One sentence for each doubt.
+        One sentence for each warning.
     """
     laws = [*laws_that_stand(project), *designed]
     try:
@@ -152,7 +152,7 @@ def _staying_elastic(project: Project, frame: FrameModel) -> list[str]:
 
 
 def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Record]) -> list[str]:
-    """Return one sentence for each doubt about the input of a study, without those about its records.
+    """Return one sentence for each warning about the input of a study, without those about its records.
 
     Args:
         records: as recorded, those that its histories use, by reference.
@@ -228,9 +228,9 @@ def _unknown_events(project: Project, records: Iterable[str]) -> list[str]:
     return found
 
 
-def record_warnings(records: Mapping[str, Record]) -> list[str]:
-    """Return one sentence for each doubt about records."""
-    return [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
+def named_record_warnings(records: Mapping[str, Record]) -> list[str]:
+    """Return one sentence for each warning about records."""
+    return [f"record {name}: {warning}" for name, record in records.items() for warning in record_warnings(record)]
 
 
 def repeated_recordings(records: Mapping[str, Record]) -> list[str]:

@@ -18,7 +18,7 @@ from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
 from edesign.building.sections.named_section import cross_section
-from edesign.damper.testing.specimen import LARGE_STRAIN, layer_doubt
+from edesign.damper.testing.specimen import LARGE_STRAIN, layer_warning
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.analysis.damping import NoDamping
 from edesign.project.frame.materials import ElasticMaterial
@@ -121,7 +121,7 @@ def _devices(project: Project) -> list[str]:
         texts = []
         if own is not None:
             areas = areas if isinstance(areas, tuple) else (areas,)
-            texts += [doubt for area in areas if (doubt := layer_doubt(area, own))][:1]
+            texts += [warning for area in areas if (warning := layer_warning(area, own))][:1]
             amplitudes = run.design_deformation or ()
             strain = max(amplitudes if isinstance(amplitudes, tuple) else (amplitudes,), default=0.0) / own
             if strain > LARGE_STRAIN:

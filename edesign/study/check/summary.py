@@ -20,7 +20,7 @@ from edesign.project.study.study import Study
 from edesign.study.analysis.dampers import laws_that_stand, with_restrained_braces, without_dampers_in_modes
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
-from edesign.study.check.advice import project_warnings, record_warnings, study_warnings, unjudged
+from edesign.study.check.advice import named_record_warnings, project_warnings, study_warnings, unjudged
 from edesign.study.check.check import check_inputs, check_study_inputs
 from edesign.study.check.criteria_inputs import too_few_motions
 from edesign.study.check.plausibility import sizes
@@ -56,7 +56,7 @@ def check_project(project: Project) -> dict[str, str]:
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = _period(project)
     recorded = {name: item.record for name, item in found.items()}
-    warnings = [*project_warnings(project, recorded), *record_warnings(recorded), *_scales(project, plan, found)]
+    warnings = [*project_warnings(project, recorded), *named_record_warnings(recorded), *_scales(project, plan, found)]
     warnings += _failed_choices(project, found)
     return {
         "title": project.title,
@@ -94,7 +94,7 @@ def check_study(study: Study) -> dict[str, str]:
     period = _period(study.base)
     entries = Counter(task.entry for task in plan)
     recorded = {name: item.record for name, item in found.items()}
-    warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
+    warnings = [*study_warnings(study, plan, recorded), *named_record_warnings(recorded), *unjudged(study, plan)]
     warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
     for name in wanted_designs(study, plan):
         design = study.designs[name]

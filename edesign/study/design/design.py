@@ -104,14 +104,14 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
 
 
 def first_warnings(project: Project, name: str, spec: SizedDesign, folder: Path) -> list[str]:
-    """Return the doubts about a design before any history; for a verified design, those about its first round.
+    """Return the warnings about a design before any history; for a verified design, those about its first round.
 
     Args:
         project: the project with the law, which has passed `check_sizing`.
         folder: the folder that files named in the design are relative to.
 
     Returns:
-        One sentence for each doubt; none where the sizing does not converge.
+        One sentence for each warning; none where the sizing does not converge.
     """
     try:
         run = _designer(project, name, spec, folder, lambda text: None)

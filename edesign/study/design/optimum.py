@@ -94,7 +94,7 @@ def search_optimum(
 def optimum_warnings(
     rounds: Sequence[Round[S]], ends: tuple[float, float], least: Least, precision: float
 ) -> list[str]:
-    """Return the doubts about an optimum: it lies at an end, is flat, has several valleys, or misses criteria.
+    """Return the warnings about an optimum: it lies at an end, is flat, has several valleys, or misses criteria.
 
     Args:
         rounds: all rounds of the search.
@@ -103,7 +103,7 @@ def optimum_warnings(
         precision: relative width of the bracket at which the search ended.
 
     Returns:
-        One sentence for each doubt.
+        One sentence for each warning.
     """
     ordered = sorted(rounds, key=lambda r: r.changed)
     values = [_of(r, least) for r in ordered]

@@ -40,7 +40,7 @@ def beyond_the_optimum(damping: Callable[[float], float], what: str) -> Iterator
     )
 
 
-def estimate_doubts(spec: SizedDesign, done: Search[Any], drift: float) -> list[str]:
+def estimate_warnings(spec: SizedDesign, done: Search[Any], drift: float) -> list[str]:
     """Return warnings: an estimate asks for more dampers than histories judged, or rounds were too few.
 
     Args:

@@ -16,7 +16,7 @@ from edesign.codes.spectrum import Spectrum
 from edesign.ground_motion.component_pairs import NAMES, PairFit
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching import Match
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
@@ -204,7 +204,7 @@ def _record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> G
 
     Args:
         order: its place among those of its suite.
-        warnings: what the user should know, beside the doubts about the record itself.
+        warnings: what the user should know, beside the warnings about the record itself.
     """
     found, record = motion.found, motion.found.record
     group = Group(
@@ -216,7 +216,7 @@ def _record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> G
             "tried": list(found.tried),
             "source": record.source,
             "checksum": record.checksum,
-            "doubts": list(doubts(record)),
+            "doubts": list(record_warnings(record)),  # `warnings` are those about its use
             "warnings": list(warnings),
             "status": "failed" if motion.failure else "completed",
             "reason": motion.failure,

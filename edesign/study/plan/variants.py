@@ -60,7 +60,7 @@ def variant_strain(study: Study, name: str) -> float | None:
 
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
-    """Return one sentence for each doubt about the laws of the variants at their temperatures, before any design.
+    """Return one sentence for each warning about the laws of the variants at their temperatures, before any design.
 
     Raises:
         InputError: a law has no parameters at a temperature; the message names the variant.

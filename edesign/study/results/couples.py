@@ -49,7 +49,7 @@ def couple_terms(frame: FrameModel) -> Terms:
 
 
 class LackingCouples:
-    """What an analysis records of these couples, and the doubt that becomes of it.
+    """What an analysis records of these couples, and the warning that becomes of it.
 
     Attributes:
         quantities: for the core, not archived; nothing where no damper lacks its couple.
@@ -75,7 +75,7 @@ class LackingCouples:
         self.quantities = [self._couple, self._total, self._forces] if couples else []
 
     def warnings(self, response: Response) -> list[AnalysisWarning]:
-        """Return the doubt about overturning, if the couples matter.
+        """Return the warning about overturning, if the couples matter.
 
         Args:
             response: of the analysis, with `quantities`.

@@ -72,7 +72,7 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
 
 
 def hinge_warnings(group: Group, project: Project, frame: FrameModel) -> list[AnalysisWarning]:
-    """Return the doubt about columns with hinges whose axial force would lower their moments.
+    """Return the warning about columns with hinges whose axial force would lower their moments.
 
     Args:
         group: results of a history or a pushover.

@@ -62,9 +62,9 @@ def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, flo
 def judged(
     response: Response, project: Project, names: Mapping[str, str], along: str = "time"
 ) -> tuple[Response, list[AnalysisWarning] | None]:
-    """Return a response, failed if it is not valid, and the doubts about its energy balance.
+    """Return a response, failed if it is not valid, and the warnings about its energy balance.
 
-    Doubts about a result that does not count are None: nothing more is to be said of its numbers.
+    Warnings about a result that does not count are None: nothing more is to be said of its numbers.
 
     Args:
         response: of a run; one that ended at a limit is failed, or collapsed by what comes after.
@@ -81,7 +81,7 @@ def judged(
         return replace(response, status="failed", reason=reason), None
     if response.status != "completed":
         return response, []
-    return response, _doubtful_energy(response, project.validity)
+    return response, _energy_warnings(response, project.validity)
 
 
 def _run_away(response: Response, project: Project, names: Mapping[str, str], along: str) -> str:
@@ -106,7 +106,7 @@ def _run_away(response: Response, project: Project, names: Mapping[str, str], al
     return ""
 
 
-def _doubtful_energy(response: Response, validity: Validity) -> list[AnalysisWarning]:
+def _energy_warnings(response: Response, validity: Validity) -> list[AnalysisWarning]:
     error, limit = response.statistics.get("energy_error", 0.0), validity.energy_error_warning
     if error <= limit:
         return []

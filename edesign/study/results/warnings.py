@@ -1,6 +1,6 @@
-"""What is doubtful about the result of an analysis: found by the analysis, archived with it, told by tables and report.
+"""Warnings about the result of an analysis: found by the analysis, archived with it, told by tables and report.
 
-Doubts about the input stand in the root of the archive, as sentences (`edesign.study.check.advice`).
+Those about the input stand in the root of the archive, as sentences (`edesign.study.check.advice`).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ Kind = Literal[
 ]
 
 ALIKE: Mapping[Kind, str] = {
-    "energy_error": "the energy balance is doubtful",
+    "energy_error": "the energy balance is not reliable",
     "damper_strain": "dampers strain beyond the tests of their law",
     "strain_limit": "dampers strain beyond their strain limit",
     "damper_amplitude": "modes leave out dampers whose amplitude is not known",
@@ -64,12 +64,12 @@ ALIKE: Mapping[Kind, str] = {
 
 @dataclass(frozen=True)
 class AnalysisWarning:
-    """A doubt about the result of an analysis.
+    """A warning about the result of an analysis.
 
     Attributes:
         kind: a key of `ALIKE`.
         text: a sentence without its full stop, with the numbers.
-        ratio: the value over the one from which it is doubtful, to find the worst of several analyses.
+        ratio: the value over the one from which there is a warning, to find the worst of several analyses.
     """
 
     kind: Kind

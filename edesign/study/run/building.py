@@ -80,12 +80,12 @@ def write_building(building: Building, design: ElasticDesign, path: Path, select
     """
     root = _root(building, building.path, path)
     name = f"{building.path.name}:"  # wherever the file stands
-    doubts: list[str] = []
-    with optional("what is doubtful about the building") as attempt:
-        doubts = list(building_warnings(building))
+    warnings: list[str] = []
+    with optional("the warnings about the building") as attempt:
+        warnings = list(building_warnings(building))
     if attempt.failure is not None:
-        doubts = [str(attempt.failure)]
-    root.attributes[ATTRIBUTE] = [text.replace(f"{building.path}:", name) for text in doubts]
+        warnings = [str(attempt.failure)]
+    root.attributes[ATTRIBUTE] = [text.replace(f"{building.path}:", name) for text in warnings]
     with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
         for place, group in groups(design):
             writer.write(place, group)

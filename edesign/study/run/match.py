@@ -143,11 +143,11 @@ def match_records(
             factors = {motion.name: motion.scale for motion in fitted}
             stand_ins = {motion.name for motion in fitted if motion.found.origin == "stand-in"}
             warnings: list[str] = []
-            with optional("what is doubtful about the factors") as doubts:
+            with optional("the warnings about the factors") as warned:
                 warnings += unusual_scales(factors, stand_ins)
             with optional("the criteria of the code") as judged:
                 verdicts = criteria(fitted, target, fundamental_period)
-            warnings += [str(one.failure) for one in (doubts, judged) if one.failure is not None]
+            warnings += [str(one.failure) for one in (warned, judged) if one.failure is not None]
             for place, group in suite_groups(name, list(motions.values()), target, verdicts, warnings=warnings):
                 writer.write(place, group)
             writer.finish({"status": "completed" if len(fitted) == len(motions) else "failed"})

@@ -1,4 +1,4 @@
-"""The records of a run: fitted before its first analysis, and archived with what is doubtful about their use."""
+"""The records of a run: fitted before its first analysis, and archived with the warnings about their use."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def prepare_records(run: RunState) -> dict[str, Motion]:
 
 
 def archive_records(run: RunState, prepared: Prepared) -> None:
-    """Archive the records with what is doubtful about their use, which the periods of designed frames decide too.
+    """Archive the records with the warnings about their use, which the periods of designed frames decide too.
 
     Args:
         run: with its motions and its archive.
@@ -62,7 +62,7 @@ def archive_records(run: RunState, prepared: Prepared) -> None:
     """
     project, motions = run.job.project, run.motions
     warnings: dict[str, list[str]] = {}
-    with optional("what is doubtful about the records"):
+    with optional("the warnings about the records"):
         warnings = scale_warnings(project, run.job.tasks, motions)
     for name, texts in warnings.items():
         for text in texts:

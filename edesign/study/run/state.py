@@ -35,7 +35,7 @@ class Job:
         tasks: the plan.
         recordings: what the plan needs, by reference.
         root: of the archive.
-        warnings: doubts about the input, for the user and the archive.
+        warnings: about the input, for the user and the archive.
         prepare: called once the records are ready, before the first task.
         resumable: places of other groups in the archive that an interrupted run may have left.
         damper_strains: shear strain at which the dampers of a variant count for its period, where its design says it.

@@ -23,7 +23,7 @@ def transfer_deviations(file: RigFile, omega: np.ndarray) -> tuple[np.ndarray, n
     slopes = np.zeros((omega.size, len(covariance)), dtype=complex)
     for i, name in enumerate(file.standard_errors):
         error, value = float(np.sqrt(covariance[i, i])), float(getattr(file.rig, name))
-        if error > 0.0:  # the slope over the range that is in doubt
+        if error > 0.0:  # the slope over the range that is uncertain
             low, high = max(value - error, 0.0), value + error
             first, last = (rig_transfer(file.rig.model_copy(update={name: one}), 0.0)(s) for one in (low, high))
             slopes[:, i] = np.log(last / first) / (high - low)

@@ -87,7 +87,7 @@ def test_a_rig_without_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert "no `limits`" in shown(capsys, path)
 
 
-def test_a_record_and_its_doubts(laboratory: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_record_and_its_warnings(laboratory: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     frame = new_project(tmp_path / "frame").parent
     record = frame / "records" / "simulated_4.AT2"
     assert "PGA 0.206 g" in shown(capsys, record)

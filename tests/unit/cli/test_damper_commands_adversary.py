@@ -209,12 +209,12 @@ def test_one_of_two_ordered_parameters_is_enough(
 def test_a_reversed_sign_is_told(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write(folder / "a.csv", -12.0 * SINE - 1.5 * COSINE)
     assert command.main(["fit", "c.yaml", "--starts", "1", "--json", "-q"]) == 0
-    doubts = json.loads(capsys.readouterr().out)["doubts"]
-    assert any("test a: the device gives energy" in doubt for doubt in doubts)
-    assert any("does not follow the tests" in doubt for doubt in doubts)
+    warnings = json.loads(capsys.readouterr().out)["doubts"]
+    assert any("test a: the device gives energy" in warning for warning in warnings)
+    assert any("does not follow the tests" in warning for warning in warnings)
 
 
-def test_no_doubt_about_a_device_that_is_fine(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_no_warning_about_a_device_that_is_fine(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.main(["fit", "c.yaml", "--law", "kelvin_voigt", "--starts", "1", "--json", "-q"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["doubts"] == []
@@ -225,9 +225,9 @@ def test_the_end_of_the_search_is_no_bound(folder: Path, capsys: pytest.CaptureF
     """A pure dashpot wants a Maxwell spring without end, for which the law has no bound."""
     write(folder / "a.csv", 5.0 * COSINE)
     assert command.main(["fit", "c.yaml", "--starts", "1", "--json", "-q"]) == 0
-    doubts = json.loads(capsys.readouterr().out)["doubts"]
-    assert "k0 ended at its bound 0" in doubts
-    assert any(doubt.startswith("k1 ran off to") for doubt in doubts)
+    warnings = json.loads(capsys.readouterr().out)["doubts"]
+    assert "k0 ended at its bound 0" in warnings
+    assert any(warning.startswith("k1 ran off to") for warning in warnings)
 
 
 def test_places_are_checked_before_the_work(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -444,14 +444,14 @@ def test_what_follows_substructure_tests_may_fail(
 @pytest.mark.parametrize(
     ("words", "broken", "stage"),
     [
-        (_project(), "edesign.study.run.records.scale_warnings", "what is doubtful about the records"),
+        (_project(), "edesign.study.run.records.scale_warnings", "the warnings about the records"),
         (
             _text("b.yaml", SMALL, "run", "b.yaml", "--archive", "out.h5"),
-            *("edesign.study.run.building.building_warnings", "what is doubtful about the building"),
+            *("edesign.study.run.building.building_warnings", "the warnings about the building"),
         ),
     ],
 )
-def test_doubts_that_cannot_be_told_leave_the_results(
+def test_warnings_that_cannot_be_told_leave_the_results(
     words: Callable[[], list[str]],
     broken: str,
     stage: str,

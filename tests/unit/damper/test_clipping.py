@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.damper.testing.clipping import clipped, clipping_doubt, clipping_notes
+from edesign.damper.testing.clipping import clipped, clipping_notes, clipping_warning
 from edesign.damper.testing.measured_histories import DamperTest
-from edesign.report.check.damper_files import force_doubts
+from edesign.report.check.damper_files import force_warnings
 
 T = np.arange(0.0, 8.0, 1.0 / 200.0)
 SINE = 40e3 * np.sin(2.0 * np.pi * 0.8 * T)  # N
@@ -58,4 +58,4 @@ def test_it_is_told_of_which_test_and_channel() -> None:
     number = int(np.sum(SINE + NOISE > 30e3))
     first = T[np.argmax(SINE + NOISE > 30e3)]
     assert note.startswith(f"b: force: {number} samples stand at 30 kN exactly, the first at {first:.6g} s: ")
-    assert clipping_doubt(tests[1]) in force_doubts(tests[1]) and not clipping_doubt(tests[0])
+    assert clipping_warning(tests[1]) in force_warnings(tests[1]) and not clipping_warning(tests[0])

@@ -108,7 +108,7 @@ def test_a_hold_that_limits_the_fit_is_told() -> None:
     fixed = {name: soft[name] for name in ("k_a", "k_b", "u_ref", "c_a", "v_ref", "alpha", "c_NL")}
     fit = fit_forces(MGMM, [test], soft | {"c_b": TABLE_4_2["c_b"]}, fixed=fixed, starts=1)
     assert "c1" in fit.at_bound
-    assert any(doubt.startswith("c1 is left with nothing beside c_b") for doubt in fit.doubts)
+    assert any(warning.startswith("c1 is left with nothing beside c_b") for warning in fit.warnings)
 
 
 def _loops(test: DamperTest) -> list[str]:

@@ -1,4 +1,4 @@
-"""Fits of laws in closed form: least squares, standard errors, bounds, doubts, bad input."""
+"""Fits of laws in closed form: least squares, standard errors, bounds, warnings, bad input."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def test_a_linear_law_gives_the_normal_equations() -> None:
     errors = np.sqrt(np.diag(inverse @ meat @ inverse))
     assert [fit.standard_error_white["k"], fit.standard_error_white["c"]] == pytest.approx(errors.tolist(), rel=1e-5)
     assert fit.same_minimum == len(fit.starts) == 6
-    assert fit.at_bound == {} and fit.doubts == ()
+    assert fit.at_bound == {} and fit.warnings == ()
 
 
 def test_a_power_law_is_recovered_by_a_callable() -> None:
@@ -119,7 +119,7 @@ def test_a_parameter_reaches_its_bound_and_says_so() -> None:
     assert fit.values["c"] == 0.0
     assert fit.at_bound == {"c": 0.0}
     assert fit.free == ("k",)
-    assert "c ended at its bound 0" in fit.doubts
+    assert "c ended at its bound 0" in fit.warnings
 
 
 def test_the_users_bound_holds_and_is_named() -> None:
@@ -139,7 +139,7 @@ def test_what_cannot_be_told_apart_is_named() -> None:
     """Friction: with N free beside mu only the product is told."""
     tests = measured("friction", {"mu": 0.3, "N": 330e3, "k": 100e6})
     fit = fit_forces(LAWS["friction"], tests, fit_also=["N"], starts=1)
-    assert any(doubt.startswith("mu and N: the data tell only combinations") for doubt in fit.doubts)
+    assert any(warning.startswith("mu and N: the data tell only combinations") for warning in fit.warnings)
     assert fit.values["mu"] * fit.values["N"] == pytest.approx(99e3, rel=0.01)
     assert fit.standard_error["mu"] > 10.0 * fit.values["mu"]
 
@@ -189,7 +189,7 @@ def test_the_law_that_made_the_data_suffices() -> None:
     samples = sum(test.time.size for test in tests)
     assert 0.8 * samples < found.independent <= samples  # the noise is white
     zener = found.laws[1].fit
-    assert zener.follows and not [doubt for doubt in zener.doubts if "does not follow" in doubt]
+    assert zener.follows and not [warning for warning in zener.warnings if "does not follow" in warning]
     assert list(zener.determination.values()) == pytest.approx(
         [1.0 - zener.nrms[test.name] for test in tests], abs=1e-3
     )
@@ -207,7 +207,7 @@ def test_no_law_suffices_that_does_not_follow_the_tests(held_out: bool) -> None:
     assert found.sufficient is None
     assert found.nearest.fit.law.name in ("viscous", "kelvin_voigt")
     assert all(item.fit.nrms_overall <= 1.0 for item in found.laws)  # no force at all would have 1
-    assert any("does not follow the tests" in doubt for doubt in found.nearest.fit.doubts)
+    assert any("does not follow the tests" in warning for warning in found.nearest.fit.warnings)
     text = comparison_table(found).notes[0]
     assert "none of the laws compared follows the tests" in text and "suffices" not in text
 
@@ -285,7 +285,7 @@ def test_what_went_before_a_test_in_motion_is_left_out_of_a_fit() -> None:
         rms < 1.2 * 50.0 / np.sqrt(np.mean(t.measured_force() ** 2))
         for t, rms in zip(tests, fit.rms_error.values(), strict=True)
     )
-    assert [doubt for doubt in fit.doubts if "starts away from rest" in doubt and "not judged" in doubt]
+    assert [warning for warning in fit.warnings if "starts away from rest" in warning and "not judged" in warning]
 
 
 def test_the_standard_error_of_a_parameter_of_zero_has_its_unit() -> None:

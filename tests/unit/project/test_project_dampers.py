@@ -350,7 +350,7 @@ def test_a_place_without_a_node_is_told(tmp_path: Path, capsys: Capture) -> None
     assert capsys.readouterr().err.startswith(f"edesign: {place}: dampers.devices[0]: there is no node `B2`")
 
 
-def test_a_doubtful_temperature_is_a_note(tmp_path: Path, capsys: Capture) -> None:
+def test_a_questionable_temperature_is_a_note(tmp_path: Path, capsys: Capture) -> None:
     path, _ = written(tmp_path, ("temperature: 25 degC", "temperature: 40 degC"))
     assert main(["check", str(path)]) == 0
     assert (

@@ -200,7 +200,7 @@ def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
     assert effect_parameters_table(example.calibration((time,))).texts[0][3] == "3.70 to 4.40"
 
 
-def test_a_law_that_is_another_one_with_the_effects_is_doubted() -> None:
+def test_a_law_that_is_another_one_with_the_effects_is_questionable() -> None:
     found = replace(example.calibration(), law_held=False)
     times = {name: estimate(7.0 * one.value, 1.0, one.unit) for name, one in found.parameters["refit"].items()}
     text = verdict_text(replace(found, parameters={**found.parameters, "corrected": times}))
@@ -221,7 +221,7 @@ def test_another_law_that_does_better_is_told_first() -> None:
     )
 
 
-def test_an_effect_that_makes_the_validation_tests_worse_is_doubted() -> None:
+def test_an_effect_that_makes_the_validation_tests_worse_is_questionable() -> None:
     effect = replace(example.gain(), delta_validate=-0.5 * example.calibration().errors["corrected"].validate)
     found = replace(example.calibration((effect,)), verdict="partly_explained")
     assert "Without gain the validation tests are predicted better" in verdict_text(found)
@@ -249,7 +249,7 @@ def test_what_a_law_file_cannot_carry_is_told() -> None:
     assert f"law.yaml has the refitted law: {why}" in verdict_text(withheld)
 
 
-def test_the_verdict_tells_effect_errors_and_doubts() -> None:
+def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
     first, errors, file = verdict_text(example.calibration((example.lag(),))).split("\n")
     assert first == (
         "Explained: the tests show lag between the channels of force and displacement (instrument, lag = 4.00 ± 0.10 "
@@ -261,10 +261,10 @@ def test_the_verdict_tells_effect_errors_and_doubts() -> None:
     )
     assert errors.endswith("what no model can predict is 0.00427 %.")
     assert file == "law.yaml has the corrected law; what the rig and the instruments did is no part of it."
-    doubts = verdict_text(example.look_alikes())
-    assert "cannot tell payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %" in doubts
-    assert "in its place" not in doubts  # neither is near
-    assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in doubts
+    verdict = verdict_text(example.look_alikes())
+    assert "cannot tell payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %" in verdict
+    assert "in its place" not in verdict  # neither is near
+    assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
 
 
 def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:

@@ -52,7 +52,7 @@ def test_warnings(tmp_path: Path, old: str, new: str, said: str) -> None:
     assert said in found["warnings"]
 
 
-def test_a_frame_without_doubts_has_no_warnings(tmp_path: Path) -> None:
+def test_a_sound_frame_has_no_warnings(tmp_path: Path) -> None:
     (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
     braces = "  braces: [{bays: 1, storeys: 1, kind: cross, section: rod, material: S275}]\n"
     assert "warnings" not in check_project(project(TEXT.replace(braces, ""), tmp_path / "project.yaml"))

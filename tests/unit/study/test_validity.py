@@ -1,4 +1,4 @@
-"""Analyses whose result does not count have failed: energy balance, drift, rotations; what is doubtful is told."""
+"""Analyses whose result does not count have failed: energy balance, drift, rotations; warnings about others."""
 
 from __future__ import annotations
 
@@ -100,9 +100,9 @@ def test_an_energy_error_fails_and_warns(tmp_path: Path) -> None:
     assert sound.attributes["status"] == "completed" and not warnings_of(sound)
     assert 0.0 < error < 0.01
     limits = "validity: {{energy_error_warning: {:.6g}, energy_error: {:.6g}, drift: 31 %}}\n"
-    doubtful = run(shaken(tmp_path, limits.format(0.5 * error, 2.0 * error)))
-    assert doubtful.attributes["status"] == "completed"
-    (warning,) = warnings_of(doubtful)
+    questionable = run(shaken(tmp_path, limits.format(0.5 * error, 2.0 * error)))
+    assert questionable.attributes["status"] == "completed"
+    (warning,) = warnings_of(questionable)
     assert warning.kind == "energy_error" and warning.ratio == pytest.approx(2.0, rel=1e-5)
     assert "the energy balance is wrong by" in warning.text
     failed = run(shaken(tmp_path, limits.format(0.25 * error, 0.5 * error)))

@@ -116,7 +116,7 @@ def test_only_the_laws_of_the_variant_change(tmp_path: Path) -> None:
     assert not any("spare" in text for text in variant_warnings(of, make_study_plan(of)))
 
 
-def test_doubts_about_temperatures_name_the_variant(tmp_path: Path) -> None:
+def test_warnings_about_temperatures_name_the_variant(tmp_path: Path) -> None:
     of = study(tmp_path)
     told = variant_warnings(of, make_study_plan(of))
     assert any(text.startswith("variant warm: damper law rubber: ") and "at 35 degC" in text for text in told)

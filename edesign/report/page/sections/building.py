@@ -117,7 +117,7 @@ def _assumptions(source: Source, results: BuildingResults) -> Iterable[Part]:
 
 
 def _warnings(source: Source, results: BuildingResults) -> Iterable[Part]:
-    """Doubts of the check about the input, and what the design has to say of its results."""
+    """Warnings of the check about the input, and what the design has to say of its results."""
     table = warning_table(source)
     table.rows += [["results", f"{text[:1].upper()}{text[1:]}"] for text in remarks(results)]
     yield table if table.rows else Facts((("Warnings", NONE),))

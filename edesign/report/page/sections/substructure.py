@@ -104,14 +104,14 @@ def _some(tables: list[Table], number: int) -> tuple[Part, ...]:
 
 
 def _verdict(source: Source, results: SubstructureResults) -> Section:
-    """Which compensator keeps the response right, what did not end well, and what is doubtful."""
+    """Which compensator keeps the response right, what did not end well, and the warnings."""
     parts: list[Part] = []
     if results.lost:
         parts.append(Warnings("What cannot be read of the archive", tuple(results.lost)))
     bad = [f"{run.test}, {run.compensator}: {run.text('outcome')}, {run.text('reason')}" for run in _not_done(results)]
     parts += [Warnings("Runs without a result", tuple(bad))] if bad else []
-    doubts = input_warnings(results.archive)
-    parts += [Warnings("Warnings", tuple(doubts))] if doubts else []
+    warnings = input_warnings(results.archive)
+    parts += [Warnings("Warnings", tuple(warnings))] if warnings else []
     tiles = [tile for test in results.tests for tile in _tiles(results, test)]
     parts += [Headlines(tuple(tiles))] if tiles else []
     so_far = runs_so_far_table(results)

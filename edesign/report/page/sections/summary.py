@@ -101,7 +101,7 @@ GOVERNING = TableSpec[Measured](
 
 def summary(source: Source) -> Section:
     """Return the section with the main results for readers who read nothing else."""
-    parts: list[Part] = [*_failures(source.entries), *_doubts(source)]
+    parts: list[Part] = [*_failures(source.entries), *_warnings(source)]
     rows = (
         verdict_tiles(source.verdicts, source.study),
         _tiles(source.statistics),
@@ -191,8 +191,8 @@ def _listed(names: Iterable[str]) -> str:
     return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}" if found else ""
 
 
-def _doubts(source: Source) -> list[Part]:
-    """How much is doubtful; the list has a section of its own."""
+def _warnings(source: Source) -> list[Part]:
+    """How many warnings there are; the list has a section of its own."""
     count = len(warning_table(source).rows)
     if not count:
         return []

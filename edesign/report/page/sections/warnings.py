@@ -1,4 +1,4 @@
-"""Everything that is doubtful, in one list: of the check of the input, of designs, of records, and of results."""
+"""All warnings in one list: of the check of the input, of designs, of records, and of results."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from edesign.study.results.warnings import grouped_warnings
 
 NAMED = 20
 """Failed analyses that are named here; the others are in the table of all analyses."""
-NONE = "The check of the input and the analyses found nothing doubtful."
+NONE = "The check of the input and the analyses gave no warnings."
 _WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?): (?P<what>.+)", re.DOTALL)
 
-DOUBTS = TableSpec[tuple[str, str]](
-    "doubts",
+WARNINGS = TableSpec[tuple[str, str]](
+    "warnings",
     "",
     (text("applies to", itemgetter(0)), text("warning", itemgetter(1), broken=1)),
     keys=2,
@@ -51,11 +51,11 @@ def warning_table(source: Source) -> Table:
         else:
             where = f"{told.count} of {len(source.groups)} analyses"
             rows.append((where, _sentence(f"{told.alike}; most in {told.worst}: {told.text}")))
-    return DOUBTS.of(rows)
+    return WARNINGS.of(rows)
 
 
 def record_warnings(archive: Archive) -> list[str]:
-    """Return one sentence for each doubt about sets of records and single records, with their names."""
+    """Return one sentence for each warning about sets of records and single records, with their names."""
     found = []
     for name in archive.names(RECORDS):
         told = archive.group_attributes(f"{RECORDS}/{name}").get("warnings")

@@ -31,7 +31,7 @@ from edesign.study.design.elastomer.strain_energy import size_by_strain_energy
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
 from edesign.study.design.loop import Round, Search
-from edesign.study.design.plausibility import estimate_doubts
+from edesign.study.design.plausibility import estimate_warnings
 from edesign.study.design.relaxation import Relaxation
 from edesign.study.design.results import of_storeys
 
@@ -177,9 +177,9 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         if self.action is not None and found is not None:
             if isinstance(spec, SimplifiedDesign):
                 warnings += simplified_warnings(spec, self.action, sizing)
-                warnings += estimate_doubts(self.spec, done, min(static_drift(step) for step in sizing.iterations))
+                warnings += estimate_warnings(self.spec, done, min(static_drift(step) for step in sizing.iterations))
             elif spec.distribution == "least_area":
-                warnings += estimate_doubts(self.spec, done, float(found.drift.max()))
+                warnings += estimate_warnings(self.spec, done, float(found.drift.max()))
         in_histories = math.nan if done.chosen.outcome is None else done.chosen.outcome.strain
         if found is not None:
             k_D = self.model.at_places(sizing.size)

@@ -21,7 +21,7 @@ from edesign.study.design.building import law_at
 
 @dataclass(frozen=True)
 class Moduli:
-    """Storage modulus (Pa) and loss factor of an elastomer at one frequency, with the doubts about them."""
+    """Storage modulus (Pa) and loss factor of an elastomer at one frequency, with the warnings about them."""
 
     G_storage: float
     loss_factor: float

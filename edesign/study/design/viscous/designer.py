@@ -20,7 +20,7 @@ from edesign.study.design.designer import REACHABLE, Designer
 from edesign.study.design.estimate import Action, FrameEstimate
 from edesign.study.design.fully_stressed import StoreySizes, storey_sizes
 from edesign.study.design.loop import Search
-from edesign.study.design.plausibility import estimate_doubts
+from edesign.study.design.plausibility import estimate_warnings
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.dashpot_modes import DashpotModes
 from edesign.study.design.viscous.model import Vibration, ViscousModel
@@ -115,7 +115,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         group.attributes["law_damping_strain_energy"] = self._law_damping(sizing)
         warnings = list(viscous_warnings(self.model, sizing, found))
         if found is not None and self.spec.distribution == "least_coefficient":
-            warnings += estimate_doubts(self.spec, done, float(found.drift.max()))
+            warnings += estimate_warnings(self.spec, done, float(found.drift.max()))
         return warnings
 
     def _law_damping(self, sizing: ViscousSizing) -> float:

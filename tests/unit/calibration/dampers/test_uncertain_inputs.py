@@ -1,4 +1,4 @@
-"""Doubts about tests: how far and fast a specimen went before a record that begins in motion."""
+"""Uncertain tests: how far and fast a specimen went before a record that begins in motion."""
 
 from __future__ import annotations
 

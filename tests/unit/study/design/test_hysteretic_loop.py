@@ -92,7 +92,7 @@ def test_optimum_is_found_by_golden_sections() -> None:
         (lambda share: 0.008 + 1e-3 * math.cos(4.5 * math.log(share / 0.05)), "the curve has 2 valleys"),
     ],
 )
-def test_doubts_of_an_optimum(drift: Callable[[float], float], said: str) -> None:
+def test_warnings_about_an_optimum(drift: Callable[[float], float], said: str) -> None:
     result = run(OPTIMUM.replace("@", "12"), Histories(drift))
     assert result.status == "completed"
     assert any(said in warning for warning in result.group.attributes["warnings"]), result.group.attributes["warnings"]

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.damper.fitting.fit import FOLLOWS
 from edesign.damper.fitting.loading import Loading
-from edesign.damper.history import sign_doubtful
+from edesign.damper.history import sign_questionable
 
 CORRELATED = 0.98
 LOOSE = 0.5
@@ -17,7 +17,7 @@ _TOLD = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
 
 
-def doubts_of(
+def identifiability_warnings(
     names: Sequence[str],
     values: Mapping[str, float],
     errors: Mapping[str, float],
@@ -25,7 +25,7 @@ def doubts_of(
     loose: Sequence[str],
     condition: float,
 ) -> list[str]:
-    """List doubts about what the data can tell.
+    """List warnings about what the data can tell.
 
     Args:
         names: of the fitted parameters.
@@ -53,11 +53,11 @@ def doubts_of(
     return said
 
 
-def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
-    """List doubts about tests in which a damper gives energy, or pushes the way it is pushed."""
+def sign_warnings(loadings: Sequence[Loading]) -> list[str]:
+    """List warnings about tests in which a damper gives energy, or pushes the way it is pushed."""
     said = []
     for loading in loadings:
-        if sign_doubtful(loading.displacement, loading.force):
+        if sign_questionable(loading.displacement, loading.force):
             said.append(
                 f"test {loading.name}: the device gives energy instead of taking it: is the sign of force or "
                 "displacement reversed?"
@@ -65,8 +65,8 @@ def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
     return said
 
 
-def misfit_doubts(mean: float) -> list[str]:
-    """List doubts about a law that does not follow the tests.
+def misfit_warnings(mean: float) -> list[str]:
+    """List warnings about a law that does not follow the tests.
 
     Args:
         mean: over the tests, of rms error / rms of the force.
@@ -76,8 +76,8 @@ def misfit_doubts(mean: float) -> list[str]:
     return [f"the law does not follow the tests: its error is {100.0 * mean:.3g} % of the force"]
 
 
-def start_doubts(costs: Sequence[float], same: int, converged: bool) -> list[str]:
-    """List doubts about the search.
+def search_warnings(costs: Sequence[float], same: int, converged: bool) -> list[str]:
+    """List warnings about the search.
 
     Args:
         same: how many of them ended at the same minimum.

@@ -1,4 +1,4 @@
-"""Doubts about a study: designs without a variant, equal variants, implausible ones, limits that no frame survives."""
+"""Warnings about a study: designs without a variant, equal variants, implausible ones, limits no frame survives."""
 
 from __future__ import annotations
 
