@@ -30,20 +30,24 @@ CODED = {*ERRORS, "EdesignError", "ProjectError", "StudyError", "FileProblems", 
 METHODS = {"refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
 """Functions that take the sentence of a problem."""
 WORDS = re.compile(r"[A-Za-z]{2,}[^A-Za-z{}]+[A-Za-z]{2,}")
-NO_WORDS = re.compile(r"\{[^{}]*\}|[A-Za-z]+(?:[._][A-Za-z]+)+")  # values, and names of keys
+KEYS = re.compile(r"[A-Za-z]+(?:[._][A-Za-z]+)+")
 
 
-def text_of(node: ast.expr) -> str:
-    """Return a string expression as a template: its literal parts, and `{...}` for its values."""
+def text_of(node: ast.expr, with_values: bool = True) -> str:
+    """Return a string expression as a template: its literal parts, and `{...}` or `{}` for its values."""
     if isinstance(node, ast.Constant):
         return node.value if isinstance(node.value, str) else ""
     if isinstance(node, ast.JoinedStr):
-        return "".join(text_of(part) for part in node.values)
+        return "".join(text_of(part, with_values) for part in node.values)
     if isinstance(node, ast.FormattedValue):
-        return f"{{{ast.unparse(node.value)}}}"
+        return _value(node.value, with_values)
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
-        return text_of(node.left) + text_of(node.right)
-    return f"{{{ast.unparse(node)}}}"
+        return text_of(node.left, with_values) + text_of(node.right, with_values)
+    return _value(node, with_values)
+
+
+def _value(node: ast.expr, with_values: bool) -> str:
+    return f"{{{ast.unparse(node)}}}" if with_values else "{}"
 
 
 def is_text(node: ast.AST) -> bool:
@@ -120,7 +124,7 @@ def _sources(
 ) -> Iterator[ast.expr]:
     """The strings without a code that an argument may be."""
     if is_text(node):
-        if WORDS.search(NO_WORDS.sub("{}", text_of(node))) and not CODE.search(text_of(node)):
+        if WORDS.search(KEYS.sub("{}", text_of(node, with_values=False))) and not CODE.search(text_of(node)):
             yield node
         elif not CODE.search(text_of(node)) and isinstance(node, ast.JoinedStr):
             for part in node.values:

@@ -44,9 +44,11 @@ def dashpot(law: LawValues) -> Dashpot:
     Source: thesis Eqs. 2.24 and 2.25.
     """
     if law.law not in VISCOUS_LAWS:
-        raise InputError(f"the law {law.law} is no viscous dashpot; {', '.join(VISCOUS_LAWS)} are")
+        raise InputError(f"the law {law.law} is no viscous dashpot; {', '.join(VISCOUS_LAWS)} are [E-DESIGN-03]")
     if law.effects:
-        raise InputError(f"this law {law.law} has `effects`; the sizing of viscous dampers counts a dashpot alone")
+        raise InputError(
+            f"this law {law.law} has `effects`; the sizing of viscous dampers counts a dashpot alone [E-DESIGN-03]"
+        )
     if law.law == "viscous":
         found = Dashpot(law.values[0], 1.0)
     elif law.law == "maxwell":
@@ -57,7 +59,7 @@ def dashpot(law: LawValues) -> Dashpot:
     if not LEAST_EXPONENT <= found.alpha <= LARGEST_EXPONENT:
         raise InputError(
             f"alpha = {found.alpha:g} of the law {law.law} is out of range: viscous dampers are sized for "
-            f"{LEAST_EXPONENT:g} to {LARGEST_EXPONENT:g}"
+            f"{LEAST_EXPONENT:g} to {LARGEST_EXPONENT:g} [E-LAW-03]"
         )
     return found
 

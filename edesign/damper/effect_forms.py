@@ -555,6 +555,6 @@ def law_effect_form(name: str, form: str) -> LawEffectForm:
     if not forms:
         names = list(dict.fromkeys(effect for effect, _ in LAW_EFFECTS))
         hint = did_you_mean(name, names)
-        raise InputError(f"there is no effect `{name}` of a damper law{hint} (there are: {listed(names)})")
+        raise InputError(f"there is no effect `{name}` of a damper law{hint} (there are: {listed(names)}) [E-LAW-01]")
     hint = did_you_mean(form, forms)
-    raise InputError(f"the effect `{name}` has no form `{form}`{hint} (there are: {listed(forms)})")
+    raise InputError(f"the effect `{name}` has no form `{form}`{hint} (there are: {listed(forms)}) [E-LAW-01]")

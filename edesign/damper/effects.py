@@ -79,7 +79,9 @@ class LawEffect:
             age, text = math.log1p(n / self.values["n0"]), "ln(1 + n/n0)"
         factor = 1.0 + self.values["rate"] * age
         if not factor > 0.0:
-            raise InputError(f"effect {self.definition.name}: 1 + rate {text} = {factor:g} must be greater than 0")
+            raise InputError(
+                f"effect {self.definition.name}: 1 + rate {text} = {factor:g} must be greater than 0 [E-LAW-04]"
+            )
         return factor
 
     def _of_temperature(self, degrees: float) -> float:
@@ -89,13 +91,14 @@ class LawEffect:
             if not factor > 0.0:
                 raise InputError(
                     f"effect {self.definition.name}: no force is left at {degrees:g} degC, its factor is {factor:.3g}"
+                    " [E-LAW-04]"
                 )
             return factor
         slowed = 1.0 + p.get("c", 0.0) * warmer
         if not slowed > 0.0:
             raise InputError(
                 f"effect {self.definition.name}: 1 + c (T - T0) = {slowed:.3g} at {degrees:g} degC "
-                "must be greater than 0"
+                "must be greater than 0 [E-LAW-04]"
             )
         return math.exp(-p["b"] * warmer / slowed)
 
@@ -117,6 +120,7 @@ def placement_of(name: str, form: str, placement: Placement | None) -> Placement
         hint = did_you_mean(placement, PLACEMENTS)
         raise InputError(
             f"effect {definition.name}: there is no placement `{placement}`{hint} (there are: {listed(PLACEMENTS)})"
+            " [E-LAW-01]"
         )
     if placement not in definition.placements:
         why = (
@@ -126,11 +130,12 @@ def placement_of(name: str, form: str, placement: Placement | None) -> Placement
         )
         raise InputError(
             f"effect {definition.name}: {why} on {placement} alone (allowed: {listed(definition.placements)})"
+            " [E-LAW-01]"
         )
     if today != form and placement != said:
         raise InputError(
             f"effect {name}.{form}: the form says the placement `{said}`, which is not `{placement}`; write "
-            f"`form: {today}` with the placement that is meant"
+            f"`form: {today}` with the placement that is meant [E-LAW-01]"
         )
     return placement
 

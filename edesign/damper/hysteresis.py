@@ -267,9 +267,13 @@ def hysteresis(law: LawValues) -> Hysteresis:
         341-16, F4.
     """
     if law.law not in _LAWS:
-        raise InputError(f"the law {law.law} cannot be sized by its yield or slip force; {listed(_LAWS)} can")
+        raise InputError(
+            f"the law {law.law} cannot be sized by its yield or slip force; {listed(_LAWS)} can [E-DESIGN-03]"
+        )
     if law.effects:
-        raise InputError(f"this law {law.law} has `effects`; the sizing of hysteretic dampers counts its loop alone")
+        raise InputError(
+            f"this law {law.law} has `effects`; the sizing of hysteretic dampers counts its loop alone [E-DESIGN-03]"
+        )
     return _LAWS[law.law](*law.values)
 
 

@@ -144,19 +144,19 @@ class Law:
             if name not in known:
                 raise InputError(
                     f"{self.kind} {self.name}: unknown parameter `{name}`{did_you_mean(name, known)}; "
-                    f"it has {', '.join(known)}{' ...' if self.branch else ''}"
+                    f"it has {', '.join(known)}{' ...' if self.branch else ''} [E-LAW-02]"
                 )
         found = {}
         for parameter in parameters:
             value = values.get(parameter.name, parameter.default)
             if value is None:
                 raise InputError(
-                    f"{self.kind} {self.name}: parameter `{parameter.name}` ({parameter.meaning}) is missing"
+                    f"{self.kind} {self.name}: parameter `{parameter.name}` ({parameter.meaning}) is missing [E-LAW-02]"
                 )
             if not parameter.allows(value):
                 raise InputError(
                     f"{self.kind} {self.name}: {parameter.name} = {parameter.written(value)} "
-                    f"is out of range: {parameter.allowed} is allowed"
+                    f"is out of range: {parameter.allowed} is allowed [E-LAW-03]"
                 )
             found[parameter.name] = float(value)
         return found

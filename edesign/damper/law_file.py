@@ -97,7 +97,7 @@ def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescript
     if description is not None:
         for key in ("type", "parameters"):
             if getattr(description, key) is None:
-                problems.under((), key, "this key is missing")
+                problems.under((), key, "this key is missing [E-KEY-02]")
     if description is None or problems.found:
         raise ProjectError(path, problems.found)
     return description, Source(path, problems.root)

@@ -421,7 +421,7 @@ def unknown_law(name: str) -> str:
     words = name.lower().replace("-", "_").split("_")
     meant = _ALSO_CALLED.get(name.lower()) or next((one for one in LAWS if sorted(one.split("_")) == sorted(words)), "")
     hint = f"; did you mean `{meant}`?" if meant else did_you_mean(name, LAWS)
-    return f"there is no damper law `{name}`{hint} (there are: {', '.join(LAWS)})"
+    return f"there is no damper law `{name}`{hint} (there are: {', '.join(LAWS)}) [E-LAW-01]"
 
 
 def law(name: str) -> Law:

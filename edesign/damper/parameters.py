@@ -135,10 +135,10 @@ def parameter_set(law: Law, name: str) -> ParameterSet:
     """
     if name not in PARAMETER_SETS:
         hint = did_you_mean(name, PARAMETER_SETS)
-        raise InputError(f"there is no parameter set `{name}`{hint} (there are: {listed(PARAMETER_SETS)})")
+        raise InputError(f"there is no parameter set `{name}`{hint} (there are: {listed(PARAMETER_SETS)}) [E-LAW-01]")
     found = PARAMETER_SETS[name]
     if found.law != law.name:
-        raise InputError(f"the parameter set `{name}` is of law {found.law}, not of {law.name}")
+        raise InputError(f"the parameter set `{name}` is of law {found.law}, not of {law.name} [E-LAW-01]")
     return found
 
 

@@ -51,7 +51,7 @@ def stiffness_ratio(damping: float, loss_factor: float, brace_ratio: float = mat
         raise InputError(
             f"a damping of {100.0 * damping:.4g} % is a target no damper can reach: with a loss factor n of "
             f"{loss_factor:.4g}{brace} it must be greater than 0 and less than {100.0 * limit:.4g} % "
-            "(n / 2 for rigid braces, thesis Eq. 5.9)"
+            "(n / 2 for rigid braces, thesis Eq. 5.9) [E-DESIGN-04]"
         )
     if math.isinf(brace_ratio):
         return 2.0 * damping / (loss_factor - 2.0 * damping)

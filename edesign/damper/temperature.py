@@ -78,11 +78,13 @@ class GammaT:
     def __post_init__(self) -> None:
         temperatures = [temperature for temperature, _ in self.table]
         if len(set(temperatures)) < 2 or temperatures != sorted(set(temperatures)):
-            raise InputError("gamma_T needs two or more temperatures, each once and ascending")
+            raise InputError("gamma_T needs two or more temperatures, each once and ascending [E-LAW-05]")
         if not all(math.isfinite(t) and math.isfinite(gamma) and gamma > 0.0 for t, gamma in self.table):
-            raise InputError("every gamma_T must be a number greater than 0")
+            raise InputError("every gamma_T must be a number greater than 0 [E-LAW-05]")
         if sum(gamma == 1.0 for _, gamma in self.table) != 1:
-            raise InputError("gamma_T must be 1 at one temperature, the reference at which the parameters hold")
+            raise InputError(
+                "gamma_T must be 1 at one temperature, the reference at which the parameters hold [E-LAW-05]"
+            )
 
     @property
     def reference_C(self) -> float:
@@ -115,7 +117,7 @@ class GammaT:
         if not gamma > 0.0:
             raise InputError(
                 f"gamma_T at {temperature_C:g} degC would be {gamma:.3g}, but must be greater than 0; the table "
-                f"goes from {self._range_C[0]:g} to {self._range_C[1]:g} degC"
+                f"goes from {self._range_C[0]:g} to {self._range_C[1]:g} degC [E-LAW-04]"
             )
         return gamma
 
@@ -227,9 +229,9 @@ class FerryShift:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.p1) and self.p1 >= 0.0):
-            raise InputError(f"p1 = {self.p1:g} is out of range: at least 0 is allowed")
+            raise InputError(f"p1 = {self.p1:g} is out of range: at least 0 is allowed [E-LAW-03]")
         if not (math.isfinite(self.p2) and self.p2 > 0.0):
-            raise InputError(f"p2 = {self.p2:g} K is out of range: greater than 0 is allowed")
+            raise InputError(f"p2 = {self.p2:g} K is out of range: greater than 0 is allowed [E-LAW-03]")
 
     @property
     def reference_C(self) -> float:
@@ -254,7 +256,7 @@ class FerryShift:
         if not self.p2 + warmer > 0.0:
             raise InputError(
                 f"Ferry's shift with p2 = {self.p2:g} K holds above {self.reference - self.p2:g} degC, not at "
-                f"{temperature_C:g} degC"
+                f"{temperature_C:g} degC [E-LAW-04]"
             )
         return math.exp(-self.p1 * warmer / (self.p2 + warmer))
 
@@ -298,7 +300,7 @@ def at(
     """
     complete = law.complete(values)
     if not math.isfinite(temperature_C) or temperature_C <= -273.15:
-        raise InputError(f"{temperature_C:g} degC is no temperature")
+        raise InputError(f"{temperature_C:g} degC is no temperature [E-LAW-04]")
     warnings: tuple[str, ...] = ()
     if model is None:
         if temperature_C == reference_C:
@@ -314,6 +316,6 @@ def at(
         )
     if law.name not in model.laws:
         allowed = ", ".join(name for name in LAWS if name in model.laws)
-        raise InputError(f"this temperature law is not made for law {law.name} (it is for: {allowed})")
+        raise InputError(f"this temperature law is not made for law {law.name} (it is for: {allowed}) [E-LAW-05]")
     found, more = model.shifted(law, complete, temperature_C)
     return law.complete(found), (*warnings, *more)

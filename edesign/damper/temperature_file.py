@@ -21,7 +21,9 @@ _DIFFERENCE = re.compile(rf"\s*({_NUMBER})\s*(?:K|degC|°C)\s*")
 def _kelvin(value: Any) -> float:
     match = _DIFFERENCE.fullmatch(value) if isinstance(value, str) else None
     if not match or not float(match[1]) > 0.0:
-        raise refuse(f"`{value}`: a difference of temperatures greater than zero is needed, for example `50 K`")
+        raise refuse(
+            f"`{value}`: a difference of temperatures greater than zero is needed, for example `50 K` [E-LAW-05]"
+        )
     return float(match[1])
 
 
@@ -55,9 +57,9 @@ class TemperatureLaw(Model):
     @model_validator(mode="after")
     def _one(self) -> TemperatureLaw:
         if (self.gamma_T is None) == (self.ferry is None):
-            raise refuse("one of `gamma_T` and `ferry` is needed")
+            raise refuse("one of `gamma_T` and `ferry` is needed [E-LAW-05]")
         if self.ferry is not None and "of" in self.model_fields_set:
-            raise refuse("`of` is what gamma_T multiplies; leave it out beside `ferry`", "of")
+            raise refuse("`of` is what gamma_T multiplies; leave it out beside `ferry` [E-LAW-05]", "of")
         try:
             self.model()
         except InputError as error:

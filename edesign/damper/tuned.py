@@ -75,10 +75,11 @@ def tuned_mass(mass_ratio: float, mass: float, frequency: float, optimum: str = 
     if optimum not in OPTIMA:
         raise InputError(
             f"there is no optimum `{optimum}`{did_you_mean(optimum, OPTIMA)} (there are: {', '.join(OPTIMA)})"
+            " [E-NAME-01]"
         )
     _positive(mass_ratio=mass_ratio, mass=mass, frequency=frequency)
     if mass_ratio > 1.0:
-        raise InputError(f"mass_ratio = {mass_ratio:g} is out of range: at most 1 is allowed")
+        raise InputError(f"mass_ratio = {mass_ratio:g} is out of range: at most 1 is allowed [E-LAW-03]")
     f, zeta = OPTIMA[optimum](mass_ratio)
     m, omega = mass_ratio * mass, 2.0 * math.pi * frequency * f
     return TunedMass(m, m * omega**2, 2.0 * zeta * m * omega, f, zeta)
@@ -120,11 +121,11 @@ def sloshing_mass_ratio(length: float, depth: float, mode: int = 1) -> float:
 def _wave_number(length: float, depth: float, mode: int) -> float:
     _positive(length=length, depth=depth)
     if mode < 1:
-        raise InputError(f"mode = {mode} is out of range: at least 1 is allowed")
+        raise InputError(f"mode = {mode} is out of range: at least 1 is allowed [E-LAW-03]")
     return (2 * mode - 1) * math.pi / length
 
 
 def _positive(**values: float) -> None:
     for name, value in values.items():
         if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"{name} = {value:g} is out of range: greater than 0 is allowed")
+            raise InputError(f"{name} = {value:g} is out of range: greater than 0 is allowed [E-LAW-03]")

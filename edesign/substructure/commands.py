@@ -41,7 +41,7 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
         if t[-1] - t[0] > MOST_STEPS * step:
             raise InputError(
                 f"{folder / command.file}: {t[-1] - t[0]:.4g} s are more than {MOST_STEPS} main steps of "
-                f"{1e3 * step:.4g} ms; is the unit of the time right?"
+                f"{1e3 * step:.4g} ms; is the unit of the time right? [E-RTS-01]"
             )
         times = np.arange(0.0, t[-1] - t[0] + 0.5 * step, step)
         u = scipy.interpolate.CubicSpline(t - t[0], given)(np.minimum(times, t[-1] - t[0]))
@@ -66,7 +66,7 @@ def _begins_at_rest(u: np.ndarray, path: Path) -> None:
         raise InputError(
             f"{path}: the command begins at {1e3 * u[0]:.4g} mm, and the rig at 0: it would jump there in one main "
             f"step, in which the command itself moves {1e3 * fastest:.3g} mm at most; let the file begin at rest, by a "
-            "ramp from 0"
+            "ramp from 0 [E-RTS-02]"
         )
 
 

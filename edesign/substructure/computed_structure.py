@@ -111,7 +111,7 @@ class ComputedStructure:
         time = step * np.arange(FINER * (len(drive.time) - 1) + 1)
         numerical = self._recursion(step, "exact", "extrapolated")
         if self._grows(numerical, step, time.size):
-            advice = "in a quarter of them too. Take shorter ones, or check masses and stiffnesses"
+            advice = "in a quarter of them too. Take shorter ones, or check masses and stiffnesses [E-RTS-03]"
             where = self.file.where("loop", "main_step")
             raise InputError(f"{where}: loop.main_step: {self._too_long()}, {advice}")
         loop = SubstructureLoop(

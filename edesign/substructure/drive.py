@@ -61,6 +61,7 @@ def drive_of(file: RtsFile, test: CommandTest | RecordTest) -> Drive:
         where = file.where("tests", file.tests.index(test))
         raise InputError(
             f"{where}: test {test.name}: {last:.4g} s are {last / step:.3g} main steps; at most {MOST_STEPS} run"
+            " [E-RTS-01]"
         )
     time = np.arange(0.0, last + 0.5 * step, step)
     ground = scale * np.interp(time, record.time, record.acceleration, right=0.0)
@@ -82,4 +83,4 @@ def drive_of(file: RtsFile, test: CommandTest | RecordTest) -> Drive:
 def _refuse_rest(file: RtsFile, test: CommandTest | RecordTest, driving: np.ndarray) -> None:
     if not np.any(driving):
         where = file.where("tests", file.tests.index(test))
-        raise InputError(f"{where}: test {test.name}: what drives it is zero from beginning to end")
+        raise InputError(f"{where}: test {test.name}: what drives it is zero from beginning to end [E-RTS-02]")

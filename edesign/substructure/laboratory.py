@@ -212,7 +212,7 @@ def _damper(file: RtsFile, device: Device | None) -> TestedDamper | None:
         whose = "the specimen" if device is None else f"the damper {device.name} of the project"
         raise InputError(
             f"{file.where('specimen')}: specimen: the law has no `prototype`, and {whose} changes the size of one; "
-            "give the law its `prototype`"
+            "give the law its `prototype` [E-RTS-05]"
         )
     law, of_law = DeviceLaw(found.for_core, property_factor=placed.law.property_factor), None
     if prototype is not None:

@@ -176,7 +176,7 @@ def _csv_names(laboratory: VirtualLaboratory) -> dict[tuple[str, str], str]:
         if name in runs:
             raise InputError(
                 f"{laboratory.file.path}: {name} would be both {_called(runs[name])} and {_called(run)}; rename one of "
-                "the tests or compensators, or run without CSV files"
+                "the tests or compensators, or run without CSV files [E-NAME-02]"
             )
         runs[name] = run
     return names

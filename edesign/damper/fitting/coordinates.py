@@ -79,14 +79,16 @@ class Coordinates:
         known = {parameter.name: parameter for parameter in parameters}
         for name in given:
             if name not in self.names:
-                raise InputError(f"bounds of `{name}`: it is not fitted (fitted are: {', '.join(self.names)})")
+                raise InputError(
+                    f"bounds of `{name}`: it is not fitted (fitted are: {', '.join(self.names)}) [E-FIT-03]"
+                )
         self.axes = tuple(_axis(known[name], given.get(name), name in self.above) for name in self.names)
         for axis in self.axes:
             value = self.start[axis.parameter.name]
             if not axis.lower <= value <= axis.upper:
                 raise InputError(
                     f"start of `{axis.parameter.name}`: {value:g} {axis.parameter.unit} is outside its bounds "
-                    f"{axis.lower:g} to {axis.upper:g}"
+                    f"{axis.lower:g} to {axis.upper:g} [E-FIT-03]"
                 )
 
     def values(self, x: np.ndarray) -> dict[str, float]:
@@ -200,7 +202,7 @@ def _axis(parameter: Parameter, given: tuple[float, float] | None, has_floor: bo
         if not (given[0] < given[1] and given[0] >= lower and given[1] <= upper):
             raise InputError(
                 f"bounds of `{parameter.name}`: {given[0]:g} to {given[1]:g} is no range inside what the law allows: "
-                f"{parameter.allowed}"
+                f"{parameter.allowed} [E-FIT-03]"
             )
         lower_allowed = lower_allowed if given[0] == lower else True
         upper_allowed = upper_allowed if given[1] == upper else True

@@ -88,9 +88,11 @@ def cross_validate(
     """
     count = len(tests) if folds is None else folds
     if len(tests) < 2:
-        raise InputError(f"cross-validation: {len(tests)} test cannot be left out; at least 2 are needed")
+        raise InputError(f"cross-validation: {len(tests)} test cannot be left out; at least 2 are needed [E-FIT-01]")
     if not 2 <= count <= len(tests):
-        raise InputError(f"cross-validation: {count} folds of {len(tests)} tests; 2 to {len(tests)} are possible")
+        raise InputError(
+            f"cross-validation: {count} folds of {len(tests)} tests; 2 to {len(tests)} are possible [E-FIT-01]"
+        )
     begin = dict(start or {})
     if whole is not None:
         begin |= whole.values

@@ -95,6 +95,7 @@ def fit_forces(
     if samples <= 2 * len(setup.coordinates.names):
         raise InputError(
             f"{samples} samples cannot carry {len(setup.coordinates.names)} parameters; give more tests, or hold some"
+            " [E-FIT-01]"
         )
     force = predict or core_predict(law)
     coordinates = setup.coordinates

@@ -97,7 +97,7 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
     for name, held in HELD.get(law.name, {}).items():
         value = given.get(name, _value(held, scales, force))
         if value is None:
-            raise InputError(f"fit of law {law.name}: `{name}` is needed from you: {held.why}")
+            raise InputError(f"fit of law {law.name}: `{name}` is needed from you: {held.why} [E-FIT-02]")
         holds[name] = value
     for name, value in given.items():  # of further branches, whose first is held
         if _first(name) in holds:

@@ -56,5 +56,5 @@ def fit_law(
     if isinstance(measured, Sequence):
         return fit_forces(known, measured, start, specimen=specimen, **options)
     if specimen is None:
-        raise InputError(f"{known.name}: a fit to properties needs the specimen, whose layers they are of")
+        raise InputError(f"{known.name}: a fit to properties needs the specimen, whose layers they are of [E-FIT-06]")
     return fit_properties(known, measured, specimen, start, **options)

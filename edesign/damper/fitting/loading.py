@@ -109,17 +109,17 @@ def prepare(tests: Sequence[DamperTest], weights: Mapping[str, float] | None = N
             weight is of no test or not positive.
     """
     if not tests:
-        raise InputError("there is no test to fit to: a test of the campaign needs `use: fit`")
+        raise InputError("there is no test to fit to: a test of the campaign needs `use: fit` [E-FIT-01]")
     names = [test.name for test in tests]
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"two tests are called `{name}`; a fit tells tests by their names")
+            raise InputError(f"two tests are called `{name}`; a fit tells tests by their names [E-NAME-02]")
     given = dict(weights or {})
     for name, weight in given.items():
         if name not in names:
-            raise InputError(f"weights: there is no test `{name}` (there are: {', '.join(names)})")
+            raise InputError(f"weights: there is no test `{name}` (there are: {', '.join(names)}) [E-FIT-04]")
         if not weight > 0.0 or not np.isfinite(weight):
-            raise InputError(f"weights: {name} has {weight:g}; a weight is greater than 0")
+            raise InputError(f"weights: {name} has {weight:g}; a weight is greater than 0 [E-FIT-04]")
     return tuple(_loading(test, given.get(test.name, 1.0)) for test in tests)
 
 
@@ -137,7 +137,9 @@ def scales_of(loadings: Sequence[Loading]) -> Scales:
 def _loading(test: DamperTest, weight: float) -> Loading:
     force = test.varying_force()
     if test.time.size < _LEAST_SAMPLES:
-        raise InputError(f"{test.where}: {test.time.size} samples are too few; at least {_LEAST_SAMPLES} are needed")
+        raise InputError(
+            f"{test.where}: {test.time.size} samples are too few; at least {_LEAST_SAMPLES} are needed [E-FIT-01]"
+        )
     u, velocity = test.displacement, spline_velocity(test.time, test.displacement)
     frequency = float(np.sqrt(np.mean(velocity**2) / np.mean(u**2)) / (2.0 * np.pi))
     return Loading(test.name, test.time, u, velocity, force, float(test.temperature_C), frequency, weight)

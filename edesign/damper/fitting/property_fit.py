@@ -116,7 +116,9 @@ def fit_properties(
     for name in quantities:
         if name not in get_args(Quantity):
             known = get_args(Quantity)
-            raise InputError(f"quantities: `{name}` is unknown{did_you_mean(name, known)} ({', '.join(known)})")
+            raise InputError(
+                f"quantities: `{name}` is unknown{did_you_mean(name, known)} ({', '.join(known)}) [E-FIT-04]"
+            )
     measured = _measured(table, quantities)
     observed = _observed(table, specimen)
     temperatures = np.asarray(table.temperature_C, dtype=float).tolist()
@@ -127,7 +129,7 @@ def fit_properties(
     if measured.size <= len(coordinates.names):
         raise InputError(
             f"{measured.size} measured properties cannot carry {len(coordinates.names)} parameters; "
-            "give more rows, or hold some"
+            "give more rows, or hold some [E-FIT-01]"
         )
     full = replace(_model(setup, table, specimen, quantities, measured, cycles, samples), loss=loss, workers=workers)
     coarse = _model(setup, table, specimen, quantities, measured, _QUICK_CYCLES, _QUICK_SAMPLES)
@@ -157,12 +159,12 @@ def _measured(table: PropertyColumns, quantities: Sequence[Quantity]) -> np.ndar
     """Properties (quantities, rows)."""
     values = np.array([np.asarray(getattr(table, name), dtype=float) for name in quantities])
     if not values.size:
-        raise InputError("there are no properties to fit to")
+        raise InputError("there are no properties to fit to [E-FIT-01]")
     if not np.all(np.isfinite(values) & (values > 0.0)):
         worst = np.argwhere(~(np.isfinite(values) & (values > 0.0)))[0]
         raise InputError(
             f"properties: {quantities[worst[0]]} of row {worst[1] + 1} is {values[tuple(worst)]:g}; relative errors "
-            "need values greater than 0"
+            "need values greater than 0 [E-FIT-06]"
         )
     return values
 

@@ -95,9 +95,10 @@ def set_up(
     if loss not in get_args(Loss):
         raise InputError(
             f"loss: `{loss}` is unknown{did_you_mean(str(loss), get_args(Loss))} ({', '.join(get_args(Loss))})"
+            " [E-FIT-04]"
         )
     if starts < 1:
-        raise InputError(f"starts: {starts}; at least 1 is needed")
+        raise InputError(f"starts: {starts}; at least 1 is needed [E-FIT-04]")
     heat = thermal(law, kind, temperatures, reference_C)
     begin = {**(start or {}), **(fixed if isinstance(fixed, Mapping) else {})}
     parameters = (*law.with_branches(branches_of(law, begin, branches)), *heat.parameters)
@@ -107,17 +108,18 @@ def set_up(
             if name not in known:
                 raise InputError(
                     f"{what}: law {law.name} has no parameter `{name}`{did_you_mean(name, known)} "
-                    f"(there are: {', '.join(known)})"
+                    f"(there are: {', '.join(known)}) [E-FIT-04]"
                 )
     for name, value in begin.items():
         if not known[name].allows(value):
             raise InputError(
                 f"start of `{name}`: {known[name].written(value)} is out of range: {known[name].allowed} is allowed"
+                " [E-FIT-03]"
             )
     holds = default_holds(law, begin, observed.scales, observed.largest_force)
     for name in fit_also:
         if name not in HELD.get(law.name, {}) and name in holds:
-            raise InputError(f"fit: `{name}` of law {law.name} is a choice, not a number that data can tell")
+            raise InputError(f"fit: `{name}` of law {law.name} is a choice, not a number that data can tell [E-FIT-02]")
         holds.pop(name, None)
     own = {name: value for name, value in begin.items() if name not in {p.name for p in heat.parameters}}
     values = start_values(law, observed, {**own, **holds}, branches)
@@ -128,7 +130,7 @@ def set_up(
     values = _apart(values, ABOVE.get(law.name, {}), begin)
     free = [name for name in values if name not in reasons]
     if not free:
-        raise InputError(f"all parameters of law {law.name} are held; nothing is left to fit")
+        raise InputError(f"all parameters of law {law.name} are held; nothing is left to fit [E-FIT-04]")
     parameters = tuple(beside(law, one, holds) for one in parameters)
     coordinates = Coordinates(parameters, free, values, observed.scales, bounds, ABOVE.get(law.name))
     return Setup(law, parameters, coordinates, reasons, heat)
@@ -141,7 +143,7 @@ def _apart(values: dict[str, float], above: Mapping[str, str], begin: Mapping[st
         if found[name] > found[other]:
             continue
         if name in begin and other in begin:
-            raise InputError(f"start of `{name}`: {found[name]:g} is not above {other} = {found[other]:g}")
+            raise InputError(f"start of `{name}`: {found[name]:g} is not above {other} = {found[other]:g} [E-FIT-03]")
         if name in begin:
             found[other] = _FRACTION * found[name]
         else:

@@ -160,7 +160,7 @@ def solve(
     order = [0, *sorted(range(1, len(candidates)), key=lambda i: screened[i])][: max(starts, 1)]
     chosen = [candidates[i] for i in order if np.isfinite(screened[i])]
     if not chosen:
-        raise AnalysisError("the law gives no force for any start of the fit; give other start values")
+        raise AnalysisError("the law gives no force for any start of the fit; give other start values [E-FIT-03]")
 
     def one(x: np.ndarray) -> Fit:
         nonlocal done

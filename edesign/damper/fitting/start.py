@@ -92,7 +92,7 @@ def start_values(
         unknown = [p.name for p in parameters if p.name.startswith("strain") and p.name not in values]
         if unknown:
             why = "it is where omega and beta of its number are asked for"
-            raise InputError(f"fit of law {law.name}: `{unknown[0]}` is needed from you: {why}")
+            raise InputError(f"fit of law {law.name}: `{unknown[0]}` is needed from you: {why} [E-FIT-02]")
         values = {**_start_of_brace(values, observed), **values}  # identifiable.py wants what it needs
     for parameter in sorted(parameters, key=lambda p: bool(p.unit)):  # exponents before units with them
         if parameter.name not in values:

@@ -111,16 +111,24 @@ def thermal(
     if kind is None:
         return Thermal(None, reference, known)
     if kind not in ("gamma", "ferry"):
-        raise InputError(f"temperature: `{kind}` is unknown (gamma, ferry)")
+        raise InputError(f"temperature: `{kind}` is unknown (gamma, ferry) [E-FIT-05]")
     shown = ", ".join(f"{t:g}" for t in known)
     if len(known) < 2:
-        raise InputError(f"temperature: all tests are at {shown} degC; an effect of temperature cannot be fitted")
+        raise InputError(
+            f"temperature: all tests are at {shown} degC; an effect of temperature cannot be fitted [E-FIT-05]"
+        )
     if reference not in known:
-        raise InputError(f"temperature: no test is at the reference of {reference:g} degC (they are at {shown})")
+        raise InputError(
+            f"temperature: no test is at the reference of {reference:g} degC (they are at {shown}) [E-FIT-05]"
+        )
     if kind == "ferry" and len(known) - 1 < _FERRY_AWAY:
-        raise InputError(f"temperature: Ferry's p1 and p2 need tests at three temperatures; they are at {shown} degC")
+        raise InputError(
+            f"temperature: Ferry's p1 and p2 need tests at three temperatures; they are at {shown} degC [E-FIT-05]"
+        )
     found = Thermal(kind, reference, known)
     example = found.model({p.name: p.default or 1.0 for p in found.parameters})
     if example is not None and law.name not in example.laws:
-        raise InputError(f"temperature: `{kind}` is not made for law {law.name} (it is for: {', '.join(example.laws)})")
+        raise InputError(
+            f"temperature: `{kind}` is not made for law {law.name} (it is for: {', '.join(example.laws)}) [E-FIT-05]"
+        )
     return found

@@ -154,7 +154,7 @@ class Campaign:
             raise InputError(
                 f"{self.path}: {what} need the layers of the specimen, `specimen: {{layers: 2, layer_area: 41400 mm^2, "
                 "layer_thickness: 12 mm}`; of a device without layers `edesign sheet` finds stiffness and damping, and "
-                "`edesign fit` the parameters of a law"
+                "`edesign fit` the parameters of a law [E-TEST-01]"
             )
         return self.specimen
 
@@ -221,7 +221,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     if is_programme(problems.root):
         raise InputError(
             f"{path}: this is a programme, and tests that were made are needed; `edesign test {path} --output DIR` "
-            f"makes them with its law, and writes DIR/{CAMPAIGN_FILE}, which names them"
+            f"makes them with its law, and writes DIR/{CAMPAIGN_FILE}, which names them [E-FILE-05]"
         )
     if file is None:
         raise CampaignError(path, problems.found)
@@ -231,12 +231,14 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
         keys = ("tests", i)
         check_one(entry, "temperature", "temperature_C", keys, problems, required=False)
         if not is_there(path.parent / entry.file):
-            problems.at_value((*keys, "file"), f"there is no file {path.parent / entry.file}")
+            problems.at_value((*keys, "file"), f"there is no file {path.parent / entry.file} [E-FILE-01]")
     _check_twins(file, problems)
     _check_starts(file, problems)
     _check_conditions(file, problems)
     if file.order == "unknown" and file.law is not None and file.law.extremes == "lasting":
-        problems.at_value(("law", "extremes"), "what lasts from test to test needs their order, and `order` is unknown")
+        problems.at_value(
+            ("law", "extremes"), "what lasts from test to test needs their order, and `order` is unknown [E-TEST-02]"
+        )
     if problems.found:
         raise CampaignError(path, problems.found)
     tests, wrong = [], []
@@ -302,7 +304,7 @@ def write_campaign(
     names = [test.name.lower() for test in tests]
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"campaign {folder}: two tests are called {name}; their files would be one")
+            raise InputError(f"campaign {folder}: two tests are called {name}; their files would be one [E-NAME-02]")
     path = folder / CAMPAIGN_FILE
     spare_inputs(path, *(folder / f"{test.name}.csv" for test in tests))
     make_folder(folder)
@@ -319,7 +321,7 @@ def _remove(path: Path) -> None:
     try:
         path.unlink(missing_ok=True)
     except OSError as error:
-        raise ArchiveError(f"{path}: cannot be replaced: {error.strerror}") from error
+        raise ArchiveError(f"{path}: cannot be replaced: {error.strerror} [E-FILE-06]") from error
 
 
 def _text(specimen: Specimen | None, name: str, tests: Sequence[DamperTest], law: LawChoice | None, title: str) -> str:
@@ -388,7 +390,7 @@ def _ramp(entry: TestEntry, file: CampaignFile) -> float | None:
 
 def _check_starts(file: CampaignFile, problems: Problems) -> None:
     """Refuse a ramp where no test starts at rest, which alone has one."""
-    needs = "it goes with `start: at_rest`: the way from rest to the first sample"
+    needs = "it goes with `start: at_rest`: the way from rest to the first sample [E-KEY-03]"
     if file.start_ramp is not None and all((entry.start or file.start) != "at_rest" for entry in file.tests):
         problems.at_key(("start_ramp",), needs)
     for i, entry in enumerate(file.tests):
@@ -402,14 +404,14 @@ def _check_conditions(file: CampaignFile, problems: Problems) -> None:
     for i, entry in enumerate(file.tests):
         own = entry.conditions or {}
         if missing := ", ".join(f"`{name}`" for name in names if name not in own):
-            text = f"{missing} of other tests is missing here; all tests need the same conditions"
+            text = f"{missing} of other tests is missing here; all tests need the same conditions [E-TEST-02]"
             if own:
                 problems.at_key(("tests", i, "conditions"), text)
             else:
                 problems.under(("tests", i), "conditions", text)
         for name in own:
             if name.lower() in ("temperature", "temperature_c"):
-                message = "the temperature of a test has a key of its own, `temperature`"
+                message = "the temperature of a test has a key of its own, `temperature` [E-KEY-03]"
                 problems.at_key(("tests", i, "conditions", name), message)
 
 
@@ -419,4 +421,4 @@ def _check_twins(file: CampaignFile, problems: Problems) -> None:
         other = first.setdefault(Path(entry.file), i)
         if other != i:
             line = problems.node(("tests", other)).mark.line
-            problems.at_value(("tests", i, "file"), f"the file is there already, in line {line}")
+            problems.at_value(("tests", i, "file"), f"the file is there already, in line {line} [E-FILE-09]")

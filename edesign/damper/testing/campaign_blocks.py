@@ -33,7 +33,7 @@ def parse_celsius(value: Any) -> float:
         PydanticCustomError: it is none.
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise refuse(f"`{value}` is no plain number of degC; `temperature: 20 degC` takes a unit")
+        raise refuse(f"`{value}` is no plain number of degC; `temperature: 20 degC` takes a unit [E-UNIT-02]")
     return parse_temperature(f"{value!r} degC")
 
 
@@ -42,7 +42,7 @@ Celsius = Annotated[float, Written(parse_celsius, given({"type": "number"}))]
 
 def _law_name(value: Any) -> Any:
     if not isinstance(value, str):
-        raise refuse("the name of a damper law is needed, for example `mgmm`")
+        raise refuse("the name of a damper law is needed, for example `mgmm` [E-LAW-01]")
     if value not in LAWS:
         raise refuse(unknown_law(value))
     return value
@@ -191,7 +191,7 @@ def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
     sizes = ("layer_area", "layer_area_mm2", "layer_thickness", "layer_thickness_mm")
     if block.layers is None:
         if any(getattr(block, key) is not None for key in sizes):
-            problems.under(("specimen",), "layers", "this key is missing; it goes with the size of a layer")
+            problems.under(("specimen",), "layers", "this key is missing; it goes with the size of a layer [E-KEY-02]")
         return
     for key, suffix in (("layer_area", "mm2"), ("layer_thickness", "mm")):
         check_one(block, key, f"{key}_{suffix}", ("specimen",), problems)
@@ -232,6 +232,6 @@ def check_one(block: Model, key: str, plain: str, keys: Keys, problems: Problems
     """
     given = [name for name in (key, plain) if getattr(block, name) is not None]
     if len(given) == 2:
-        problems.at_key((*keys, plain), f"`{key}` says this already; leave one of them out")
+        problems.at_key((*keys, plain), f"`{key}` says this already; leave one of them out [E-KEY-03]")
     elif not given and required:
-        problems.under(keys, plain, f"this key is missing (or `{key}`, with its unit)")
+        problems.under(keys, plain, f"this key is missing (or `{key}`, with its unit) [E-KEY-02]")

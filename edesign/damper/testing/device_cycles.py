@@ -114,7 +114,9 @@ def runs_of(test: DamperTest) -> tuple[Run, ...]:
     force = test.varying_force()
     blocks = [b for b in find_blocks(test.time, test.displacement) if b.cycles >= LEAST_CYCLES and b.steady]
     if not blocks:
-        raise InputError(f"{test.where}: there are no {LEAST_CYCLES} successive cycles of one amplitude and period")
+        raise InputError(
+            f"{test.where}: there are no {LEAST_CYCLES} successive cycles of one amplitude and period [E-TEST-08]"
+        )
     loops = Loops(test.time, test.displacement, force, test.where)
     found = []
     for number, block in enumerate(blocks, 1):

@@ -137,7 +137,7 @@ def value_at_reversal(time: np.ndarray, values: np.ndarray, at: float, omega: fl
     spread = max(spread, _ROUNDING * float(np.max(np.abs(values))))
     found = _widest(_value(time, values, at, omega, width, spread) for width in WIDTHS)
     if found is None:
-        raise InputError(f"too few samples about {at:g} s")
+        raise InputError(f"too few samples about {at:g} s [E-TEST-04]")
     return found
 
 
@@ -157,7 +157,7 @@ def value_at(time: np.ndarray, values: np.ndarray, at: float, omega: float, spre
     spread = max(spread, _ROUNDING * float(np.max(np.abs(values))))
     found = _widest(_smooth_value(time, values, at, omega, width, spread) for width in WIDTHS)
     if found is None:
-        raise InputError(f"too few samples about {at:g} s")
+        raise InputError(f"too few samples about {at:g} s [E-TEST-04]")
     return found
 
 

@@ -96,7 +96,7 @@ class Loops:
         if inside.stop - inside.start < LEAST_SAMPLES:
             raise InputError(
                 f"{self.where}: the cycle at {start:g} s has {inside.stop - inside.start} samples; "
-                f"at least {LEAST_SAMPLES} are needed"
+                f"at least {LEAST_SAMPLES} are needed [E-TEST-04]"
             )
         omega, bounds = 2.0 * np.pi / (end - start), (start, end)
         u, force, (u_noise, force_noise) = self.deformation, self.force, self._noise

@@ -90,7 +90,7 @@ def read_test(
     if temperature_C is None:
         if temperatures is None:
             raise InputError(
-                f"{table.where()}: the temperature is not said, and the file has no column of it; {unsaid}"
+                f"{table.where()}: the temperature is not said, and the file has no column of it; {unsaid} [E-TEST-02]"
             )
         temperature_C = float(np.mean(temperatures))
     return DamperTest(
@@ -182,7 +182,7 @@ def _from_zero(
     if zero == "rest" and not samples:
         raise InputError(
             f"{table.where(row=0)}: the displacement moves from the first samples on, so there is no rest to take its "
-            "zero from; `first_sample` and `as_recorded` are left"
+            "zero from; `first_sample` and `as_recorded` are left [E-TEST-03]"
         )
     offset = float(np.mean(displacement[:samples])) if zero == "rest" else float(displacement[0])
     whose = "the rest" if zero == "rest" else "the first sample"
@@ -199,19 +199,25 @@ def _columns(
     columns, unread = columns_in_si(table, said.columns)
     if said.time_step is not None:
         if "time" in columns:
-            raise InputError(f"{table.where()}: a time step is said, and the file has a column of times; give one")
+            raise InputError(
+                f"{table.where()}: a time step is said, and the file has a column of times; give one [E-TEST-03]"
+            )
         columns = {"time": said.time_step * np.arange(table.rows.shape[0])} | columns
     need(table, columns, *needed)
     time = columns["time"]
     if time.size < FEWEST:
-        raise InputError(f"{path}:{table.lines[-1]}: a test needs at least {FEWEST} samples, not {time.size}")
+        raise InputError(
+            f"{path}:{table.lines[-1]}: a test needs at least {FEWEST} samples, not {time.size} [E-TEST-04]"
+        )
     back = np.flatnonzero(np.diff(time) <= 0.0)
     if back.size:
         at = int(back[0]) + 1
         same = "is the time of the line before" if time[at] == time[at - 1] else f"is before {time[at - 1]:g} s"
         again = time[at] <= time[0] and at >= FEWEST
         another = "; does another test begin here? Each test needs a file of its own" if again else ""
-        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s {same}; times must ascend{another}")
+        raise InputError(
+            f"{table.where(row=at)}: the time {time[at]:g} s {same}; times must ascend{another} [E-TEST-05]"
+        )
     if np.ptp(columns["displacement"]) == 0.0:
-        raise InputError(f"{table.where(row=0)}: the displacement is the same in all lines; nothing moved")
+        raise InputError(f"{table.where(row=0)}: the displacement is the same in all lines; nothing moved [E-TEST-06]")
     return table, columns, unread

@@ -108,34 +108,45 @@ class DamperTest:
                 object.__setattr__(self, name, self._checked(name.replace("_", " "), values))
         size = self.time.size
         if size < FEWEST:
-            raise InputError(f"{self.where}: a test needs at least {FEWEST} samples, not {size}")
+            raise InputError(f"{self.where}: a test needs at least {FEWEST} samples, not {size} [E-TEST-04]")
         for name in ("displacement", "force", "temperature_history"):
             values = getattr(self, name)
             if values is not None and values.size != size:
-                raise InputError(f"{self.where}: {values.size} samples of {name.replace('_', ' ')}, {size} of time")
+                raise InputError(
+                    f"{self.where}: {values.size} samples of {name.replace('_', ' ')}, {size} of time [E-TEST-04]"
+                )
         back = np.flatnonzero(np.diff(self.time) <= 0.0)
         if back.size:
             at = int(back[0]) + 1
             raise InputError(
                 f"{self.where}: sample {at + 1}: the time {self.time[at]:g} s is not after {self.time[at - 1]:g} s"
+                " [E-TEST-05]"
             )
         span = float(np.ptp(self.displacement))
         if span == 0.0:
-            raise InputError(f"{self.where}: the displacement is {self.displacement[0]:g} m throughout; nothing moved")
+            raise InputError(
+                f"{self.where}: the displacement is {self.displacement[0]:g} m throughout; nothing moved [E-TEST-06]"
+            )
         if span < SMALLEST:
-            raise InputError(f"{self.where}: the displacement changes by {span:g} m only; is its unit right?")
+            raise InputError(
+                f"{self.where}: the displacement changes by {span:g} m only; is its unit right? [E-TEST-07]"
+            )
 
     def _checked(self, name: str, values: np.ndarray) -> np.ndarray:
         array = np.array(values, dtype=float)
         if array.ndim != 1:
-            raise InputError(f"{self.where}: {name}: one row of samples is needed, not an array of shape {array.shape}")
+            raise InputError(
+                f"{self.where}: {name}: one row of samples is needed, not an array of shape {array.shape} [E-TEST-04]"
+            )
         finite = np.isfinite(array)
         if not finite.all():
             at = int(np.argmin(finite))
-            raise InputError(f"{self.where}: {name}: sample {at + 1} is {array[at]:g}, not a finite number")
+            raise InputError(f"{self.where}: {name}: sample {at + 1} is {array[at]:g}, not a finite number [E-TEST-07]")
         if np.max(np.abs(array), initial=0.0) > LARGEST:
             at = int(np.argmax(np.abs(array)))
-            raise InputError(f"{self.where}: {name}: sample {at + 1} is {array[at]:g} in SI units; is its unit right?")
+            raise InputError(
+                f"{self.where}: {name}: sample {at + 1} is {array[at]:g} in SI units; is its unit right? [E-TEST-07]"
+            )
         array.setflags(write=False)
         return array
 
@@ -161,7 +172,7 @@ class DamperTest:
             InputError: it was not measured.
         """
         if self.force is None:
-            raise InputError(f"{self.where}: the test has no force; a column such as `force_kN` is needed")
+            raise InputError(f"{self.where}: the test has no force; a column such as `force_kN` is needed [E-TEST-06]")
         return self.force
 
     def varying_force(self) -> np.ndarray:
@@ -172,7 +183,9 @@ class DamperTest:
         """
         force = self.measured_force()
         if np.ptp(force) <= _CONSTANT * np.max(np.abs(force)):
-            raise InputError(f"{self.where}: the force is {force[0]:g} N throughout; was the load cell connected?")
+            raise InputError(
+                f"{self.where}: the force is {force[0]:g} N throughout; was the load cell connected? [E-TEST-06]"
+            )
         return force
 
     def with_force(self, force: np.ndarray) -> DamperTest:

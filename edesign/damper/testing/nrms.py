@@ -65,7 +65,7 @@ def _pair(predicted: ArrayLike, measured: ArrayLike) -> tuple[np.ndarray, np.nda
     if analytical.shape != experimental.shape or not analytical.size:
         raise InputError(
             f"the error needs as many predicted forces as measured ones, at least one: "
-            f"{analytical.size} and {experimental.size} were given"
+            f"{analytical.size} and {experimental.size} were given [E-SIGNAL-01]"
         )
     return analytical, experimental
 

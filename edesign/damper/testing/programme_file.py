@@ -50,7 +50,7 @@ def parse_frequency(value: Any) -> float:
         PydanticCustomError: it is none, or a circular frequency.
     """
     if "rad" in str(value) or "rpm" in str(value):
-        raise refuse(f"`{value}` is an angular velocity; write the frequency in Hz, for example `0.5 Hz`")
+        raise refuse(f"`{value}` is an angular velocity; write the frequency in Hz, for example `0.5 Hz` [E-UNIT-02]")
     return parse_quantity(value, FREQUENCY, "positive")
 
 
@@ -61,7 +61,7 @@ def _several(parse: Callable[[Any], float], schema: SchemaMaker) -> Written:
         if not isinstance(value, (tuple, list)):
             return (parse(value),)
         if not value:
-            raise refuse("the list is empty")
+            raise refuse("the list is empty [E-PROG-01]")
         found = []
         for i, item in enumerate(value):
             try:
@@ -241,13 +241,13 @@ def load_programme(path: Path | str) -> Programme:
     if programme is None and is_campaign(problems.root):
         raise InputError(
             f"{path}: this is a campaign, and a programme is needed, whose tests have a `type`; "
-            "`edesign characterise`, `sheet`, `fit` and `calibrate` read campaigns"
+            "`edesign characterise`, `sheet`, `fit` and `calibrate` read campaigns [E-FILE-05]"
         )
     if programme is None:
         raise ProgrammeError(path, problems.found)
     check_specimen(programme.specimen, problems)
     if programme.law.parameters is None:
-        problems.under(("law",), "parameters", "this key is missing")
+        problems.under(("law",), "parameters", "this key is missing [E-KEY-02]")
     check_law(programme.law, problems, complete=True)
     try:
         read_effects(programme.law.effects)
@@ -260,7 +260,7 @@ def load_programme(path: Path | str) -> Programme:
             problems.at_key(
                 ("tests", i, "strain"),
                 "a strain needs `specimen.layers`, `layer_area` and `layer_thickness`; of a device without layers give "
-                "`displacement`",
+                "`displacement` [E-TEST-01]",
             )
     if problems.found:
         raise ProgrammeError(path, problems.found)
@@ -275,12 +275,12 @@ def _check_test(test: _Test, i: int, path: Path, problems: Problems) -> None:
     for key in ("ramp_up", "ramp_down"):
         ramp = getattr(test, key, 0.0)
         if (2.0 * ramp) % 1.0 != 0.0:
-            problems.at_value((*keys, key), f"`{ramp:g}`: a multiple of half a cycle is needed")
+            problems.at_value((*keys, key), f"`{ramp:g}`: a multiple of half a cycle is needed [E-PROG-02]")
     lists = (test.strain, test.displacement, test.celsius, getattr(test, "frequency", None))
     count = math.prod(len(values) for values in lists if values)
     if count > MOST_TESTS:
-        problems.at_value(keys, f"these are {count} tests; at most {MOST_TESTS} are possible")
+        problems.at_value(keys, f"these are {count} tests; at most {MOST_TESTS} are possible [E-PROG-01]")
     if isinstance(test, RandomTest) and test.band[0] >= test.band[1]:
-        problems.at_value((*keys, "band"), f"{test.band[0]:g} Hz is not below {test.band[1]:g} Hz")
+        problems.at_value((*keys, "band"), f"{test.band[0]:g} Hz is not below {test.band[1]:g} Hz [E-PROG-03]")
     if isinstance(test, RecordTest) and not is_file(path.parent / test.file):
-        problems.at_value((*keys, "file"), f"there is no file {path.parent / test.file}")
+        problems.at_value((*keys, "file"), f"there is no file {path.parent / test.file} [E-FILE-01]")

@@ -118,7 +118,9 @@ def cycle_properties(test: DamperTest, specimen: Specimen) -> CycleProperties:
     force = test.varying_force()
     blocks = find_blocks(test.time, test.displacement)
     if not blocks:
-        raise InputError(f"{test.where}: there is no full cycle: no two half cycles of one amplitude in succession")
+        raise InputError(
+            f"{test.where}: there is no full cycle: no two half cycles of one amplitude in succession [E-TEST-08]"
+        )
     loops = _loops(test, force, specimen)
     columns: dict[str, list[np.ndarray]] = {}
     for number, block in enumerate(blocks, 1):
@@ -141,7 +143,9 @@ def checked_range(cycles: tuple[int, int]) -> tuple[int, int]:
     """
     first, last = cycles
     if not 1 <= first <= last:
-        raise InputError(f"cycles: {first} to {last} is no range; cycles are counted from 1, the first stands first")
+        raise InputError(
+            f"cycles: {first} to {last} is no range; cycles are counted from 1, the first stands first [E-TEST-08]"
+        )
     return first, last
 
 
@@ -154,15 +158,16 @@ def _too_few(test: DamperTest, found: int, asked: tuple[int, int] | None) -> str
     if asked is None:
         return (
             f"{test.where}: a mean takes {THIRD} successive cycles of one amplitude and period (within 5 %) at least; "
-            f"there {'is' if found == 1 else 'are'} {found}"
+            f"there {'is' if found == 1 else 'are'} {found} [E-TEST-08]"
         )
     first, last = asked
     text = (
         f"{test.where}: cycles {first} to {last} are asked for, which takes {last} successive cycles of one amplitude "
         f"(within 5 %); there are {found}"
     )
-    few = THIRD  # fewer agree by chance in a random history
-    return f"{text}; ask for cycles {max(1, found - (last - first))} to {found}" if found >= few else text
+    fewer = f"; ask for cycles {max(1, found - (last - first))} to {found}"
+    by_chance = found < THIRD  # as cycles of a random history agree
+    return f"{text}{'' if by_chance else fewer} [E-TEST-08]"
 
 
 def _factor(loss: float, storage: float) -> float:

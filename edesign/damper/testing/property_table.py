@@ -84,12 +84,12 @@ class PropertyTable:
         for name, _ in COLUMNS.values():
             values = np.array(getattr(self, name), dtype=float, ndmin=1)
             if name != "temperature_C" and not np.all(values > 0.0):
-                raise InputError(f"{self.source}: {name}: all values must be greater than zero")
+                raise InputError(f"{self.source}: {name}: all values must be greater than zero [E-PROPS-01]")
             values.setflags(write=False)
             object.__setattr__(self, name, values)
             sizes.add(values.shape)
         if len(sizes) != 1 or len(next(iter(sizes))) != 1 or self.strain.size == 0:
-            raise InputError(f"{self.source}: columns of one length with at least one row are needed")
+            raise InputError(f"{self.source}: columns of one length with at least one row are needed [E-PROPS-02]")
 
     def __len__(self) -> int:
         return self.strain.size
@@ -129,7 +129,7 @@ class PropertyTable:
             raise InputError(
                 f"{self.source}: no row for {100 * strains[g]:.4g} % strain, {frequencies[f]:.4g} Hz and "
                 f"{temperatures[t]:.4g} degC ({int((count == 0).sum())} of {count.size} combinations are missing); "
-                "interpolation needs all of them"
+                "interpolation needs all of them [E-PROPS-02]"
             )
         grid = np.zeros((3, *shape))
         for values, column in zip(grid, (self.G_storage, self.G_eq, self.loss_factor), strict=True):
@@ -171,7 +171,7 @@ class PropertyTable:
                 reach = f"{low:.4g} {unit} only" if low == high else f"{low:.4g} to {high:.4g} {unit}"
                 raise InputError(
                     f"{self.source}: {name} {scale * float(values[~good].flat[0]):.4g} {unit} is outside the table, "
-                    f"which has {reach}"
+                    f"which has {reach} [E-PROPS-03]"
                 )
             inside = inside & good
             if levels.size > 1:
@@ -264,18 +264,22 @@ def read_property_table(path: Path | str, content: bytes | None = None) -> Prope
             hint = did_you_mean(header, COLUMNS)
             if header.lower().startswith(("time", "displacement", "force")):
                 hint = "; this is the file of a test, not a table of properties: name it in a campaign file"
-            raise InputError(f"{table.where(i)}: the column is unknown{hint} (allowed: {', '.join(COLUMNS)})")
+            raise InputError(
+                f"{table.where(i)}: the column is unknown{hint} (allowed: {', '.join(COLUMNS)}) [E-PROPS-04]"
+            )
         name, factor = COLUMNS[header]
         if name in columns:
-            raise InputError(f"{table.where(i)}: the column comes twice")
+            raise InputError(f"{table.where(i)}: the column comes twice [E-PROPS-04]")
         values = table.rows[:, i]
         wrong = np.flatnonzero(values <= 0.0) if name != "temperature_C" else np.array([], dtype=int)
         if wrong.size:
-            raise InputError(f"{table.where(i, int(wrong[0]))}: {values[wrong[0]]:g} is not greater than zero")
+            raise InputError(
+                f"{table.where(i, int(wrong[0]))}: {values[wrong[0]]:g} is not greater than zero [E-PROPS-01]"
+            )
         columns[name] = values / factor
     for header, (name, _) in COLUMNS.items():
         if name not in columns:
-            raise InputError(f"{table.where()}: the column `{header}` is missing")
+            raise InputError(f"{table.where()}: the column `{header}` is missing [E-PROPS-04]")
     return PropertyTable(**columns, source=str(path))
 
 

@@ -67,10 +67,10 @@ def sine(
     _positive(amplitude=amplitude, frequency=frequency, sampling_rate=sampling_rate)
     _sampled(frequency, sampling_rate)
     if cycles < 1 or int(cycles) != cycles:
-        raise InputError(f"cycles: a whole number of at least 1 is needed, not {cycles:g}")
+        raise InputError(f"cycles: a whole number of at least 1 is needed, not {cycles:g} [E-PROG-02]")
     for name, ramp in (("ramp_up", ramp_up), ("ramp_down", ramp_down)):
         if ramp < 0.0 or (2.0 * ramp) % 1.0 != 0.0:
-            raise InputError(f"{name}: a multiple of half a cycle is needed, not {ramp:g}")
+            raise InputError(f"{name}: a multiple of half a cycle is needed, not {ramp:g} [E-PROG-02]")
     total = ramp_up + cycles + ramp_down
     t = _times(total / frequency, sampling_rate)
     phase = np.minimum(frequency * t, total)
@@ -111,13 +111,13 @@ def sweep(
     _positive(maximum=maximum, frequency=frequency, sampling_rate=sampling_rate)
     _sampled(frequency, sampling_rate)
     if not blocks:
-        raise InputError("blocks: at least one is needed")
+        raise InputError("blocks: at least one is needed [E-PROG-02]")
     for cycles, share in blocks:
         if cycles <= 0.0 or (2.0 * cycles) % 1.0 != 0.0:
-            raise InputError(f"blocks: the cycles are multiples of a half, not {cycles:g}")
+            raise InputError(f"blocks: the cycles are multiples of a half, not {cycles:g} [E-PROG-02]")
         _positive(share=share)
     if not 0.0 <= blend <= 0.5:
-        raise InputError(f"blend: 0 to 0.5 cycles are possible, not {blend:g}")
+        raise InputError(f"blend: 0 to 0.5 cycles are possible, not {blend:g} [E-PROG-02]")
     ends = np.cumsum([cycles for cycles, _ in blocks])
     total = float(ends[-1])
     t = _times(total / frequency, sampling_rate)
@@ -178,16 +178,17 @@ def random(
     if not 0.0 <= low < high <= 0.5 * sampling_rate:
         raise InputError(
             f"band: {low:g} Hz to {high:g} Hz is no band below half the sampling rate of {sampling_rate:g} Hz"
+            " [E-PROG-03]"
         )
     if (peak is None) == (rms is None):
-        raise InputError("random: either a peak or an rms is needed")
+        raise InputError("random: either a peak or an rms is needed [E-PROG-02]")
     if not 0.0 < taper <= 0.5:
-        raise InputError(f"taper: more than 0 and at most 0.5 of the duration is possible, not {taper:g}")
+        raise InputError(f"taper: more than 0 and at most 0.5 of the duration is possible, not {taper:g} [E-PROG-02]")
     t = _times(duration, sampling_rate)
     frequencies = np.fft.rfftfreq(t.size, 1.0 / sampling_rate)
     inside = (frequencies >= low) & (frequencies <= high) & (frequencies > 0.0)
     if not inside.any():
-        raise InputError(f"band: {duration:g} s are too short for a band from {low:g} Hz to {high:g} Hz")
+        raise InputError(f"band: {duration:g} s are too short for a band from {low:g} Hz to {high:g} Hz [E-PROG-03]")
     generator = np.random.default_rng(seed)
     spectrum = np.zeros(frequencies.size, dtype=complex)
     parts = generator.standard_normal((2, int(inside.sum())))
@@ -218,9 +219,11 @@ def from_record(
     _positive(sampling_rate=sampling_rate)
     given, u = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)
     if given.ndim != 1 or given.size < 2 or given.shape != u.shape:
-        raise InputError(f"record: {given.size} times and {u.size} displacements; at least 2 of both are needed")
+        raise InputError(
+            f"record: {given.size} times and {u.size} displacements; at least 2 of both are needed [E-SIGNAL-01]"
+        )
     if not (np.isfinite(given).all() and np.isfinite(u).all()) or np.any(np.diff(given) <= 0.0):
-        raise InputError("record: times must ascend, and all numbers be finite")
+        raise InputError("record: times must ascend, and all numbers be finite [E-SIGNAL-02]")
     duration = float(given[-1] - given[0])
     _possible(duration, sampling_rate)
     t = np.arange(math.floor(duration * sampling_rate * (1.0 + 1e-12)) + 1) / sampling_rate
@@ -229,7 +232,7 @@ def from_record(
         _positive(peak=peak)
         largest = float(np.max(np.abs(sampled)))
         if largest == 0.0:
-            raise InputError("record: it is zero throughout and cannot be scaled to a peak")
+            raise InputError("record: it is zero throughout and cannot be scaled to a peak [E-SIGNAL-02]")
         sampled *= peak / largest
     return t, sampled
 
@@ -256,6 +259,7 @@ def _possible(duration: float, sampling_rate: float) -> None:
     if not count <= MOST_SAMPLES:
         raise InputError(
             f"{duration:g} s with {sampling_rate:g} Hz are {count:.3g} samples; at most {MOST_SAMPLES} are possible"
+            " [E-PROG-01]"
         )
 
 
@@ -263,7 +267,7 @@ def _sampled(frequency: float, sampling_rate: float) -> None:
     if sampling_rate < LEAST_PER_CYCLE * frequency:
         raise InputError(
             f"frequency: {frequency:g} Hz has {sampling_rate / frequency:.3g} samples a cycle at a sampling rate of "
-            f"{sampling_rate:g} Hz; at least {LEAST_PER_CYCLE} are needed"
+            f"{sampling_rate:g} Hz; at least {LEAST_PER_CYCLE} are needed [E-PROG-01]"
         )
 
 
@@ -276,4 +280,4 @@ def _smooth(x: np.ndarray) -> np.ndarray:
 def _positive(**values: float) -> None:
     for name, value in values.items():
         if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"{name}: a number greater than zero is needed, not {value:g}")
+            raise InputError(f"{name}: a number greater than zero is needed, not {value:g} [E-PROG-02]")

@@ -37,10 +37,12 @@ class Specimen:
 
     def __post_init__(self) -> None:
         if self.layers < 1:
-            raise InputError(f"specimen {self.name}: at least one layer is needed, not {self.layers}")
+            raise InputError(f"specimen {self.name}: at least one layer is needed, not {self.layers} [E-TEST-01]")
         for what, value, unit in (("area", self.layer_area, "m2"), ("thickness", self.layer_thickness, "m")):
             if not (math.isfinite(value) and value > 0.0):
-                raise InputError(f"specimen {self.name}: the {what} of a layer is {value:g} {unit}; it must be above 0")
+                raise InputError(
+                    f"specimen {self.name}: the {what} of a layer is {value:g} {unit}; it must be above 0 [E-TEST-01]"
+                )
 
     @property
     def area(self) -> float:

@@ -79,7 +79,7 @@ def predict(
     rows = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=float)) for x in (strain, frequency, temperature_C)))
     gamma, f, temperature = (np.ascontiguousarray(row).ravel() for row in rows)
     if not (np.all(gamma > 0.0) and np.all(f > 0.0)):
-        raise InputError("strain amplitudes and frequencies must be greater than zero")
+        raise InputError("strain amplitudes and frequencies must be greater than zero [E-PROPS-03]")
     if samples % 4 or samples < 8 or not 1 <= cycles[0] <= cycles[1]:
         raise ValueError(f"{samples} samples, cycles {cycles}")
     shape = unit_motion(cycles[1], samples)

@@ -194,7 +194,7 @@ class LinearModel:
         """
         largest = float(np.max(np.abs(motion)))
         if largest == 0.0:
-            raise InputError("the specimen does not move at all; is the record or the command zero?")
+            raise InputError("the specimen does not move at all; is the record or the command zero? [E-RTS-02]")
         step, damper = laboratory.file.loop.main_step, laboratory.damper
         amplitude = EFFECTIVE_AMPLITUDE * largest
         dominant = equivalent_frequency(motion, step)

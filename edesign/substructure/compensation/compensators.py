@@ -40,7 +40,7 @@ def polynomial(order: int, delay: float, step: float, spacing: float | None = No
     """
     apart = delay if spacing is None else spacing
     if order > 0 and apart < step:
-        raise InputError(f"polynomial: nodes {apart:g} s apart are closer than the main step of {step:g} s")
+        raise InputError(f"polynomial: nodes {apart:g} s apart are closer than the main step of {step:g} s [E-RTS-04]")
     nodes = -apart * np.arange(order + 1)
     return _equation(_delayed("target", -nodes / step, _lagrange(nodes, delay), step))
 
@@ -281,7 +281,9 @@ def _delayed(of: Signal, lags: Sequence[float] | np.ndarray, weights: np.ndarray
         shares = _lagrange(nodes.astype(float), lag)
         terms += [Term(of, int(node), float(weight * share)) for node, share in zip(nodes, shares, strict=True)]
     if any(term.lag >= MEMORY for term in terms):
-        raise InputError(f"the compensator would look back {max(lags):g} main steps of {step:g} s; {MEMORY} at most")
+        raise InputError(
+            f"the compensator would look back {max(lags):g} main steps of {step:g} s; {MEMORY} at most [E-RTS-04]"
+        )
     return terms
 
 

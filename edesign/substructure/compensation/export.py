@@ -85,7 +85,7 @@ def check_export(folder: Path, name: str, *, overwrite: bool = False) -> None:
         if owner is None or overwrite or owner == identifier(name):
             continue
         what = f"this is of the compensator `{owner}`" if owner else "edesign did not write this file"
-        raise InputError(f"{path}: {what}, and it is left as it is; choose another folder, or --overwrite")
+        raise InputError(f"{path}: {what}, and it is left as it is; choose another folder, or --overwrite [E-FILE-07]")
 
 
 def identifier(name: str) -> str:
@@ -115,7 +115,9 @@ def _delete_stale(folder: Path, texts: Mapping[str, str], known_as: str) -> None
     try:
         path.unlink()
     except OSError as error:
-        raise ArchiveError(f"{path}: cannot be deleted, and is of an earlier export: {reason(error)}") from error
+        raise ArchiveError(
+            f"{path}: cannot be deleted, and is of an earlier export: {reason(error)} [E-FILE-06]"
+        ) from error
 
 
 # --- texts of the files

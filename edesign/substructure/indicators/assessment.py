@@ -173,4 +173,4 @@ def _given(force: ArrayLike | None) -> ArrayLike:
 
 def _check_threshold(threshold: float | None) -> None:
     if threshold is not None and not (math.isfinite(threshold) and threshold > 0.0):
-        raise InputError(f"threshold = {threshold:g} m is out of range: a displacement above 0 is needed")
+        raise InputError(f"threshold = {threshold:g} m is out of range: a displacement above 0 is needed [E-VALUE-02]")

@@ -161,7 +161,9 @@ def judge(path: Path | str, file: RtsFile | None = None, test: str | None = None
     for name in ("displacement", "force"):
         if name in record.channels and (level := clipped(record[name])) is not None:
             scale, unit = (1e3, "mm") if name == "displacement" else (1e-3, "kN")
-            raise InputError(f"{record.path}: the {name} is cut off at {scale * level:.4g} {unit}: its sensor's range?")
+            raise InputError(
+                f"{record.path}: the {name} is cut off at {scale * level:.4g} {unit}: its sensor's range? [E-MEAS-03]"
+            )
     force, applied = (record.channels.get(name) for name in ("force", "applied_force"))
     followed = tracking(record["target"], record["displacement"], record.step, force, applied=applied)
     chosen = None if file is None else chosen_test(file, record.path, test)
@@ -201,7 +203,7 @@ def chosen_test(file: RtsFile, path: Path, name: str | None = None) -> RtsTest |
         return tests[max(alike, key=len)]
     if len(in_loop) != 1:
         which = f"--test NAME: which of {', '.join(tests)}?" if tests else "there is no test of the kind `rts`"
-        raise InputError(f"{path}: of which test of {file.path} is it? {which}")
+        raise InputError(f"{path}: of which test of {file.path} is it? {which} [E-MEAS-04]")
     return in_loop[0]
 
 
@@ -267,11 +269,13 @@ def _shared_time(record: MeasuredRecord, drive: Drive) -> np.ndarray:
     if first > 0.5 * max(step, record.step):
         raise InputError(
             f"{record.path}: the record begins at {first:.4g} s; time counts from the beginning of the ground motion, "
-            "at which the specimen is at rest"
+            "at which the specimen is at rest [E-MEAS-05]"
         )
     shared = drive.time[drive.time <= last + 0.5 * step]
     if shared.size < 2:
-        raise InputError(f"{record.path}: the record ends at {last:.4g} s, before the ground motion has begun")
+        raise InputError(
+            f"{record.path}: the record ends at {last:.4g} s, before the ground motion has begun [E-MEAS-05]"
+        )
     return np.asarray(shared)
 
 
@@ -288,7 +292,7 @@ def _by_force(
     except CoreError as error:
         raise InputError(
             f"{record.path}: the numerical part cannot take the measured force: {error}; unit, sign or channel of the "
-            "force, or another structure?"
+            "force, or another structure? [E-MEAS-04]"
         ) from error
 
 
@@ -304,12 +308,12 @@ def _refuse_another_test(
             return  # a test that went wrong is still that test
         raise InputError(
             f"{path}: the target is not that of this test: it neither follows the direct analysis nor from the "
-            "measured force; another record, scale or structure?"
+            "measured force; another record, scale or structure? [E-MEAS-04]"
         ) from None
     if abs(shift) > _longest_shift(target, step):
         raise InputError(
             f"{path}: the target is {abs(shift):.4g} s {'late' if shift > 0.0 else 'early'} against that of the test; "
-            "time counts from the beginning of the ground motion"
+            "time counts from the beginning of the ground motion [E-MEAS-05]"
         )
 
 

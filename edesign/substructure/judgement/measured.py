@@ -87,15 +87,17 @@ def read_measured(path: Path | str, *needed: str) -> MeasuredRecord:
             example = f"{name}_{next(iter(COLUMNS[name][0]))}"
             raise InputError(
                 f"{table.where()}: there is no column of {name}, such as `{example}` (the columns are: "
-                f"{', '.join(table.headers)})"
+                f"{', '.join(table.headers)}) [E-MEAS-01]"
             )
     time = channels.pop("time")
     if time.size < FEWEST:
-        raise InputError(f"{path}:{table.lines[-1]}: {time.size} samples are no record; at least {FEWEST} are needed")
+        raise InputError(
+            f"{path}:{table.lines[-1]}: {time.size} samples are no record; at least {FEWEST} are needed [E-MEAS-02]"
+        )
     step = _even_step(table, time)
     for name in needed:
         if np.ptp(channels[name]) == 0.0:
-            raise InputError(f"{path}: the {name} is the same in all lines; was its channel connected?")
+            raise InputError(f"{path}: the {name} is the same in all lines; was its channel connected? [E-MEAS-03]")
     return MeasuredRecord(path, time, step, channels, tuple(unread))
 
 
@@ -135,16 +137,18 @@ def _columns(table: Table) -> tuple[dict[str, np.ndarray], list[str]]:
         if not quantity:
             near = did_you_mean(name.strip().lower(), COLUMNS)
             if near:
-                raise InputError(f"{table.where(i)}: the column is unknown{near} (allowed: {listed(COLUMNS, 10)})")
+                raise InputError(
+                    f"{table.where(i)}: the column is unknown{near} (allowed: {listed(COLUMNS, 10)}) [E-MEAS-01]"
+                )
             unread.append(header)
             continue
         if quantity in found:
-            raise InputError(f"{table.where(i)}: there is a column of {quantity} already")
+            raise InputError(f"{table.where(i)}: there is a column of {quantity} already [E-MEAS-01]")
         units = COLUMNS[quantity][0]
         if unit not in units:
             said = f"the unit `{unit}` is none of {quantity}" if unit else "the unit is missing"
             allowed = ", ".join(f"`{quantity}_{one}`" for one in units)
-            raise InputError(f"{table.where(i)}: {said} (allowed: {allowed})")
+            raise InputError(f"{table.where(i)}: {said} (allowed: {allowed}) [E-TABLE-12]")
         factor, zero = units[unit]
         found[quantity] = factor * table.rows[:, i] + zero
     return found, unread
@@ -168,14 +172,14 @@ def _even_step(table: Table, time: np.ndarray) -> float:
     back = np.flatnonzero(np.diff(time) <= 0.0)
     if back.size:
         at = int(back[0]) + 1
-        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s is not after {time[at - 1]:g} s")
+        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s is not after {time[at - 1]:g} s [E-MEAS-02]")
     step = float(time[-1] - time[0]) / (time.size - 1)
     off = time - (time[0] + step * np.arange(time.size))
     worst = int(np.argmax(np.abs(off)))
     if abs(off[worst]) > max(SHARE_OF_STEP * step, 0.51 * _printed_digit(time)):
         raise InputError(
             f"{table.where(row=worst)}: the sampling is uneven: this sample is {1e3 * abs(off[worst]):.3g} ms off an "
-            f"even step of {1e3 * step:.6g} ms; are samples missing?"
+            f"even step of {1e3 * step:.6g} ms; are samples missing? [E-MEAS-02]"
         )
     return step
 

@@ -48,9 +48,11 @@ def write_record_campaign(
     """
     damper = laboratory(file).damper
     if damper is None:
-        raise InputError(f"{file.path}: specimen: a campaign needs a law; give `law` or `law_file`")
+        raise InputError(f"{file.path}: specimen: a campaign needs a law; give `law` or `law_file` [E-RTS-05]")
     if damper.prototype is None:
-        raise InputError(f"{file.path}: specimen: the law has no `prototype`, so the size of the layers is not known")
+        raise InputError(
+            f"{file.path}: specimen: the law has no `prototype`, so the size of the layers is not known [E-RTS-05]"
+        )
     tests = [
         _test(one, damper, displacement, "validate" if number % EVERY == 0 else "fit")
         for number, one in enumerate(found, start=1)

@@ -28,13 +28,15 @@ def checked_ground(step: float, ground: ArrayLike) -> np.ndarray:
     """
     values = np.ascontiguousarray(ground, dtype=float)
     if not 0.0 < step < math.inf:
-        raise InputError(f"step: must be greater than zero, not {step:g} s")
+        raise InputError(f"step: must be greater than zero, not {step:g} s [E-VALUE-02]")
     if values.ndim != 1 or values.size < 2:
-        raise InputError(f"ground motion: needs a series of at least two samples, not the shape {values.shape}")
+        raise InputError(
+            f"ground motion: needs a series of at least two samples, not the shape {values.shape} [E-SIGNAL-01]"
+        )
     if not np.all(np.isfinite(values)):
-        raise InputError(f"ground motion: sample {int(np.argmin(np.isfinite(values))) + 1} is not finite")
+        raise InputError(f"ground motion: sample {int(np.argmin(np.isfinite(values))) + 1} is not finite [E-SIGNAL-02]")
     if not np.any(values):
-        raise InputError("ground motion: all samples are zero")
+        raise InputError("ground motion: all samples are zero [E-SIGNAL-02]")
     return values
 
 
@@ -48,7 +50,7 @@ def positive(name: str, value: float) -> None:
         InputError: so it is; the message begins with the name.
     """
     if not 0.0 < value < math.inf:
-        raise InputError(f"{name}: must be greater than zero, not {value:g}")
+        raise InputError(f"{name}: must be greater than zero, not {value:g} [E-VALUE-02]")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

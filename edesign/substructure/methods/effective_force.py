@@ -40,9 +40,9 @@ class Forcing:
     def __post_init__(self) -> None:
         positive("gain", self.gain)
         if not self.oil_stiffness > 0.0:
-            raise InputError(f"oil_stiffness: must be greater than zero, not {self.oil_stiffness:g}")
+            raise InputError(f"oil_stiffness: must be greater than zero, not {self.oil_stiffness:g} [E-VALUE-02]")
         if not 0.0 <= self.velocity_feedback <= 1.0:
-            raise InputError(f"velocity_feedback: must be 0 to 1, not {self.velocity_feedback:g}")
+            raise InputError(f"velocity_feedback: must be 0 to 1, not {self.velocity_feedback:g} [E-VALUE-02]")
 
     @property
     def drag(self) -> float:

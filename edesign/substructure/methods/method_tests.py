@@ -73,7 +73,7 @@ def run_method(
     """
     structure, damper = laboratory.structure, laboratory.damper
     if structure is None or damper is None:
-        raise InputError(f"test {test.name}: this method needs a `structure` and a `specimen`")
+        raise InputError(f"test {test.name}: this method needs a `structure` and a `specimen` [E-KEY-02]")
     setting = _Setting(structure.part, SizedDamper(damper.values, damper.scales), step, ground)
     try:
         if isinstance(test, PseudoDynamicTest):

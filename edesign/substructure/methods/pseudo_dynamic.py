@@ -49,10 +49,10 @@ class ControlError:
 
     def __post_init__(self) -> None:
         if not -1.0 < self.undershoot < 1.0:
-            raise InputError(f"error: undershoot must be between -1 and 1, not {self.undershoot:g}")
+            raise InputError(f"error: undershoot must be between -1 and 1, not {self.undershoot:g} [E-VALUE-02]")
         for name in ("lag", "noise"):
             if not 0.0 <= getattr(self, name) < math.inf:
-                raise InputError(f"error: {name} must not be negative, not {getattr(self, name):g}")
+                raise InputError(f"error: {name} must not be negative, not {getattr(self, name):g} [E-VALUE-02]")
 
 
 NO_ERROR = ControlError()
@@ -128,7 +128,7 @@ def pseudo_dynamic_test(
     values = checked_ground(step, ground)
     positive("time_scale", time_scale)
     if not abort > 0.0:
-        raise InputError(f"abort: must be greater than zero, not {abort:g}")
+        raise InputError(f"abort: must be greater than zero, not {abort:g} [E-VALUE-02]")
     _check_step(part, damper, step, time_scale)
     states, direct_force = respond(fixed_base(part), values, step, damper)
     direct = states[:, : len(part.names)]
@@ -355,7 +355,7 @@ def _check_step(part: LinearPart, damper: CoreDamper, step: float, time_scale: f
     if step > largest * (1.0 + _SLACK):
         raise InputError(
             f"the pseudo-dynamic test is unstable with steps of {1e3 * step:g} ms: mode {mode} with the damper "
-            f"({part.frequencies(specimen)[mode - 1]:.4g} Hz) allows at most {1e3 * largest:.4g} ms"
+            f"({part.frequencies(specimen)[mode - 1]:.4g} Hz) allows at most {1e3 * largest:.4g} ms [E-RTS-03]"
         )
     dashpot = max(damping, 0.0) / time_scale
     if not 0.0 < dashpot < math.inf:
@@ -371,5 +371,5 @@ def _check_step(part: LinearPart, damper: CoreDamper, step: float, time_scale: f
     limit = scipy.optimize.brentq(growth, shortest, step) if allowed == "at most" else shortest
     raise InputError(
         f"the pseudo-dynamic test is unstable with steps of {1e3 * step:g} ms: the method takes the damper's "
-        f"{1e-3 * dashpot:.4g} kN s/m explicitly, and allows {allowed} {1e3 * limit:.4g} ms"
+        f"{1e-3 * dashpot:.4g} kN s/m explicitly, and allows {allowed} {1e3 * limit:.4g} ms [E-RTS-03]"
     )

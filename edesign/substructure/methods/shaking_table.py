@@ -49,7 +49,7 @@ class ShakingTable:
         for name in ("mass", "oil_frequency", "gain"):
             positive(f"table: {name}", getattr(self, name))
         if self.leakage is not None and not 0.0 <= self.leakage < math.inf:
-            raise InputError(f"table: leakage must not be negative, not {self.leakage:g}")
+            raise InputError(f"table: leakage must not be negative, not {self.leakage:g} [E-VALUE-02]")
 
     @property
     def oil_stiffness(self) -> float:
@@ -124,11 +124,11 @@ def shaking_table_test(
     values = checked_ground(step, ground)
     band = table.oil_frequency if band is None else band
     if iterations < 0 or not band > 0.0:
-        raise InputError(f"shaking table: {iterations} iterations up to {band:g} Hz are not possible")
+        raise InputError(f"shaking table: {iterations} iterations up to {band:g} Hz are not possible [E-VALUE-02]")
     if iterations and table.fading <= table.gain:
         raise InputError(
             f"shaking table: the bare table is unstable with a gain of {table.gain:g} 1/s and a leakage of "
-            f"{table.fading:g} 1/s, so that its inverse corrects nothing; take a gain below the leakage"
+            f"{table.fading:g} 1/s, so that its inverse corrects nothing; take a gain below the leakage [E-RIG-05]"
         )
     system = _laboratory(part, table)
     _check_stable(system, table)
@@ -231,7 +231,7 @@ def _check_stable(system: LinearSystem, table: ShakingTable) -> None:
         raise InputError(
             f"the shaking table is unstable with this structure: it grows at {abs(worst.imag) / (2.0 * math.pi):.3g} "
             f"Hz with a gain of {table.gain:g} 1/s and a leakage of {table.fading:g} 1/s; the bare table needs a gain "
-            "below the leakage"
+            "below the leakage [E-RIG-05]"
         )
 
 

@@ -151,7 +151,7 @@ class _Balance:
         if imbalance(other) * (other - guess) > 0.0:
             raise InputError(
                 f"the force of the damper did not come into balance after {number + 1} steps of "
-                f"{1e3 * self._step:g} ms; take a shorter step"
+                f"{1e3 * self._step:g} ms; take a shorter step [E-RTS-03]"
             )
         return float(scipy.optimize.brentq(imbalance, guess, other, xtol=tolerance, maxiter=MOST_ITERATIONS))
 

@@ -79,7 +79,7 @@ def identify(path: Path | str, order: int | None = None) -> IdentifiedRig:
         InputError: the file cannot be read, or no rig can have made the record so; the message says why.
     """
     if order is not None and order not in ORDERS:
-        raise InputError(f"order: a rig of order 0, 1 or 2 can be found, not {order}")
+        raise InputError(f"order: a rig of order 0, 1 or 2 can be found, not {order} [E-VALUE-02]")
     record = read_measured(path, "command", "displacement")
     u, x, step = record["command"], record["displacement"], record.step
     late = _delay_at_first(record)
@@ -110,26 +110,28 @@ def _delay_at_first(record: MeasuredRecord) -> float:
     u, x, path = record["command"], record["displacement"], record.path
     if (level := clipped(x)) is not None:
         raise InputError(
-            f"{path}: the displacement is cut off at {1e3 * level:.4g} mm: range of the encoder, or stroke"
+            f"{path}: the displacement is cut off at {1e3 * level:.4g} mm: range of the encoder, or stroke [E-MEAS-03]"
         )
     frequency, duration = equivalent_frequency(u, record.step), record.step * (u.size - 1)
     if duration * frequency < PERIODS:
         raise InputError(
             f"{path}: {duration:.3g} s are too short: at the command's {frequency:.3g} Hz at least "
-            f"{PERIODS / frequency:.3g} s are needed"
+            f"{PERIODS / frequency:.3g} s are needed [E-RIG-01]"
         )
     try:
         return correlation_delay(u, x, record.step).delay
     except Undetermined as reason:
         undetermined = str(reason)
     if _told(u, -x, record.step) is not None:
-        raise InputError(f"{path}: the displacement goes against the command: one of both has the opposite sign")
+        raise InputError(
+            f"{path}: the displacement goes against the command: one of both has the opposite sign [E-RIG-02]"
+        )
     told = [_told(u[part], x[part], record.step) for part in _parts(u.size)]
     parts = [delay for delay in told if delay is not None]
     if len(parts) == len(told) and np.ptp(parts) > ACCURACY:
         raise InputError(_two_clocks(path, 1e3 * parts[0], 1e3 * parts[-1]))
     words = undetermined.replace("target", "command").replace("measured channel", "displacement")
-    raise InputError(f"{path}: {words}; is this the displacement of that command?")
+    raise InputError(f"{path}: {words}; is this the displacement of that command? [E-RIG-01]")
 
 
 def _refuse_other_units(record: MeasuredRecord, gain: float) -> None:
@@ -137,7 +139,7 @@ def _refuse_other_units(record: MeasuredRecord, gain: float) -> None:
     if not 1.0 / UNIT_SLIP <= gain <= UNIT_SLIP:
         raise InputError(
             f"{record.path}: the displacement is {gain:.4g} times the command: are both columns in the units of their "
-            "headers?"
+            "headers? [E-RIG-02]"
         )
 
 
@@ -146,9 +148,12 @@ def _refuse_no_delay(record: MeasuredRecord, late: float) -> None:
     if late < -record.step:
         raise InputError(
             f"{record.path}: the displacement leads the command by {-1e3 * late:.3g} ms: are their columns swapped?"
+            " [E-RIG-02]"
         )
     if late > MOST_DELAY:
-        raise InputError(f"{record.path}: the displacement is {late:.3g} s late, and no rig is: is a column shifted?")
+        raise InputError(
+            f"{record.path}: the displacement is {late:.3g} s late, and no rig is: is a column shifted? [E-RIG-02]"
+        )
 
 
 def _refuse_drift(record: MeasuredRecord, fit: RigFit) -> None:
@@ -177,7 +182,7 @@ def _refuse_drift(record: MeasuredRecord, fit: RigFit) -> None:
 def _two_clocks(path: Path, begin: float, end: float) -> str:
     return (
         f"{path}: the delay drifts from {begin:.3g} to {end:.3g} ms: command and displacement have two clocks, or the "
-        "rig changes; record both on one clock"
+        "rig changes; record both on one clock [E-RIG-03]"
     )
 
 

@@ -70,11 +70,12 @@ class RigTransfer:
             return LinearRig(delay=self.delay, d=float(num[0] / den[0]))
         if n > MOST_RIG_STATES:
             raise InputError(
-                f"the transfer function of the rig has the order {n}; {MOST_RIG_STATES} at most are possible"
+                f"the transfer function of the rig has the order {n}; {MOST_RIG_STATES} at most are possible [E-RIG-04]"
             )
         if len(num) >= len(den):
             raise InputError(
                 "the transfer function of the rig needs a denominator of a higher power of s than its numerator"
+                " [E-RIG-04]"
             )
         # in time units of the rig, so that powers of s are of one size
         unit = abs(den[-1] / den[0]) ** (1.0 / n) if den[-1] != 0.0 else 1.0

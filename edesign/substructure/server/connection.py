@@ -132,7 +132,7 @@ def listen(host: str, port: int) -> socket.socket:
         InputError: the port is in use or not allowed, or the address is not of this machine.
     """
     if not 0 <= port <= LARGEST_PORT:
-        raise InputError(f"port {port}: ports are numbers from 0 to {LARGEST_PORT}")
+        raise InputError(f"port {port}: ports are numbers from 0 to {LARGEST_PORT} [E-SERVE-01]")
     listener = socket.socket()
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # also just after another session
@@ -161,9 +161,9 @@ def _go_on_waiting(until: float | None) -> None:
 
 def _why_not(host: str, port: int, error: OSError) -> str:
     if error.errno == errno.EADDRINUSE:
-        return f"port {port} of {host} is in use by another program; choose another port"
+        return f"port {port} of {host} is in use by another program; choose another port [E-SERVE-01]"
     if error.errno == errno.EACCES:
-        return f"port {port} of {host}: no permission; ports from 1024 on need none"
+        return f"port {port} of {host}: no permission; ports from 1024 on need none [E-SERVE-01]"
     if isinstance(error, socket.gaierror) or error.errno == errno.EADDRNOTAVAIL:
-        return f"{host}: this is no address of this machine"
-    return f"port {port} of {host} cannot be used: {reason(error)}"
+        return f"{host}: this is no address of this machine [E-SERVE-01]"
+    return f"port {port} of {host} cannot be used: {reason(error)} [E-SERVE-01]"

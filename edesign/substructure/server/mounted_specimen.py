@@ -94,17 +94,17 @@ class MountedSpecimen:
         if motion.time < last.time:
             raise RefusedMotion(
                 f"time runs backwards, from {last.time:.9g} s to {motion.time:.9g} s: the specimen cannot; "
-                "serve anew for a new analysis, also after loadConst -time"
+                "serve anew for a new analysis, also after loadConst -time [E-SERVE-02]"
             )
         if motion.time == last.time and motion.displacement != last.displacement:
             raise RefusedMotion(
                 f"the specimen shall jump from {1e3 * last.displacement:.6g} mm to {1e3 * motion.displacement:.6g} mm "
-                f"at t = {last.time:.9g} s; a test begins at rest and undeformed, and takes time to move"
+                f"at t = {last.time:.9g} s; a test begins at rest and undeformed, and takes time to move [E-SERVE-02]"
             )
         if self._allow or not self.under_way or motion.displacement == self.trial.displacement:
             return
         raise RefusedMotion(
             f"a second trial in the step to t = {motion.time:.9g} s: {1e3 * motion.displacement:.6g} mm after "
             f"{1e3 * self.trial.displacement:.6g} mm. A damper cannot take a trial back: use an integrator without "
-            f"iterations ({EXPLICIT}), or allow iterations, which only a virtual specimen can follow"
+            f"iterations ({EXPLICIT}), or allow iterations, which only a virtual specimen can follow [E-SERVE-02]"
         )

@@ -164,18 +164,21 @@ class Messages:
         if greeting.data_size != DATA_SIZE:
             raise RefusedClient(
                 f"its messages have {greeting.data_size} numbers, and {DATA_SIZE} are served: leave out -dataSize"
+                " [E-SERVE-03]"
             )
         if displacements != n:
             raise RefusedClient(
                 f"it controls {displacements} displacements, and the specimen hangs on {n}: give genericClient "
-                f"{n} node{'s' * (n > 1)} with one -dof each"
+                f"{n} node{'s' * (n > 1)} with one -dof each [E-SERVE-03]"
             )
         if velocities not in (0, n) or times != 1:
             given = ", ".join(f"{size} {name}" for size, name in zip(greeting.controlled, _CONTROLLED, strict=True))
-            raise RefusedClient(f"it sends {given}; one time is needed, and {n} or no velocities")
+            raise RefusedClient(f"it sends {given}; one time is needed, and {n} or no velocities [E-SERVE-03]")
         for size, name in zip(greeting.measured[:4], _CONTROLLED, strict=False):
             if size not in (0, n) or (size and name == "accelerations"):
-                raise RefusedClient(f"it wants {size} {name} measured; {0 if name == 'accelerations' else n} are")
+                raise RefusedClient(
+                    f"it wants {size} {name} measured; {0 if name == 'accelerations' else n} are [E-SERVE-03]"
+                )
         self._interface = tuple(interface)
         self._numbers = struct.Struct(f"<{1 + sum(greeting.controlled)}d")
         self._moves = velocities > 0
@@ -194,7 +197,7 @@ class Messages:
         code = code_of(message)
         if code is None:
             (number,) = _FIRST.unpack_from(message)
-            raise RefusedClient(f"its message has the code {number:g}, which is not served")
+            raise RefusedClient(f"its message has the code {number:g}, which is not served [E-SERVE-03]")
         return code
 
     def motion(self, message: memoryview) -> Motion:
@@ -209,7 +212,9 @@ class Messages:
         numbers = self._numbers.unpack_from(message)
         time = numbers[self._time_at]
         if not all(map(math.isfinite, numbers)):
-            raise RefusedClient(f"it sent a number that is not finite for t = {time:g} s: its own analysis has failed")
+            raise RefusedClient(
+                f"it sent a number that is not finite for t = {time:g} s: its own analysis has failed [E-SERVE-04]"
+            )
         n = len(self._interface)
         displacement = self._along(numbers[1 : 1 + n])
         return Motion(time, displacement, self._along(numbers[1 + n : 1 + 2 * n]) if self._moves else None)

@@ -51,7 +51,7 @@ class DisturbedLoops:
     def __post_init__(self) -> None:
         """Check the step."""
         if not self.step > 0.0:
-            raise InputError(f"time step {self.step:g} s: greater than zero")
+            raise InputError(f"time step {self.step:g} s: greater than zero [E-VALUE-02]")
 
     def change(
         self,
@@ -76,7 +76,7 @@ class DisturbedLoops:
             InputError: forces that are no two rows of one length, or not finite.
         """
         if force.ndim != 1 or force.shape != direct_force.shape or not np.all(np.isfinite(force - direct_force)):
-            raise InputError("forces are two rows of one length and finite values")
+            raise InputError("forces are two rows of one length and finite values [E-SIGNAL-01]")
         padded = _length(stability, force.size, self.step)
         if padded is None:
             return None

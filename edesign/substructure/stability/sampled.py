@@ -204,7 +204,7 @@ class SampledLoop:
             omega, found = refined(omega, first, at, _too_far)
         if not np.all(np.isfinite(found)):
             where = omega[~np.isfinite(found[0])][0] / (2.0 * np.pi)
-            raise InputError(f"the loop in main steps has no finite value at {where:.4g} Hz")
+            raise InputError(f"the loop in main steps has no finite value at {where:.4g} Hz [E-RIG-04]")
         return omega, found[0]
 
     @property

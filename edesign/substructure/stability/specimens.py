@@ -24,7 +24,7 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
         InputError: fewer than four, or frequencies that do not rise.
     """
     if frequency.size < 4 or not np.all(np.diff(frequency) > 0.0):
-        raise InputError("a specimen's stiffness over frequency takes at least four rising frequencies")
+        raise InputError("a specimen's stiffness over frequency takes at least four rising frequencies [E-SIGNAL-01]")
     omega = 2.0 * np.pi * frequency
     cubes = scipy.interpolate.CubicSpline(omega, np.asarray(stiffness, dtype=complex)).c
     inner = omega[1:-1]
@@ -55,6 +55,6 @@ def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray, brac
         InputError: amplitude or a frequency not greater than zero, or as `tabulated_specimen`.
     """
     if not (amplitude > 0.0 and np.all(frequency > 0.0)):
-        raise InputError("a law is linearised at an amplitude and frequencies greater than zero")
+        raise InputError("a law is linearised at an amplitude and frequencies greater than zero [E-VALUE-02]")
     values = np.array([complex_stiffness(law, amplitude, f, brace) for f in frequency.tolist()])
     return tabulated_specimen(frequency, values)

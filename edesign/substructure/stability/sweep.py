@@ -140,7 +140,7 @@ def _values(loop: Loop, omega: np.ndarray, share: np.ndarray | None = None) -> n
     ratio = 1.0 + (actuation - 1.0) * share
     if not np.all(np.isfinite(ratio)):
         first = omega[~np.isfinite(ratio)][0] / (2.0 * np.pi)
-        raise InputError(f"rig, compensator or specimen has no finite transfer function at {first:.4g} Hz")
+        raise InputError(f"rig, compensator or specimen has no finite transfer function at {first:.4g} Hz [E-RIG-04]")
     over, under = loop.parts(actuation, share, s)
     with np.errstate(divide="ignore", invalid="ignore"):  # all of the stiffness is the specimen's: L is infinite at 0
         return np.array([over / under, ratio])

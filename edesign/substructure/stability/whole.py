@@ -83,15 +83,19 @@ class WholeStructure:
         """Check the arrays."""
         n = self.interface.size
         if self.interface.shape != (n,):
-            raise InputError(f"interface: an array of shape {self.interface.shape}; it has one value a degree")
+            raise InputError(
+                f"interface: an array of shape {self.interface.shape}; it has one value a degree [E-PART-02]"
+            )
         for name in ("mass", "damping", "stiffness"):
             array = getattr(self, name)
             if array.shape != (n, n):
-                raise InputError(f"{name}: a matrix of shape {array.shape} beside {n} degrees of freedom")
+                raise InputError(f"{name}: a matrix of shape {array.shape} beside {n} degrees of freedom [E-PART-02]")
             if not np.all(np.isfinite(array)):
-                raise InputError(f"{name}: not every value is finite")
+                raise InputError(f"{name}: not every value is finite [E-PART-02]")
         if np.linalg.eigvalsh(self.mass)[0] <= 0.0:
-            raise InputError("mass: a degree of freedom of the numerical part has no mass, so the loop has no inertia")
+            raise InputError(
+                "mass: a degree of freedom of the numerical part has no mass, so the loop has no inertia [E-PART-01]"
+            )
 
     def specimen_at(self, s: np.ndarray) -> np.ndarray:
         """Return the stiffness k_E of the specimen at s, N/m.
@@ -158,7 +162,7 @@ class WholeStructure:
             i = int(undamped[0])
             raise InputError(
                 f"mode {i + 1} of the structure ({omega[i] / (2.0 * np.pi):.4g} Hz) has no damping; without it every "
-                "delay makes the test unstable"
+                "delay makes the test unstable [E-PART-04]"
             )
         found = np.where(np.isnan(roots), omega, np.abs(roots)).tolist()
         modes = (StructureMode(*one) for one in zip(found, roots.tolist(), forms, strict=True))

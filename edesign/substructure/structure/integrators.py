@@ -241,5 +241,5 @@ def exact(eq: Equation, force: ForceBetween) -> Advance:
 
 def _rho(rho: float, least: float, method: str) -> float:
     if not least <= rho <= 1.0:
-        raise InputError(f"{method}: rho_inf must lie from {least:g} to 1, not {rho:g}")
+        raise InputError(f"{method}: rho_inf must lie from {least:g} to 1, not {rho:g} [E-VALUE-02]")
     return rho

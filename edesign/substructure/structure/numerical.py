@@ -47,23 +47,27 @@ class LinearPart:
     def __post_init__(self) -> None:
         n = len(self.names)
         if n == 0:
-            raise InputError("the numerical part has no degree of freedom")
+            raise InputError("the numerical part has no degree of freedom [E-PART-02]")
         for what in ("mass", "damping", "stiffness", "influence", "interface"):
             values = getattr(self, what)
             wanted = (n,) if what in ("influence", "interface") else (n, n)
             if values.shape != wanted:
-                raise InputError(f"numerical part: {what} is {values.shape}, and its {n} degrees need {wanted}")
+                raise InputError(
+                    f"numerical part: {what} is {values.shape}, and its {n} degrees need {wanted} [E-PART-02]"
+                )
             if not np.all(np.isfinite(values)):
-                raise InputError(f"numerical part: {what} has a value that is not finite")
+                raise InputError(f"numerical part: {what} has a value that is not finite [E-PART-02]")
             if what in ("mass", "stiffness") and not np.allclose(values, values.T, rtol=0.0, atol=_rounding(values)):
-                raise InputError(f"numerical part: {what} is not symmetric")
+                raise InputError(f"numerical part: {what} is not symmetric [E-PART-02]")
         if not np.any(self.interface):
-            raise InputError("numerical part: no degree of freedom moves the specimen")
+            raise InputError("numerical part: no degree of freedom moves the specimen [E-PART-03]")
         for name, own in zip(self.names, np.diag(self.mass), strict=True):
             if not own > 0.0:
-                raise InputError(f"numerical part: {name} has no mass; condense it or give it one")
+                raise InputError(f"numerical part: {name} has no mass; condense it or give it one [E-PART-01]")
         if np.linalg.eigvalsh(_unit_diagonal(self.mass))[0] <= ROUNDING:
-            raise InputError("numerical part: the mass matrix is not positive definite; a motion has no inertia")
+            raise InputError(
+                "numerical part: the mass matrix is not positive definite; a motion has no inertia [E-PART-01]"
+            )
 
     def with_specimen(self, stiffness: float) -> np.ndarray:
         """Return the (n, n) stiffness with a spring in the place of the specimen, N/m.
@@ -108,7 +112,7 @@ def natural_modes(mass: np.ndarray, stiffness: np.ndarray) -> tuple[np.ndarray, 
     """
     squared, shapes = scipy.linalg.eigh(stiffness, mass)
     if squared[0] < -ROUNDING * max(squared[-1], 0.0):
-        raise InputError("the numerical part is unstable: a squared frequency is less than zero")
+        raise InputError("the numerical part is unstable: a squared frequency is less than zero [E-PART-04]")
     return np.sqrt(np.maximum(squared, 0.0)), shapes
 
 
@@ -134,7 +138,7 @@ def damping_matrix(mass: np.ndarray, stiffness: np.ndarray, damping: InherentDam
     if wanted > omega.size:
         count = "1 mode" if omega.size == 1 else f"{omega.size} modes"
         hint = "; give it modal damping of 1 mode" if omega.size == 1 else ""
-        raise InputError(f"damping: mode {wanted} is asked for, and the numerical part has {count}{hint}")
+        raise InputError(f"damping: mode {wanted} is asked for, and the numerical part has {count}{hint} [E-PART-03]")
     if isinstance(damping, RayleighDamping):
         a0, a1 = proportional_factors(damping, omega)
         return a0 * mass + a1 * stiffness
@@ -181,13 +185,15 @@ def shear_building(
     m, k = np.asarray(masses, dtype=float), np.asarray(stiffnesses, dtype=float)
     n = m.size
     if m.ndim != 1 or m.shape != k.shape or n == 0:
-        raise InputError(f"structure: {m.size} masses and {k.size} stiffnesses; each storey needs one of both")
+        raise InputError(
+            f"structure: {m.size} masses and {k.size} stiffnesses; each storey needs one of both [E-PART-02]"
+        )
     for what, values in (("masses", m), ("stiffnesses", k)):
         for i, value in enumerate(values):
             if not 0.0 < value < math.inf:
-                raise InputError(f"structure: {what}[{i}] must be greater than zero, not {value:g}")
+                raise InputError(f"structure: {what}[{i}] must be greater than zero, not {value:g} [E-VALUE-02]")
     if not 1 <= storey <= n:
-        raise InputError(f"structure: there is no storey {storey}; the building has {n}")
+        raise InputError(f"structure: there is no storey {storey}; the building has {n} [E-PART-03]")
     drifts = np.eye(n) - np.eye(n, k=-1)  # of the storeys, by displacements of the floors
     mass, stiffness = np.diag(m), drifts.T @ (k[:, None] * drifts)
     names = tuple(f"floor {i + 1}" for i in range(n))

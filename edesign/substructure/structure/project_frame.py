@@ -187,7 +187,7 @@ class ProjectFrame:
         response = self._response(ready, found, ground, step, every)
         if response.group.attributes["status"] != "completed":
             reason = response.group.attributes["reason"]
-            raise AnalysisError(f"{self.project.path}: the frame with {self.device.name} in it: {reason}")
+            raise AnalysisError(f"{self.project.path}: the frame with {self.device.name} in it: {reason} [E-PART-04]")
         return response
 
     def _recorded(self, frame: FrameModel) -> tuple[HistoryResults, list[Channel]]:
@@ -206,7 +206,7 @@ class ProjectFrame:
     def _prepared(self, inside: bool) -> _Ready:
         """The frame under gravity, damped, its dampers installed; the specimen is the last of them, inside or not."""
         if self.project.integration is None:
-            raise InputError(f"{self.project.path}: a frame that may yield needs `integration`")
+            raise InputError(f"{self.project.path}: a frame that may yield needs `integration` [E-KEY-02]")
         frame = make_frame(self.project, dampers=True, outside=(self.device.name,))
         force, deformation = self.scales
         name, law, number = self.device.name, self.law, len(frame.model.damper_names)

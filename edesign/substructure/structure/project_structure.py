@@ -108,10 +108,12 @@ def project_part(project: Project, device: str, vertical: bool = True, estimate:
     Source: static condensation: Chopra, Dynamics of Structures, 9.3.
     """
     if project.dampers is None or not project.dampers.devices:
-        raise InputError(f"{project.path}: the project has no dampers, of which one could stand in the laboratory")
+        raise InputError(
+            f"{project.path}: the project has no dampers, of which one could stand in the laboratory [E-PART-03]"
+        )
     if project.damping is None:
         raise InputError(
-            f"{project.path}: a substructure test needs `damping`; for none write `damping: {{kind: none}}`"
+            f"{project.path}: a substructure test needs `damping`; for none write `damping: {{kind: none}}` [E-KEY-02]"
         )
     structure = make_structure(project, dampers=True)
     specimen = _specimen(project, structure, device)
@@ -152,6 +154,7 @@ def _specimen(project: Project, structure: Structure, name: str) -> Device:
         raise InputError(
             f"{project.path}: the damper {name} has a brace in series ({found.brace:g} N/m); say what stands in the "
             "laboratory: make the brace `rigid` and give the damper's own stiffness, or test both together as one law"
+            " [E-PART-05]"
         )
     return found
 
@@ -174,7 +177,7 @@ def _other_dampers(project: Project, structure: Structure, specimen: Device) -> 
         if reason is not None:
             raise InputError(
                 f"{project.path}: beside {specimen.name} the damper {device.name} would stay in the linear numerical "
-                f"part, and {reason}"
+                f"part, and {reason} [E-PART-05]"
             )
         scale = device.force_scale * device.deformation_scale
         values = (0.0, *law.values)[-2:]
@@ -205,7 +208,9 @@ def _add_dashpots(project: Project, structure: Structure, c: np.ndarray) -> None
 def _condense(project: Project, tangent: scipy.sparse.csc_matrix, masses: np.ndarray) -> _Condensed:
     heavy, light = np.flatnonzero(masses > 0.0), np.flatnonzero(masses <= 0.0)
     if heavy.size == 0:
-        raise InputError(f"{project.path}: the frame has no `masses`; without inertia there is no motion to integrate")
+        raise InputError(
+            f"{project.path}: the frame has no `masses`; without inertia there is no motion to integrate [E-PART-01]"
+        )
     shape = np.zeros((masses.size, heavy.size))
     shape[heavy, np.arange(heavy.size)] = 1.0
     if light.size == 0:
@@ -213,7 +218,7 @@ def _condense(project: Project, tangent: scipy.sparse.csc_matrix, masses: np.nda
     try:
         factors = scipy.sparse.linalg.splu(tangent[light][:, light].tocsc())
     except RuntimeError as error:
-        text = "degrees without mass are held by nothing once the damper stands in the laboratory"
+        text = "degrees without mass are held by nothing once the damper stands in the laboratory [E-PART-01]"
         raise InputError(f"{project.path}: {text}") from error
     shape[light] = -factors.solve(tangent[light][:, heavy].toarray())
     return _Condensed(heavy, shape, light, factors)
@@ -262,7 +267,7 @@ def _interface(project: Project, specimen: Device, interface: np.ndarray) -> np.
     if np.abs(interface).max() <= ROUNDING * max(abs(coefficient) for coefficient, _, _ in specimen.terms):
         raise InputError(
             f"{project.path}: no degree with mass moves the damper {specimen.name}: the loop would have no inertia; "
-            "give `masses` at its ends"
+            "give `masses` at its ends [E-PART-01]"
         )
     return interface
 
@@ -280,7 +285,7 @@ def _in_series(project: Project, specimen: Device, flexibility: float, part: Lin
     if share > MOST_IN_SERIES:
         raise InputError(
             f"{project.path}: {text}; they would answer the measured force at once, and no step can be made of that; "
-            "give masses there, e.g. `masses: {directions: both}`"
+            "give masses there, e.g. `masses: {directions: both}` [E-PART-01]"
         )
     return [f"{text}; it is left out"]
 

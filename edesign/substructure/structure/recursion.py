@@ -86,7 +86,7 @@ def recursion(
         raise InputError(
             f"{method} is unstable with steps of {1e3 * step:g} ms: mode {mode} of the numerical part "
             f"({frequency:.4g} Hz) allows at most {1e3 * largest:.4g} ms; take a shorter main step, or `kr_alpha`, "
-            "which has no limit"
+            "which has no limit [E-RTS-03]"
         )
     return matrices
 
@@ -121,9 +121,11 @@ def unchecked_recursion(
     if between is None:
         raise InputError(unknown_name("force", force, FORCES))
     if not 0.0 < step < math.inf:
-        raise InputError(f"main step: must be greater than zero, not {step:g} s")
+        raise InputError(f"main step: must be greater than zero, not {step:g} s [E-RTS-03]")
     if not 0.0 <= specimen_stiffness < math.inf:
-        raise InputError(f"estimate of the specimen's stiffness: must not be negative, not {specimen_stiffness:g} N/m")
+        raise InputError(
+            f"estimate of the specimen's stiffness: must not be negative, not {specimen_stiffness:g} N/m [E-VALUE-02]"
+        )
     with one_thread():
         return _matrices(Equation(part, step, specimen_stiffness, rho), method, between, accelerations)
 
