@@ -319,7 +319,7 @@ def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], whe
     length = math.hypot(x1 - x0, y1 - y0)
     c, s = (x1 - x0) / length, (y1 - y0) / length
     terms = ((c, second, UX), (s, second, UY), (-c, first, UX), (-s, first, UY))
-    levels = project.frame.y
+    levels = project.frame.levels
     storey = next((i for i in range(1, len(levels)) if sorted((y0, y1)) == [levels[i - 1], levels[i]]), 0)
     return _Place(names.damper_between_name(start, end), storey, 0, terms, length, 1.0, 1)
 

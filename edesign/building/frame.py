@@ -76,7 +76,7 @@ def build_frame(
     supports, grounds, built_footings = _supports(frame, model, nodes, footings, isolation, base_held)
     rigid = frame.diaphragm_floors if isolation is None or base_held else (0, *frame.diaphragm_floors)
     for floor in rigid:
-        tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
+        tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.levels[floor]]
         for node in tied[1:]:
             model.tie(node, tied[0], ux=True, uy=False, rz=False)
     masses = node_masses(project)

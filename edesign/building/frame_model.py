@@ -168,7 +168,7 @@ class FrameModel:
         Args:
             floor: from 0 at the ground.
         """
-        level = self.frame.y[floor]
+        level = self.frame.levels[floor]
         return [name for name in self.nodes if self.frame.nodes[name][1] == level]
 
     @cached_property

@@ -81,7 +81,7 @@ def add_leaning_column(project: Project, model: Model, nodes: Mapping[str, int],
     model.fix(base, ux=True, uy=True, rz=True)
     elements = []
     for floor, load in enumerate(leaning_loads(project, project.loads.gravity), start=1):
-        above = model.node(f"leaning column at floor {floor}", x, frame.y[floor])
+        above = model.node(f"leaning column at floor {floor}", x, frame.levels[floor])
         model.fix(above, rz=True)
         model.tie(above, nodes[frame.leading_node(floor)], ux=True)
         name = f"leaning column in storey {floor}"

@@ -72,7 +72,7 @@ def from_project(project: Project, without_dampers: bool = False) -> tuple[Sap20
         model.frames[name] = FrameObject(name, start, end, section, 90.0 if weak else 0.0, at_ends)
     _supports(project, model)
     for floor in frame.diaphragm_floors:
-        joints = [name for name, place in frame.nodes.items() if place[1] == frame.y[floor]]
+        joints = [name for name, place in frame.nodes.items() if place[1] == frame.levels[floor]]
         if len(joints) > 1:
             model.diaphragms[f"FLOOR{floor}"] = joints
     _loads(project, model)

@@ -19,6 +19,7 @@ from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
 from edesign.project.building.supports import Springs, Support, springs_of
 from edesign.project.document import Document
+from edesign.project.frame import spacing
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.notation.units import PositiveDensity, PositiveLength, PositiveStress
 from edesign.project.project import Identifier
@@ -31,32 +32,20 @@ MOST_BAYS = 100
 MOST_STOREYS = 200
 
 
-class EqualBays(Model):
-    """Bays of one width.
-
-    Attributes:
-        count: number of bays.
-        width: width of each bay.
-    """
+class EqualBays(spacing.EqualBays):
+    """Bays of one width."""
 
     count: Annotated[int, Field(ge=1, le=MOST_BAYS)]
-    width: PositiveLength
 
 
 Widths = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_BAYS)]
 BayWidths = Annotated[Widths | EqualBays, OneOf()]
 
 
-class EqualStoreys(Model):
-    """Storeys of one height.
-
-    Attributes:
-        count: number of storeys.
-        height: height of each storey.
-    """
+class EqualStoreys(spacing.EqualStoreys):
+    """Storeys of one height."""
 
     count: Annotated[int, Field(ge=1, le=MOST_STOREYS)]
-    height: PositiveLength
 
 
 Heights = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_STOREYS)]
@@ -104,7 +93,7 @@ class Steel(Model):
     density: PositiveDensity = 7850.0
 
 
-class Building(FileModel):
+class Building(spacing.Storeys, FileModel):
     """A building file: a building in three dimensions, what acts on it, and what it is designed for.
 
     Once validated all values are in SI. Made by `load_building`.
@@ -160,7 +149,7 @@ class Building(FileModel):
             deep: whether nested models are copied too.
         """
         found = super().model_copy(update=update, deep=deep)
-        for name in ("layout", "heights", "levels"):
+        for name in ("layout", "storey_heights", "levels"):
             found.__dict__.pop(name, None)
         return found
 
@@ -183,18 +172,7 @@ class Building(FileModel):
 
     def widths(self, along: Direction) -> tuple[float, ...]:
         """Return the widths of the bays along x or y, m."""
-        bays = self.plan.x if along == "x" else self.plan.y
-        return (bays.width,) * bays.count if isinstance(bays, EqualBays) else bays
-
-    @cached_property
-    def storey_heights(self) -> tuple[float, ...]:
-        """Height of each storey, from the lowest, m."""
-        return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
-
-    @property
-    def n_storeys(self) -> int:
-        """The number of storeys."""
-        return len(self.storey_heights)
+        return spacing.widths(self.plan.x if along == "x" else self.plan.y)
 
     def n_bays(self, along: Direction) -> int:
         """Return the number of bays along x or y."""
@@ -207,11 +185,6 @@ class Building(FileModel):
     def coordinates(self, along: Direction) -> tuple[float, ...]:
         """Return the coordinates of the grid lines, m; the first is at 0."""
         return tuple(accumulate(self.widths(along), initial=0.0))
-
-    @cached_property
-    def levels(self) -> tuple[float, ...]:
-        """Level of each floor above the base, m; the base is first."""
-        return tuple(accumulate(self.storey_heights, initial=0.0))
 
     def support(self, line: ColumnLine) -> Springs:
         """Return the support at the foot of a column line, by its name, by `default`, or fixed."""

@@ -9,20 +9,17 @@ from functools import cached_property
 from itertools import accumulate
 from typing import Annotated
 
-from pydantic import Field, PrivateAttr
+from pydantic import PrivateAttr
 
 from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
+from edesign.project.frame.spacing import EqualBays, EqualStoreys, Lengths, Storeys, widths
 from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
 from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
-from edesign.project.notation.units import PositiveLength
 from edesign.project.reading.base import Model
 from edesign.project.reading.one_of import OneOf
-
-Count = Annotated[int, Field(ge=1, le=1000)]
-Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
 
 
 @dataclass(frozen=True)
@@ -42,31 +39,7 @@ class BeamMember:
     length: float
 
 
-class EqualBays(Model):
-    """Bays of one width.
-
-    Attributes:
-        count: number of bays.
-        width: width of each bay.
-    """
-
-    count: Count
-    width: PositiveLength
-
-
-class EqualStoreys(Model):
-    """Storeys of one height.
-
-    Attributes:
-        count: number of storeys.
-        height: height of each storey.
-    """
-
-    count: Count
-    height: PositiveLength
-
-
-class Frame(Model):
+class Frame(Storeys, Model):
     """A plane frame on a grid of bays and storeys.
 
     Lines are named A, B, ...; bays count from 1 at the left, storeys and floors from 1 at the bottom; floor 0 is the
@@ -116,12 +89,7 @@ class Frame(Model):
     @cached_property
     def bay_widths(self) -> tuple[float, ...]:
         """Width of each bay, left to right, m."""
-        return (self.bays.width,) * self.bays.count if isinstance(self.bays, EqualBays) else self.bays
-
-    @cached_property
-    def storey_heights(self) -> tuple[float, ...]:
-        """Height of each storey, bottom to top, m."""
-        return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
+        return widths(self.bays)
 
     @property
     def n_bays(self) -> int:
@@ -133,11 +101,6 @@ class Frame(Model):
         """The number of column lines, one more than there are bays."""
         return len(self.bay_widths) + 1
 
-    @property
-    def n_storeys(self) -> int:
-        """The number of storeys."""
-        return len(self.storey_heights)
-
     @cached_property
     def lines(self) -> tuple[str, ...]:
         """Names of the column lines, left to right: ("A", "B", ...)."""
@@ -148,15 +111,10 @@ class Frame(Model):
         """Coordinate of each line, m; line A is at 0."""
         return tuple(accumulate(self.bay_widths, initial=0.0))
 
-    @cached_property
-    def y(self) -> tuple[float, ...]:
-        """Level of each floor from the base (floor 0) to the roof, m; n_storeys + 1 values."""
-        return tuple(accumulate(self.storey_heights, initial=0.0))
-
     @property
     def height(self) -> float:
         """Level of the roof above the base, m."""
-        return self.y[-1]
+        return self.levels[-1]
 
     def bay_lines(self, bay: int) -> tuple[str, str]:
         """Return the lines at the left and right of a bay (bays count from 1)."""
@@ -283,7 +241,7 @@ class Frame(Model):
         for line, storey in self.column_at:
             used |= {names.node_name(line, storey - 1), names.node_name(line, storey)}
         grid = {}
-        for floor, y in enumerate(self.y):
+        for floor, y in enumerate(self.levels):
             for i, line in enumerate(self.lines):
                 grid[names.node_name(line, floor)] = (self.x[i], y)
                 if i < self.n_bays:

@@ -35,7 +35,7 @@ def member_lines(frame: Frame) -> dict[str, Line]:
     found = {}
     for line, storey in frame.column_at:
         x = frame.x[frame.lines.index(line)]
-        found[names.column_name(line, storey)] = ((x, frame.y[storey - 1]), (x, frame.y[storey]))
+        found[names.column_name(line, storey)] = ((x, frame.levels[storey - 1]), (x, frame.levels[storey]))
     ends = {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
     ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
     return found | {name: (frame.nodes[start], frame.nodes[end]) for name, (start, end) in ends.items()}
@@ -58,7 +58,7 @@ def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
     bay, storey = int(first), int(second)
     if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
         return None
-    left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.y[storey - 1], frame.y[storey]
+    left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.levels[storey - 1], frame.levels[storey]
     apex = (0.5 * (left + right), high)
     if kind == "V" and name.endswith(("_r", "_f")):  # in place of a brace
         line = ((left, low), apex) if name.endswith("_r") else (apex, (right, low))
@@ -90,7 +90,9 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
     for line, x in zip(frame.lines, frame.x, strict=True):
         if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers:
             marker = SUPPORTS[support_name(frame.support(line))]
-            axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
+            axes.plot(
+                x, frame.levels[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False
+            )
     margin = 0.04 * max(frame.x[-1], frame.height)
     right = frame.x[-1]
     if frame.leaning_column is not None:
@@ -133,9 +135,10 @@ def draw_dampers(axes: Axes, frame: Frame, dampers: Sequence[str], color: str = 
 
 def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:
     """Struts between hinges at x m, and the ties that hold them to the floors."""
-    axes.plot([x] * len(frame.y), frame.y, color=STEEL, lw=1.2, zorder=1.5)
-    axes.plot([x] * len(frame.y), frame.y, marker="o", ls="none", ms=3.0, mfc="white", mec=MEAN, mew=0.6, zorder=2)
-    for y in frame.y[1:]:
+    hinges = [x] * len(frame.levels), frame.levels
+    axes.plot(*hinges, color=STEEL, lw=1.2, zorder=1.5)
+    axes.plot(*hinges, marker="o", ls="none", ms=3.0, mfc="white", mec=MEAN, mew=0.6, zorder=2)
+    for y in frame.levels[1:]:
         axes.plot((frame.x[-1], x), (y, y), color=STEEL, lw=0.7, ls=(0, (4, 3)), zorder=1)
 
 

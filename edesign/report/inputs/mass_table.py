@@ -48,7 +48,7 @@ def _floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndar
     The masses resist horizontal motion; tuned masses are none of them. The weights are the loads of the gravity
     combination on beams, nodes and the leaning column, and on an isolated base.
     """
-    levels = np.asarray(project.frame.y)
+    levels = np.asarray(project.frame.levels)
     mass = np.zeros(levels.size)
     for node, value in frame.masses.items():
         if node in project.frame.nodes:
@@ -61,7 +61,7 @@ def _floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndar
 
 def _table(floors: tuple[tuple[float, float], ...], project: Project, of: str) -> Table:
     found = [(i, *floors[i]) for i in reversed(range(len(floors)))]
-    rows = [(i or "base", project.frame.y[i], mass, weight) for i, mass, weight in found if i or mass or weight]
+    rows = [(i or "base", project.frame.levels[i], mass, weight) for i, mass, weight in found if i or mass or weight]
     total = np.sum(floors, axis=0)
     factors = project.loads.gravity
     notes = [f"Mass: that resists horizontal motion. Weight: loads of {factors.G:g} G + {factors.Q:g} Q."]

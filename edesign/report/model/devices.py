@@ -99,7 +99,7 @@ def draw_sizes(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
                 rows.setdefault(storey, []).append((_storey_words(project, run, index, several), colors[run.law]))
     x = sheet.right + COLUMN
     for storey, texts in rows.items():
-        middle = 0.5 * place.up * (frame.y[storey - 1] + frame.y[storey])
+        middle = 0.5 * place.up * (frame.levels[storey - 1] + frame.levels[storey])
         for i, (text, color) in enumerate(texts):
             y = middle + ROW * (0.5 * (len(texts) - 1) - i)
             if not sheet.place([Spot(x, y, "left")], text, color=color):
@@ -210,7 +210,7 @@ def _tuned(sheet: Sheet, place: Elevation, project: Project) -> None:
     count: dict[int, int] = {}
     for item in project.dampers.attachments:
         number = count[item.floor] = count.get(item.floor, 0) + 1
-        y = place.up * frame.y[item.floor]
+        y = place.up * frame.levels[item.floor]
         x = 0.3 + 0.9 * (number - 1)
         _mass_sign(sheet, x, y)
         if isinstance(item, TunedMass):

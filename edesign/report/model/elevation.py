@@ -88,7 +88,7 @@ class Elevation(Grid):
     def of_frame(cls, frame: Frame) -> Elevation:
         """Return the elevation of a frame."""
         wide = frame.x[-1] + (LEANING * frame.bay_widths[-1] if frame.leaning_column is not None else 0.0)
-        grid = Grid.of(frame.lines, frame.x, frame.y, wide)
+        grid = Grid.of(frame.lines, frame.x, frame.levels, wide)
         return cls(grid.names, grid.xs, grid.ys, grid.across, grid.up, frame)
 
     def node(self, name: str) -> Point:

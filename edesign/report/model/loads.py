@@ -114,7 +114,7 @@ def _g_and_q(load: G_Q) -> str:
 def _uniform(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
     frame = place.frame
     xs = [place.across * x for x in frame.x]
-    bands = [(xs[b - 1], xs[b], place.up * frame.y[floor], _high(place, floor)) for b, floor in found.uniform]
+    bands = [(xs[b - 1], xs[b], place.up * frame.levels[floor], _high(place, floor)) for b, floor in found.uniform]
     _bands(sheet, bands)
     for floor in range(1, frame.n_storeys + 1):
         loaded = [bay for bay in range(1, frame.n_bays + 1) if (bay, floor) in found.uniform]
@@ -134,7 +134,7 @@ def _high(place: Elevation, floor: int) -> float:
 
 def _above(place: Elevation, bay: int, share: float, floor: int, lift: float = 0.02) -> Spot:
     x = place.frame.x[bay - 1] + share * place.frame.bay_widths[bay - 1]
-    at = place.at(x, place.frame.y[floor])
+    at = place.at(x, place.frame.levels[floor])
     return Spot(at[0], at[1] + _high(place, floor) + lift, "center", "bottom")
 
 
@@ -154,7 +154,7 @@ def _parts(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
     frame = place.frame
     most = max((G[k] + Q[k] for *_, G, Q in found.parts for k in (0, 1)), default=0.0, key=abs)
     for bay, floor, start, end, G, Q in found.parts:
-        y = place.up * frame.y[floor] + (_high(place, floor) if (bay, floor) in found.uniform else 0.0)
+        y = place.up * frame.levels[floor] + (_high(place, floor) if (bay, floor) in found.uniform else 0.0)
         left, right = (place.across * (frame.x[bay - 1] + at) for at in (start, end))
         heights = [1.3 * BAND * abs((G[k] + Q[k]) / most) if most else BAND for k in (0, 1)]
         sheet.shape([(left, y), (right, y), (right, y + heights[1]), (left, y + heights[0])], "#cfdcec", AFTER, 0.5)
@@ -176,7 +176,7 @@ def _points(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
         each = f"{text} each" if len(points) > 1 else text
         spots = []
         for _, _, at, _ in points:
-            x, y = place.at(frame.x[bay - 1] + at, frame.y[floor])
+            x, y = place.at(frame.x[bay - 1] + at, frame.levels[floor])
             low = y + (_high(place, floor) if (bay, floor) in found.uniform else 0.0)
             _force(sheet, x, low)
             spots += [Spot(x, low + ARROW + lift, "center", "bottom") for lift in (0.02, 0.13)]
@@ -200,7 +200,7 @@ def _nodes(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
         text = f"{_g_and_q(load)}{' each' if len(lines) > 1 else ''}"
         spots = []
         for line in lines:
-            x, y = place.at(frame.x[frame.lines.index(line)], frame.y[floor])
+            x, y = place.at(frame.x[frame.lines.index(line)], frame.levels[floor])
             _force(sheet, x, y)
             spots += [Spot(x + 0.04, y + ARROW, "left", "center"), Spot(x - 0.04, y + ARROW, "right", "center")]
             spots += [Spot(x, y + ARROW + 0.02, "center", "bottom")]
@@ -210,7 +210,7 @@ def _nodes(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
 def _columns(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
     frame = place.frame
     for (line, storey), load in found.columns.items():
-        x, low = place.at(frame.x[frame.lines.index(line)], frame.y[storey - 1])
+        x, low = place.at(frame.x[frame.lines.index(line)], frame.levels[storey - 1])
         high = low + place.storey(storey)
         levels = [low + (i + 0.5) * (high - low) / 6.0 for i in range(6)]
         sheet.shape([(x, low), (x, high), (x - BAND, high), (x - BAND, low)], AREA, AFTER, 0.5, zorder=1.0)

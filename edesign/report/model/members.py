@@ -66,7 +66,7 @@ def _brace_kind(run: BraceRun) -> str:
 
 
 def _leaning(sheet: Sheet, place: Elevation, color: str) -> None:
-    x, levels = place.leaning_x, [place.up * y for y in place.frame.y]
+    x, levels = place.leaning_x, [place.up * y for y in place.frame.levels]
     sheet.line((x, levels[0]), (x, levels[-1]), color=color, width=1.2)
     sheet.lines([((place.width, y), (x, y)) for y in levels[1:]], color, 0.7, ls=(0, (4, 3)))
     sheet.dots([(x, y) for y in levels], 3.2)
@@ -109,7 +109,7 @@ class _Sections:
             standing = [s for s in range(1, frame.n_storeys + 1) if (line, s) in frame.column_at]
             for text, run in groupby(standing, key=lambda s, line=line: self._words(frame.column_at[line, s])):  # type: ignore[misc]
                 storeys = list(run)
-                middles = [0.5 * (frame.y[s - 1] + frame.y[s]) for s in storeys]
+                middles = [0.5 * (frame.levels[s - 1] + frame.levels[s]) for s in storeys]
                 centre = 0.5 * (middles[0] + middles[-1])
                 heights = sorted(middles, key=lambda y: abs(y - centre))
                 at = [place.at(x, y) for y in heights]
@@ -131,7 +131,7 @@ class _Sections:
                     for share in (0.5, 0.35, 0.65):
                         for bay in order:
                             x = frame.x[bay - 1] + share * frame.bay_widths[bay - 1]
-                            at = place.at(x, frame.y[floor])
+                            at = place.at(x, frame.levels[floor])
                             spots.append(Spot(at[0], at[1] + shift, "center", va))
                 if not self._sheet.place(spots, text):
                     yield f"beams of floor {floor}, {_numbers('bay', bays)}: {text}"

@@ -123,7 +123,7 @@ def moving_frame(frame: Frame, dampers: tuple[str, ...], masses: tuple[str, ...]
         [] if isolated else [Support(support_name(frame.support(line)), order[foot]) for line, foot in feet.items()]
     )
     base = [order[foot] for foot in feet.values()] if isolated else []
-    own = Geometry(at, members, (), tuple(float(y) for y in frame.y), tuple(supports), tuple(base))
+    own = Geometry(at, members, (), tuple(float(y) for y in frame.levels), tuple(supports), tuple(base))
     found = (_damper(frame, at, name) or _of_base(frame, own, name) for name in dampers)
     return replace(own, dampers=tuple(damper for damper in found if damper), masses=tuple(_masses(frame, own, masses)))
 
@@ -134,7 +134,7 @@ def _of_base(frame: Frame, own: Geometry, name: str) -> MovingDamper | None:
         foot = next((i for i, node in enumerate(own.nodes) if node == names.node_name(line, 0)), None)
         if foot is None or not own.base:
             continue
-        top = Hung((float(x), float(frame.y[0])), (foot, foot), 0.0)
+        top = Hung((float(x), float(frame.levels[0])), (foot, foot), 0.0)
         if name == names.isolator_name(line):
             return MovingDamper(name, (), (Hung((float(x), own.ground), GROUND, 0.0), top), (0.0, 1.0), SIGN * own.size)
         beside = names.base_device_name(line)
@@ -155,7 +155,7 @@ def _masses(frame: Frame, own: Geometry, masses: tuple[str, ...]) -> Iterator[Mo
         parts = max(in_all, frame.n_bays)
         left, right = float(frame.x[0]), float(frame.x[-1])
         x = left + (number - 0.5) / parts * (right - left)
-        yield MovingMass(name, _hung(own.nodes, (x, float(frame.y[floor]))))
+        yield MovingMass(name, _hung(own.nodes, (x, float(frame.levels[floor]))))
 
 
 def floor_shares(levels: tuple[float, ...], places: list[Point]) -> list[tuple[int, float]]:

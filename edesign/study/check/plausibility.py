@@ -77,7 +77,7 @@ def implausible(project: Project, period: float | None) -> list[str]:
 
 def sizes(project: Project) -> str:
     """Return storeys, bays, moduli and gravity loads of a project in words with units."""
-    y, x = project.frame.y, project.frame.x
+    y, x = project.frame.levels, project.frame.x
     heights = [upper - lower for lower, upper in pairwise(y)]
     widths = [right - left for left, right in pairwise(x)]
     moduli = ", ".join(f"E of {name} is {material.E / 1e9:.4g} GPa" for name, material in project.materials.items())
@@ -89,7 +89,7 @@ def sizes(project: Project) -> str:
 def _lengths(project: Project) -> list[str]:
     """Storeys and bays that no member spans, as in building files."""
     found = []
-    for what, places, bounds in (("storey", project.frame.y, HEIGHT), ("bay", project.frame.x, WIDTH)):
+    for what, places, bounds in (("storey", project.frame.levels, HEIGHT), ("bay", project.frame.x, WIDTH)):
         for number, (start, end) in enumerate(pairwise(places), start=1):
             if bounds.refuses(end - start):
                 found.append(

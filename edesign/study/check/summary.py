@@ -205,7 +205,7 @@ def _mass(project: Project) -> dict[str, str]:
     of_floor = dict.fromkeys(range(1, project.frame.n_storeys + 1), 0.0)
     for name, mass in of_node.items():
         level = project.frame.nodes[name][1]
-        of_floor[min(of_floor, key=lambda floor: abs(project.frame.y[floor] - level))] += mass
+        of_floor[min(of_floor, key=lambda floor: abs(project.frame.levels[floor] - level))] += mass
     floors = ", ".join(f"{mass / 1e3:.4g}" for mass in of_floor.values())
     base = "" if project.isolation is None else f"; of the base {sum(base_masses(project).values()) / 1e3:.4g} t"
     return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t{base}"}

@@ -48,7 +48,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     if any(map(any, rigid)):
         label = "length of the rigid end; forces and rotations of the end are those where it begins to bend"
         group.add("rigid_end", ("member", "end"), rigid, "m", label)
-    group.add("floor_level", ("floor",), frame.frame.y[1:], "m", "level of the floor above the base")
+    group.add("floor_level", ("floor",), frame.frame.levels[1:], "m", "level of the floor above the base")
     group.add("storey_height", ("storey",), frame.frame.storey_heights, "m", "height of the storey")
 
 

@@ -73,6 +73,7 @@ def test_other_values() -> None:
     larger = tuple(run.model_copy(update={"section": "HEB300"}) for run in other.columns)
     assert other.layout.column_at[ColumnLine(0, 0), 1].section == "HEB260"
     assert other.model_copy(update={"columns": larger}).layout.column_at[ColumnLine(0, 0), 1].section == "HEB300"
+    assert other.model_copy(update={"storeys": (3.0, 4.0)}).storey_heights == (3.0, 4.0)
     copied = other.model_copy(update={"title": "x"})
     with pytest.raises(InputError, match="title: this copy of the building has `x`"):
         copied.check_unchanged()

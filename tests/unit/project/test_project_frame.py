@@ -18,7 +18,7 @@ def test_grid(project: Project) -> None:
     assert frame.lines == ("A", "B", "C")
     assert frame.bay_lines(2) == ("B", "C")
     assert frame.x == (0.0, 6.0, 13.5)
-    assert frame.y == (0.0, 3.5, 7.0, 10.5)
+    assert frame.levels == (0.0, 3.5, 7.0, 10.5)
     assert frame.height == 10.5
 
 
