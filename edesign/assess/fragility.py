@@ -130,10 +130,12 @@ def fit_capacities(capacity: ArrayLike, last: ArrayLike = math.inf) -> Fragility
     there = np.isfinite(capacities)
     x, missing = np.log(capacities[there]), int(np.sum(~there))
     if x.size < 2:
-        raise AnalysisError(f"no fragility: {x.size} of {capacities.size} records pass the limit; two are needed")
+        raise AnalysisError(
+            f"no fragility: {x.size} of {capacities.size} records pass the limit; two are needed [E-FRAG-01]"
+        )
     if np.ptp(x) <= 1e-12 * max(1.0, float(np.max(np.abs(x)))):
         raise AnalysisError(
-            "no fragility: all records pass the limit at the same intensity, so that beta cannot be told"
+            "no fragility: all records pass the limit at the same intensity, so that beta cannot be told [E-FRAG-01]"
         )
     beyond = np.log(np.broadcast_to(np.asarray(last, dtype=float), capacities.shape)[~there])
     if not np.all(np.isfinite(beyond)):

@@ -37,11 +37,11 @@ class HazardCurve:
 
     def __post_init__(self) -> None:
         if self.intensity.size < 2 or self.intensity.shape != self.rate.shape:
-            raise InputError("a hazard curve needs two points or more, each an intensity and its rate")
+            raise InputError("a hazard curve needs two points or more, each an intensity and its rate [E-CURVE-06]")
         if np.any(self.intensity <= 0.0) or np.any(np.diff(self.intensity) <= 0.0):
-            raise InputError("the intensities of a hazard curve must be greater than zero and ascend")
+            raise InputError("the intensities of a hazard curve must be greater than zero and ascend [E-CURVE-06]")
         if np.any(self.rate <= 0.0) or np.any(np.diff(self.rate) >= 0.0):
-            raise InputError("the larger an intensity, the longer must be its return period")
+            raise InputError("the larger an intensity, the longer must be its return period [E-CURVE-06]")
 
     @property
     def exponents(self) -> np.ndarray:
@@ -102,7 +102,7 @@ def exceedance(fragility: Fragility, curve: HazardCurve, dispersion: float = 0.0
     if not rate <= MOST_A_YEAR:
         raise InputError(
             f"the first line of the hazard curve, k = {curve.exponents[0]:.4g}, is too steep to go on below its first "
-            f"point with a dispersion of {beta:.3g}; codes have k of the order of 3"
+            f"point with a dispersion of {beta:.3g}; codes have k of the order of 3 [E-CURVE-06]"
         )
     below = _over_line(curve, 0, 0.0, curve.intensity[0], fragility.theta, beta)
     beyond = _over_line(curve, lines - 1, curve.intensity[-1], np.inf, fragility.theta, beta)

@@ -8,7 +8,7 @@ import scipy  # its stats are loaded when they are asked for: that takes half a 
 from edesign.errors import AnalysisError
 
 MOST_ITERATIONS = 100
-NOT_RISING = "no fragility: the fraction that passes the limit does not rise with the intensity"
+NOT_RISING = "no fragility: the fraction that passes the limit does not rise with the intensity [E-FRAG-02]"
 _TOLERANCE = 1e-6  # of a step in standard errors; the one after it would be its square
 
 
@@ -44,7 +44,9 @@ def probit(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float]:
         while (trial := log_likelihood(design @ (found + share * step), n, k)) < likelihood and share > 1e-6:
             share *= 0.5
         found, likelihood = found + share * step, trial
-    raise AnalysisError(f"no fragility: the likelihood has not reached its maximum in {MOST_ITERATIONS} iterations")
+    raise AnalysisError(
+        f"no fragility: the likelihood has not reached its maximum in {MOST_ITERATIONS} iterations [E-FRAG-02]"
+    )
 
 
 def check_overlap(n: np.ndarray, k: np.ndarray) -> None:
@@ -61,17 +63,17 @@ def check_overlap(n: np.ndarray, k: np.ndarray) -> None:
     """
     yes, no, count = np.flatnonzero(k > 0.0) + 1, np.flatnonzero(k < n) + 1, n.size
     if not n.any():
-        raise AnalysisError("no fragility: there are no analyses")
+        raise AnalysisError("no fragility: there are no analyses [E-FRAG-01]")
     if yes.size == 0:
-        raise AnalysisError("no fragility: no analysis passes the limit; go to higher intensities")
+        raise AnalysisError("no fragility: no analysis passes the limit; go to higher intensities [E-FRAG-01]")
     if no.size == 0:
-        raise AnalysisError("no fragility: all analyses pass the limit; begin at lower intensities")
+        raise AnalysisError("no fragility: all analyses pass the limit; begin at lower intensities [E-FRAG-01]")
     first, last = yes.min(), no.max()
     if last <= first:
         where = f"none passes the limit up to intensity {last} of {count}, all from {first} on; theta lies between"
         if last == first:
             where = f"only at intensity {first} of {count} do some pass the limit and some not"
-        raise AnalysisError(f"no fragility: {where}; beta cannot be told without more intensities there")
+        raise AnalysisError(f"no fragility: {where}; beta cannot be told without more intensities there [E-FRAG-01]")
     if yes.max() <= no.min():
         raise AnalysisError(NOT_RISING)
 

@@ -91,7 +91,7 @@ def modal_ratios(damping: ModalDamping | CaugheyDamping, omega: np.ndarray) -> n
         raise InputError(
             f"Caughey damping through {anchors.size} modes would give mode {lowest + 1} "
             f"(T = {2.0 * math.pi / omega[lowest]:.3g} s) a ratio of {100.0 * ratios[lowest]:.3g} %, which feeds in "
-            f"energy; {way}, or give `modal` ratios mode by mode"
+            f"energy; {way}, or give `modal` ratios mode by mode [E-DAMP-01]"
         )
     return ratios
 
@@ -113,8 +113,10 @@ def rayleigh_coefficients(omega_i: float, omega_j: float, ratio: float) -> tuple
     Source: a0 = 2 zeta w_i w_j / (w_i + w_j), a1 = 2 zeta / (w_i + w_j); Chopra, Dynamics of Structures, Eq. (11.4.10).
     """
     if not (0.0 < omega_i < math.inf and 0.0 < omega_j < math.inf):
-        raise InputError(f"Rayleigh damping needs frequencies greater than zero, not {omega_i:g} and {omega_j:g} rad/s")
+        raise InputError(
+            f"Rayleigh damping needs frequencies greater than zero, not {omega_i:g} and {omega_j:g} rad/s [E-VALUE-02]"
+        )
     if omega_i == omega_j:
-        raise InputError(f"Rayleigh damping needs two different frequencies, not twice {omega_i:g} rad/s")
+        raise InputError(f"Rayleigh damping needs two different frequencies, not twice {omega_i:g} rad/s [E-VALUE-04]")
     a1 = 2.0 * ratio / (omega_i + omega_j)
     return a1 * omega_i * omega_j, a1

@@ -208,9 +208,13 @@ def add_devices(
             continue
         law = laws[run.law]
         if law.layers is None and run.strain_limit is not None:
-            raise InputError(f"{where}: strain_limit: the law `{run.law}` has no `prototype`, and so no layers")
+            raise InputError(
+                f"{where}: strain_limit: the law `{run.law}` has no `prototype`, and so no layers [E-DEVICE-01]"
+            )
         if law.layers is None and (run.layers or run.layer_area or run.layer_thickness):
-            raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")
+            raise InputError(
+                f"{where}: the law `{run.law}` has no `prototype` whose size could be changed [E-DEVICE-01]"
+            )
         if law.layers is not None and run.scale is not None:
             raise InputError(f"{where}: scale: {PROTOTYPE_SCALE.format(run.law)}")
         restrained = law.restrained
@@ -218,7 +222,10 @@ def add_devices(
             for key, message in restrained_misfits(run.kind, run.brace).items():
                 raise InputError(f"{where}: {key}: {message}")
         elif run.carries_gravity:
-            message = f"the law `{run.law}` is of a damper that is set in under the gravity loads; leave this key out"
+            message = (
+                f"the law `{run.law}` is of a damper that is set in under the gravity loads; leave this key out"
+                " [E-DEVICE-02]"
+            )
             raise InputError(f"{where}: carries_gravity: {message}")
         for place in _places(project, run, nodes, where):
             size = _size(run, place)
@@ -233,7 +240,10 @@ def add_devices(
             taken.add(name)
             if name in outside:
                 if run.carries_gravity:
-                    message = f"{name} stands in the laboratory, where the gravity loads are not; leave this key out"
+                    message = (
+                        f"{name} stands in the laboratory, where the gravity loads are not; leave this key out"
+                        " [E-DEVICE-02]"
+                    )
                     raise InputError(f"{where}: carries_gravity: {message}")
                 continue
             scales = (force_scale, deformation_scale)
@@ -326,7 +336,7 @@ def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], whe
 
 def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
     if name not in nodes:
-        raise InputError(f"{where}: there is no node `{name}` in this frame{did_you_mean(name, nodes)}")
+        raise InputError(f"{where}: there is no node `{name}` in this frame{did_you_mean(name, nodes)} [E-NAME-01]")
     return nodes[name]
 
 

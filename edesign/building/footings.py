@@ -190,7 +190,7 @@ def project_footings(
     where = project.where("frame", "supports")
     raise InputError(
         f"{where}: the period at which footings are taken and the first period of the frame on them do not settle "
-        f"(last {before:.6g} s and {period:.6g} s); give the `period` of the footings"
+        f"(last {before:.6g} s and {period:.6g} s); give the `period` of the footings [E-FOOT-01]"
     )
 
 
@@ -207,6 +207,6 @@ def _springs(project: Project, line: str, footing: Footing, period: float) -> Fo
     if not usable:
         named = project.frame.supports if isinstance(project.frame.supports, dict) else ()
         keys = ("frame", "supports", line if line in named else "default", "footing")
-        message = "its sides or its soil are so large or small that no stiffness follows from them"
+        message = "its sides or its soil are so large or small that no stiffness follows from them [E-FOOT-01]"
         raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
     return found

@@ -130,6 +130,7 @@ def _distance(project: Project, hinges: Hinges, name: str, end: int, i: int) -> 
         where = project.where("hinges", i)
         raise InputError(
             f"{where}: the hinge of {name} is {distance:.3g} m from its node, beyond the middle of the member"
+            " [E-HINGE-01]"
         )
     return distance
 
@@ -144,7 +145,9 @@ def _column_depth(project: Project, name: str, end: int, i: int) -> float:
             plates = i_shape(project, run)
             if plates is None:
                 where = project.where("hinges", i)
-                raise InputError(f"{where}: the column at {node} has no I section; give the `distance` of the hinges")
+                raise InputError(
+                    f"{where}: the column at {node} has no I section; give the `distance` of the hinges [E-HINGE-02]"
+                )
             depths.append(plates.height)
     return max(depths, default=0.0)
 
@@ -159,7 +162,7 @@ def _values(project: Project, hinges: Hinges, name: str, of: Sequence[MemberEnd]
     if section is None or plates is None:
         raise InputError(
             f"{where}: the regression is for I sections of steel that yields; {name} has `{run.section}` of "
-            f"`{run.material}`: give its parameters one by one"
+            f"`{run.material}`: give its parameters one by one [E-HINGE-02]"
         )
     cut, kind = hinges.reduced_section, "other" if hinges.reduced_section is None else "reduced"
     r_y = sqrt(section.weak_inertia / section.area)
@@ -183,6 +186,7 @@ def _values(project: Project, hinges: Hinges, name: str, of: Sequence[MemberEnd]
             at = project.where("hinges", i, "reduced_section", "c")
             raise InputError(
                 f"{at}: two cuts of {cut.c:g} m leave nothing of the flange of {name}, {plates.width:g} m wide"
+                " [E-HINGE-03]"
             )
         Z -= 2.0 * cut.c * plates.flange * (plates.height - plates.flange)
     M_y = EFFECTIVE_YIELD[kind] * Z * section.expected_yield

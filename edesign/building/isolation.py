@@ -221,9 +221,11 @@ def _widths(frame: Frame) -> dict[str, float]:
 def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
     """A size goes with a prototype, a scale without one and without the weight; law files are known only here."""
     if law.layers is None and (item.layers or item.layer_area or item.layer_thickness):
-        raise InputError(f"{where}: the law `{item.law}` has no `prototype` whose size could be changed")
+        raise InputError(f"{where}: the law `{item.law}` has no `prototype` whose size could be changed [E-DEVICE-01]")
     if isinstance(item, Isolator) and item.weight is not None and law.law.law != WEIGHED:
-        raise InputError(f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) do not go with a weight")
+        raise InputError(
+            f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) do not go with a weight [E-DEVICE-03]"
+        )
     if isinstance(item, Isolator) and item.weight == "varying" and item.vertical == "fixed":
         raise InputError(f"{where}.weight: {NEEDS_STIFFNESS}")
     if item.scale is None:
@@ -231,13 +233,16 @@ def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
     if law.layers is not None:
         raise InputError(f"{where}: scale: {PROTOTYPE_SCALE.format(item.law)}")
     if isinstance(item, Isolator) and goes_with_weight(item, law):
-        message = "its forces follow from the weight on it; leave the `scale` out, or say `weight: law`"
+        message = "its forces follow from the weight on it; leave the `scale` out, or say `weight: law` [E-DEVICE-03]"
         raise InputError(f"{where}: scale: {message}")
 
 
 def _weight(weights: Mapping[str, float], foot: str, where: str) -> float:
     weight = weights.get(foot, 0.0)
     if not weight > 0.0:
-        message = f"the isolator under {foot} carries {weight:.4g} N under gravity; it needs a weight for its friction"
+        message = (
+            f"the isolator under {foot} carries {weight:.4g} N under gravity; it needs a weight for its friction"
+            " [E-DEVICE-03]"
+        )
         raise InputError(f"{where}: {message}")
     return weight

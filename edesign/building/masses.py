@@ -88,5 +88,6 @@ def _from_loads(project: Project, factors: Combination) -> dict[str, float]:
             where = project.where("masses", "from_loads")
             raise InputError(
                 f"{where}: masses.from_loads: node {node} would get the mass of a load upwards, {weight:g} N"
+                " [E-MASS-01]"
             )
     return {node: weights[node] / STANDARD_GRAVITY for node in frame.nodes if weights.get(node, 0.0) > 0.0}

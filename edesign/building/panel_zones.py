@@ -113,9 +113,13 @@ def panels_of(project: Project) -> dict[str, Panel]:
             column = shapes[len(beams)]
             depths = [shape.height for shape in shapes[: len(beams)] if shape is not None]
             if column is None or len(depths) < len(beams):
-                raise InputError(f"{where}: the joint {node} has a member without I section; panel zones need them")
+                raise InputError(
+                    f"{where}: the joint {node} has a member without I section; panel zones need them [E-HINGE-04]"
+                )
             if isinstance(steel, ElasticMaterial):
-                raise InputError(f"{where}: the column at {node} is of `{runs[0].material}`, which has no yield stress")
+                raise InputError(
+                    f"{where}: the column at {node} is of `{runs[0].material}`, which has no yield stress [E-HINGE-04]"
+                )
             found[node] = panel_of(max(depths), column, zones.doubler or 0.0, steel.E, steel.fy, zones.hardening)
     return found
 

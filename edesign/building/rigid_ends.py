@@ -58,7 +58,7 @@ def _too_long(project: Project, name: str, ends: Ends, length: float) -> str:
     where = project.where("elements", "rigid_ends")
     return (
         f"{where}: elements.rigid_ends: ends of {ends[0]:.3g} m and {ends[1]:.3g} m leave nothing of {name}, which is "
-        f"{length:g} m long"
+        f"{length:g} m long [E-HINGE-05]"
     )
 
 
@@ -101,7 +101,7 @@ class _Depths:
             where = self._project.where("elements", "rigid_ends")
             raise InputError(
                 f"{where}: elements.rigid_ends: the section `{name}` has area and inertia but no depth, of which rigid "
-                "ends could have a share; give their length, for example `0.2 m`"
+                "ends could have a share; give their length, for example `0.2 m` [E-HINGE-05]"
             )
         hollow = hollow_section(name) if name not in self._project.sections else None
         if hollow is not None:

@@ -32,11 +32,15 @@ class CapacityCurve:
     def __post_init__(self) -> None:
         d, f = self.displacement, self.force
         if d.ndim != 1 or d.shape != f.shape or d.size < 2:
-            raise InputError("a capacity curve needs two points or more, each of a displacement and a base shear")
+            raise InputError(
+                "a capacity curve needs two points or more, each of a displacement and a base shear [E-CURVE-05]"
+            )
         if not (d[0] == 0.0 and np.all(np.diff(d) > 0.0) and np.all(np.isfinite(f))):
-            raise InputError("the displacements of a capacity curve begin with 0 and ascend")
+            raise InputError("the displacements of a capacity curve begin with 0 and ascend [E-CURVE-05]")
         if not f[1] > f[0]:
-            raise InputError("the base shear does not rise with the displacement from the start of the capacity curve")
+            raise InputError(
+                "the base shear does not rise with the displacement from the start of the capacity curve [E-CURVE-05]"
+            )
 
     @property
     def end(self) -> float:
@@ -130,7 +134,7 @@ def fitting(target: Callable[[float], float], most: float) -> float:
     if not (found := target(least)) > least:
         raise InputError(
             f"the target displacement, {found:.3g} m, is below {SETTLED:g} of the {most:.3g} m up to which the "
-            "capacity curve is idealised: the spectrum of this level hardly moves the frame"
+            "capacity curve is idealised: the spectrum of this level hardly moves the frame [E-EC8-06]"
         )
     return zero(lambda displacement: displacement - target(displacement), least, most)
 

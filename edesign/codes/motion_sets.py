@@ -134,7 +134,7 @@ class SetRules:
             InputError: T_1 is not greater than zero.
         """
         if not (math.isfinite(T_1) and T_1 > 0.0):
-            raise InputError(f"the fundamental period T_1 must be greater than zero, not {T_1:g} s")
+            raise InputError(f"the fundamental period T_1 must be greater than zero, not {T_1:g} s [E-VALUE-02]")
         low = self.band[0] * T_1 if math.isinf(self.shortest) else self.shortest
         return low, max(self.band[1] * T_1, self.longest)
 
@@ -154,7 +154,7 @@ class SetRules:
         low, high = self.period_band(T_1)
         periods = np.geomspace(low, high, points)
         if points < 2 or periods[1] / periods[0] > _WIDEST_STEP:
-            raise InputError(f"{points} points from {low:g} s to {high:g} s are more than 5 % apart")
+            raise InputError(f"{points} points from {low:g} s to {high:g} s are more than 5 % apart [E-EC8-07]")
         return periods
 
     def missing(self, target: Spectrum, T_1: float | None) -> str:
@@ -182,14 +182,14 @@ class SetRules:
         """
         low, high = self.period_band(T_1)
         if periods.ndim != 1 or periods.size < 2 or np.any(np.diff(periods) <= 0.0):
-            raise InputError("the periods must be a rising list")
+            raise InputError("the periods must be a rising list [E-EC8-07]")
         inside = (periods >= low * (1.0 - ROUNDING)) & (periods <= high * (1.0 + ROUNDING))
         chosen = periods[inside]
         covered = chosen.size > 1 and chosen[0] <= low * (1.0 + ROUNDING) and chosen[-1] >= high * (1.0 - ROUNDING)
         if not covered or np.max(chosen[1:] / chosen[:-1]) > _WIDEST_STEP * (1.0 + ROUNDING):
             raise InputError(
                 f"the check needs periods from {low:g} s to {high:g} s ({self.band_text}), ends included, at most 5 % "
-                "apart (`check_periods` makes them)"
+                "apart (`check_periods` makes them) [E-EC8-07]"
             )
         return inside
 
@@ -225,12 +225,12 @@ class SetRules:
         if psa.ndim != 2 or psa.shape[0] < 1 or psa.shape[1:] != T.shape or pga.shape != psa.shape[:1]:
             raise InputError(
                 f"spectra of shape (records, periods) are needed, not {psa.shape} for {pga.size} peaks and {T.size} "
-                "periods"
+                "periods [E-VALUE-01]"
             )
         if not (np.all(np.isfinite(psa)) and np.all(np.isfinite(pga)) and np.all(psa >= 0.0) and np.all(pga >= 0.0)):
-            raise InputError("spectra and peak accelerations must be finite and at least zero")
+            raise InputError("spectra and peak accelerations must be finite and at least zero [E-VALUE-02]")
         if not math.isclose(target.damping, DAMPING, rel_tol=1e-9):
-            raise InputError(f"the target spectrum must have 5 % damping, not {100.0 * target.damping:g} %")
+            raise InputError(f"the target spectrum must have 5 % damping, not {100.0 * target.damping:g} % [E-EC8-07]")
         count, missing = psa.shape[0], self.missing(target, T_1)
         extremes = None if T_1 is None or missing else self._extremes(T, psa, target, T_1)
         criteria = [self._number(count)]

@@ -20,4 +20,4 @@ def unknown(what: str, seen: object, allowed: Iterable[object]) -> InputError:
     near = get_close_matches(str(seen).lower(), folded, n=1, cutoff=0.5)
     hint = f"; did you mean `{folded[near[0]]}`?" if near else ""
     known = ", ".join(f"`{name}`" for name in names) or "none"
-    return InputError(f"there is no {what} `{seen}`{hint} (there are: {known})")
+    return InputError(f"there is no {what} `{seen}`{hint} (there are: {known}) [E-NAME-01]")

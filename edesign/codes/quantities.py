@@ -41,4 +41,4 @@ def _check(name: str, values: np.ndarray, allow_zero: bool) -> None:
     fits = np.isfinite(values) & ((values >= 0.0) if allow_zero else (values > 0.0))
     if not fits.all():
         least = "at least zero" if allow_zero else "greater than zero"
-        raise InputError(f"{name} must be {least}, not {values[~fits].flat[0]:g}")
+        raise InputError(f"{name} must be {least}, not {values[~fits].flat[0]:g} [E-VALUE-02]")

@@ -84,26 +84,27 @@ class TabulatedSpectrum:
     def __post_init__(self) -> None:
         T, S = np.array(self.periods), np.array(self.ordinates)
         if T.size != S.size:
-            raise InputError(f"there are {T.size} periods and {S.size} ordinates; each period has one")
+            raise InputError(f"there are {T.size} periods and {S.size} ordinates; each period has one [E-CURVE-01]")
         if T.size < 2:
-            raise InputError("a spectrum has two periods at least: zero, and the last one")
+            raise InputError("a spectrum has two periods at least: zero, and the last one [E-CURVE-01]")
         if T[0] != 0.0:
             raise InputError(
                 f"the first period is {T[0]:g} s; the table begins at 0 s, with the peak ground acceleration"
+                " [E-CURVE-01]"
             )
         if not (np.all(np.isfinite(T)) and np.all(np.isfinite(S))):
-            raise InputError("periods and ordinates must be finite")
+            raise InputError("periods and ordinates must be finite [E-CURVE-01]")
         falling = np.flatnonzero(np.diff(T) <= 0.0)
         if falling.size:
             i = int(falling[0]) + 1
-            raise InputError(f"the period {T[i]:g} s stands after {T[i - 1]:g} s; periods rise")
+            raise InputError(f"the period {T[i]:g} s stands after {T[i - 1]:g} s; periods rise [E-CURVE-01]")
         if np.any(S <= 0.0):
-            raise InputError(f"the ordinate at {T[np.argmax(S <= 0.0)]:g} s must be greater than zero")
+            raise InputError(f"the ordinate at {T[np.argmax(S <= 0.0)]:g} s must be greater than zero [E-CURVE-01]")
         peak = float(T[np.argmax(S)])
         if self.corner_period is not None and not peak <= self.corner_period <= T[-1]:
             raise InputError(
                 f"corner_period: {self.corner_period:g} s is not between the largest ordinate, at {peak:g} s, and the "
-                f"last period, {T[-1]:g} s; T_C ends the branch of constant acceleration"
+                f"last period, {T[-1]:g} s; T_C ends the branch of constant acceleration [E-CURVE-02]"
             )
         if self.correction is not None:
             self._check_correction(peak)
@@ -112,12 +113,13 @@ class TabulatedSpectrum:
         if peak == 0.0:
             raise InputError(
                 "the largest ordinate is that at 0 s, which no damping changes; `damping_correction` needs larger ones"
+                " [E-CURVE-04]"
             )
         held = self._table_damping
         if self.correction == "ec8" and damping_correction(held) <= SMALLEST_CORRECTION:
             raise InputError(
                 f"eta of EN 1998-1, 3.2.2.2(3), is {SMALLEST_CORRECTION:g} for {100.0 * held:g} % damping and for all "
-                "above; `damping_correction` does not lead from there to less"
+                "above; `damping_correction` does not lead from there to less [E-CURVE-04]"
             )
 
     @property
@@ -151,7 +153,7 @@ class TabulatedSpectrum:
         if self.correction is None:
             raise InputError(
                 f"{self.label} is a table for {100.0 * self.damping:g} % damping; what it would be for "
-                f"{100.0 * damping:g} % is not known, unless `damping_correction` says how it changes"
+                f"{100.0 * damping:g} % is not known, unless `damping_correction` says how it changes [E-CURVE-04]"
             )
         CORRECTIONS[self.correction].factor(damping)
         return replace(self, damping=damping, tabulated=self._table_damping)
@@ -172,7 +174,9 @@ class TabulatedSpectrum:
         T = checked_periods(period)
         beyond = T[self.last_period < T]
         if beyond.size:
-            raise InputError(f"{self.label} ends at {self.last_period:g} s; it has no ordinate at {beyond.flat[0]:g} s")
+            raise InputError(
+                f"{self.label} ends at {self.last_period:g} s; it has no ordinate at {beyond.flat[0]:g} s [E-CURVE-03]"
+            )
         known, S = np.array(self.periods), np.array(self.ordinates)
         linear = np.interp(T, known, S)
         if self.interpolation == "linear" or known.size == 2:  # one point has no line

@@ -90,7 +90,7 @@ class Format:
             if not function:
                 raise InputError(
                     f"{source.path}: edesign writes no buildings for {self.program}; `edesign extract` takes a plane "
-                    "frame from it, which it does write"
+                    "frame from it, which it does write [E-OPS-06]"
                 )
         make = cast("Translator", getattr(import_module(module), function))
         return make(source, path, without_dampers, tell)
@@ -164,6 +164,7 @@ def read_source(source: Path) -> Project | Building:
         raise InputError(
             f"{source}: this is {STUDY.described}, and a project or building file is needed: name that of its "
             "`project`; dampers that a design found come into its `dampers` by `edesign show ARCHIVE --devices DESIGN`"
+            " [E-FILE-05]"
         )
     return load_building(source) if kind is BUILDING else load_project(source)
 
@@ -182,7 +183,9 @@ def take(source: Path, target: Path, overwrite: bool = False) -> TakenModel:
     from edesign.exchange.sap2000.translate import take_model
 
     if target.suffix.lower() not in (".yaml", ".yml"):
-        raise InputError(f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml")
+        raise InputError(
+            f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml [E-FILE-08]"
+        )
     taken = take_model(source, target)
     check_own_yaml(target, source, overwrite)
     write_yaml(taken.text, target, source)
@@ -199,7 +202,7 @@ def find_format(path: Path) -> Format:
         if path.suffix.lower() == known.suffix:
             return known
     endings = ", ".join(f"{known.suffix} ({known.program})" for known in FORMATS)
-    raise InputError(f"{path}: the name of the model says for which program it is; it ends in {endings}")
+    raise InputError(f"{path}: the name of the model says for which program it is; it ends in {endings} [E-FILE-08]")
 
 
 def check_own_files(translation: Translation, overwrite: bool = False) -> None:
@@ -221,6 +224,7 @@ def check_own_files(translation: Translation, overwrite: bool = False) -> None:
         if path.exists() and not (ours or overwrite):
             raise InputError(
                 f"{path}: edesign did not write this file, and it is left as it is; choose another name, or --overwrite"
+                " [E-FILE-07]"
             )
 
 

@@ -139,7 +139,7 @@ def _check_lists(building: Building) -> None:
             near = did_you_mean(family, families)
             raise InputError(
                 f"{where}: design.select.prices: no section of the lists is a `{family}`{near}; prices are for "
-                f"{listed(sorted(families))}"
+                f"{listed(sorted(families))} [E-SPACE-08]"
             )
 
 

@@ -137,7 +137,7 @@ def elastic_design(building: Building, tell: Callable[[str], None] = lambda stag
         raise InputError(
             f"{place}: {member.name}: {member.section} of {member.material} is of class 4 under its forces, "
             "and effective sections (EN 1993-1-5) are not in the checks; choose a section of class "
-            f"{LARGEST_CLASS} or less"
+            f"{LARGEST_CLASS} or less [E-EC3-03]"
         )
     return found
 
@@ -183,7 +183,7 @@ class ElasticAnalysis:
         if not self.frame.node_mass.any():
             raise InputError(
                 f"{building.where('masses')}: masses: the seismic action needs masses; "
-                "docs/reference/building_file.md explains them"
+                "docs/reference/building_file.md explains them [E-KEY-02]"
             )
         tell(f"stiffness of {len(self.frame.members)} members")
         with telling_member(self.building):
@@ -231,7 +231,7 @@ class ElasticAnalysis:
             if not self.dissipative[axis].size:
                 what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
                 where = self.building.where("design", "systems", axis, "type")
-                raise InputError(f"{where}: design.systems.{axis}.type: `{kind}`, but no {what}")
+                raise InputError(f"{where}: design.systems.{axis}.type: `{kind}`, but no {what} [E-SPACE-03]")
 
     def _behaviour_factors(self, regular: Regular) -> tuple[dict[Axis, float], dict[Axis, float]]:
         """Return q of both directions, and their upper limits."""
@@ -443,13 +443,15 @@ def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
     """Return the first modes; with some mass in both directions, or there is nothing to design for."""
     there = modes.period.size
     if count > there:
-        raise InputError(f"{building.where('design', 'modes')}: design.modes: {count} modes, the building has {there}")
+        raise InputError(
+            f"{building.where('design', 'modes')}: design.modes: {count} modes, the building has {there} [E-SPACE-02]"
+        )
     mass = modes.effective_mass_ratio[:count, :2].sum(axis=0)
     if mass.min() < LARGE_MODE:
         sums = ", ".join(f"{share:.1%} along {axis}" for axis, share in zip(AXES, mass, strict=True))
         raise InputError(
             f"{building.where('design', 'modes')}: design.modes: the first {count} modes have {sums} of the mass; take "
-            "more, or `auto`"
+            "more, or `auto` [E-SPACE-02]"
         )
     return replace(modes, **{field.name: getattr(modes, field.name)[:count] for field in fields(modes)})
 
@@ -458,6 +460,7 @@ def _hazard(building: Building) -> EC8Hazard:
     if building.hazard is None:
         raise InputError(
             f"{building.where('hazard')}: hazard: this block is missing; docs/reference/building_file.md explains it"
+            " [E-KEY-02]"
         )
     return checked_hazard(building)
 

@@ -48,5 +48,5 @@ class BuildingSections(Collection[str]):
         try:
             hollow_section(name)
         except InputError as error:
-            return str(error)
+            return str(error).rpartition(" [")[0]  # its code is not that of the whole message
         return profile_names().near(name)

@@ -92,7 +92,9 @@ class CoreSections:
         shape = cross_section(self._project, run.section, buckling.axis)
         if not isinstance(shape, CrossSection):
             where = self._project.where("sections", run.section)
-            raise InputError(f"{where}: section {run.section}: a brace that buckles needs a section of fibres")
+            raise InputError(
+                f"{where}: section {run.section}: a brace that buckles needs a section of fibres [E-SECT-01]"
+            )
         material = self._fibre_material(run, buckling)
         key = (run.section, material, buckling.axis)
         if key not in self._buckling:
@@ -106,7 +108,7 @@ class CoreSections:
             return self._model.fibre_section(depths, areas, self._material(run)), shape.layers[0]
         if shape.inertia is None:
             where = self._project.where("sections", run.section)
-            raise InputError(f"{where}: section {run.section}: a column or beam needs `inertia`")
+            raise InputError(f"{where}: section {run.section}: a column or beam needs `inertia` [E-SECT-01]")
         modulus = self._project.materials[run.material].E  # the integral over the section in closed form
         return self._model.elastic_section(modulus * shape.area, modulus * shape.inertia), None
 

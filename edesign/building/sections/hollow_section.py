@@ -156,7 +156,7 @@ def hollow_section(name: str) -> HollowSection | None:
     if family == "SHS" and len(sizes) == 3 and sizes[0] == sizes[1]:
         sizes = sizes[1:]
     if len(sizes) != _SIZES[family]:
-        raise InputError(f"`{name}` has {len(sizes)} sizes; hollow sections are written {_EXAMPLES}")
+        raise InputError(f"`{name}` has {len(sizes)} sizes; hollow sections are written {_EXAMPLES} [E-SECT-02]")
     *sides, t = (size * _MM for size in sizes)
     h, b = max(sides), min(sides)
     found = HollowSection(
@@ -164,5 +164,7 @@ def hollow_section(name: str) -> HollowSection | None:
     )
     if not t > 0.0 or 2.0 * max(t, found.r_o) > b:
         what = "walls" if found.round else "corners"
-        raise InputError(f"`{name}`: {what} of {t / _MM:g} mm do not fit into {b / _MM:g} mm; sizes are {_EXAMPLES}")
+        raise InputError(
+            f"`{name}`: {what} of {t / _MM:g} mm do not fit into {b / _MM:g} mm; sizes are {_EXAMPLES} [E-SECT-02]"
+        )
     return found

@@ -52,7 +52,7 @@ def profile(name: str) -> Profile:
     """
     known = profile_names().canonical(name)
     if known is None:
-        raise InputError(f"there is no section `{name}`; {profile_names().near(name)}")
+        raise InputError(f"there is no section `{name}`; {profile_names().near(name)} [E-NAME-01]")
     return _catalogue()[known]
 
 

@@ -51,10 +51,10 @@ class CrossSection:
 
     def __post_init__(self) -> None:
         if not self.strips and not self.spots:
-            raise InputError("a section needs at least one part")
+            raise InputError("a section needs at least one part [E-VALUE-01]")
         sizes = [size for strip in self.strips for size in (strip.width, strip.depth, strip.rows, strip.columns)]
         if not all(size > 0 for size in [*sizes, *(spot.area for spot in self.spots)]):
-            raise InputError("all sizes of a section must be greater than zero")
+            raise InputError("all sizes of a section must be greater than zero [E-VALUE-02]")
 
     @cached_property
     def area(self) -> float:
@@ -131,11 +131,11 @@ def i_section(
     """
     clear = height - 2.0 * flange
     if clear <= 0.0:
-        raise InputError(f"two flanges of {flange:g} m leave no web in a height of {height:g} m")
+        raise InputError(f"two flanges of {flange:g} m leave no web in a height of {height:g} m [E-SECT-04]")
     if web > width:
-        raise InputError(f"the web ({web:g} m) is thicker than the flange is wide ({width:g} m)")
+        raise InputError(f"the web ({web:g} m) is thicker than the flange is wide ({width:g} m) [E-SECT-04]")
     if radius < 0.0 or 2.0 * radius > clear or 2.0 * radius + web > width:
-        raise InputError(f"fillets of radius {radius:g} m do not fit between web and flanges")
+        raise InputError(f"fillets of radius {radius:g} m do not fit between web and flanges [E-SECT-04]")
     if weak:
         walls = (
             Strip(2.0 * flange, width, 0.0, cut.flange_width, 2 * cut.flange_thickness),

@@ -64,6 +64,7 @@ class SectionClass:
                 raise InputError(
                     f"{where}{self.section} is of class {part.number}, allowed is {highest}: c/t of its {part.part} is "
                     f"{part.slenderness:.1f}, the limit is {part.limits[highest - 1]:.1f} (EN 1993-1-1, Table 5.2)"
+                    " [E-EC3-03]"
                 )
         return self
 

@@ -51,11 +51,13 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
         sizes = [(side, t) for side, (least, most) in _SQUARE.items() for t in _THICKNESSES if least <= t <= most]
         names = [f"{SQUARES}{side}x{t:g}" for side, t in sizes]
     elif asked.upper() in _OTHER_HOLLOW:
-        raise InputError(f"`{asked}` has no list of sizes; name the sections one by one, such as `CHS168.3x8`")
+        raise InputError(
+            f"`{asked}` has no list of sizes; name the sections one by one, such as `CHS168.3x8` [E-SECT-03]"
+        )
     else:
         names = profile_names().chosen(asked)
     if not names:
-        raise InputError(f"there is no section or family `{asked}`; {BuildingSections().near(asked)}")
+        raise InputError(f"there is no section or family `{asked}`; {BuildingSections().near(asked)} [E-NAME-01]")
     return tuple(map(steel_section, names))
 
 

@@ -25,7 +25,7 @@ def largest_property_factor(ageing: float = 1.0, test: float = 1.0, specificatio
     """
     for name, value in (("ageing", ageing), ("test", test), ("specification", specification)):
         if not value >= 1.0:
-            raise InputError(f"the upper factor of {name} is {value:g}; at least 1 is allowed")
+            raise InputError(f"the upper factor of {name} is {value:g}; at least 1 is allowed [E-VALUE-02]")
     return max((1.0 + SYSTEM * (ageing - 1.0)) * test * specification, LEAST_UPPER)
 
 
@@ -44,5 +44,7 @@ def smallest_property_factor(ageing: float = 1.0, test: float = 1.0, specificati
     """
     for name, value in (("ageing", ageing), ("test", test), ("specification", specification)):
         if not 0.0 < value <= 1.0:
-            raise InputError(f"the lower factor of {name} is {value:g}; greater than 0 and at most 1 is allowed")
+            raise InputError(
+                f"the lower factor of {name} is {value:g}; greater than 0 and at most 1 is allowed [E-VALUE-02]"
+            )
     return min((1.0 - SYSTEM * (1.0 - ageing)) * test * specification, LARGEST_LOWER)

@@ -50,7 +50,10 @@ def damping_ratio(site_class: str, acceleration: float) -> float:
     Source: ASCE/SEI 7-16, Table 19.3-3.
     """
     if site_class not in DAMPING_RATIOS:
-        message = f"ASCE/SEI 7 names no hysteretic damping of site class {site_class}; give the `damping` of the soil"
+        message = (
+            f"ASCE/SEI 7 names no hysteretic damping of site class {site_class}; give the `damping` of the soil"
+            " [E-ASCE-01]"
+        )
         raise InputError(message)
     return _read(DAMPING_RATIOS[site_class], site_class, acceleration)
 
@@ -60,6 +63,6 @@ def _read(row: tuple[float, ...], site_class: str, acceleration: float) -> float
     if len(row) < len(ACCELERATIONS) and acceleration > last:
         message = "give `strain: {code: given, modulus_ratio: }` and `damping`, from an analysis of the site"
         raise InputError(
-            f"site class {site_class} is in the table up to {last:g} g, not {acceleration:.4g} g; {message}"
+            f"site class {site_class} is in the table up to {last:g} g, not {acceleration:.4g} g; {message} [E-ASCE-01]"
         )
     return float(np.interp(acceleration, ACCELERATIONS[: len(row)], row))

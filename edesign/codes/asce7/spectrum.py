@@ -38,7 +38,7 @@ def damping_coefficient(damping: float) -> float:
     Source: ASCE/SEI 7-16 and 7-22, Table 18.7-1, linear between its rows.
     """
     if not 0.0 <= damping <= 1.0:
-        raise InputError(f"the damping is a ratio between 0 and 1, such as 0.05 for 5 %, not {damping:g}")
+        raise InputError(f"the damping is a ratio between 0 and 1, such as 0.05 for 5 %, not {damping:g} [E-VALUE-02]")
     return float(np.interp(damping, *_TABLE_18_7_1))
 
 
@@ -73,7 +73,9 @@ class AsceSpectrum:
         damping_coefficient(self.damping)
         if self.corners["T_S"] > self.T_L:
             T_S = self.corners["T_S"]
-            raise InputError(f"T_S = S_D1/S_DS = {T_S:g} s is beyond T_L = {self.T_L:g} s; T_S <= T_L is needed")
+            raise InputError(
+                f"T_S = S_D1/S_DS = {T_S:g} s is beyond T_L = {self.T_L:g} s; T_S <= T_L is needed [E-VALUE-04]"
+            )
 
     @property
     def corners(self) -> Mapping[str, float]:
@@ -142,7 +144,7 @@ class AsceDesignSpectrum:
     def __post_init__(self) -> None:
         for name, value in (("R", self.R), ("I_e", self.I_e)):
             if not (math.isfinite(value) and value >= 1.0):
-                raise InputError(f"{name} must be at least 1, not {value:g}")
+                raise InputError(f"{name} must be at least 1, not {value:g} [E-VALUE-02]")
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_a / (R / I_e), m/s2, in the shape of `period` (s).

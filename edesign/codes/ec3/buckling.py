@@ -174,7 +174,7 @@ def reduction_factor(slenderness: float, curve: str) -> float:
     if curve not in IMPERFECTION:
         raise unknown("buckling curve", curve, IMPERFECTION)
     if not slenderness >= 0.0:
-        raise InputError(f"a slenderness of {slenderness:g} is negative")
+        raise InputError(f"a slenderness of {slenderness:g} is negative [E-VALUE-02]")
     if slenderness <= NO_BUCKLING:
         return 1.0
     phi = 0.5 * (1.0 + IMPERFECTION[curve] * (slenderness - 0.2) + slenderness**2)
@@ -197,4 +197,4 @@ def buckling_resistance(area: float, yield_stress: float, factor: float, gamma_M
 def _positive(**values: float) -> None:
     for name, value in values.items():
         if not value > 0.0:
-            raise InputError(f"{name.replace('_', ' ')}: {value:g} is not greater than zero")
+            raise InputError(f"{name.replace('_', ' ')}: {value:g} is not greater than zero [E-VALUE-02]")

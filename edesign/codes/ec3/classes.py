@@ -23,7 +23,7 @@ def epsilon(yield_stress: float) -> float:
     Source: EN 1993-1-1:2005, Table 5.2.
     """
     if not yield_stress > 0.0:
-        raise InputError(f"f_y: {yield_stress:g} Pa is not greater than zero")
+        raise InputError(f"f_y: {yield_stress:g} Pa is not greater than zero [E-VALUE-02]")
     return math.sqrt(235e6 / yield_stress)
 
 

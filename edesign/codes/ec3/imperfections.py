@@ -26,7 +26,9 @@ def sway_amplification(alpha_cr: float) -> float:
     Source: EN 1993-1-1:2005, 5.2.2(5)B, Eq. 5.4, and 5.2.1(3), Eq. 5.1.
     """
     if not alpha_cr >= AMPLIFICATION:
-        raise InputError(f"alpha_cr = {alpha_cr:.3g} is below 3: the frame needs a second-order analysis (5.2.2(6))")
+        raise InputError(
+            f"alpha_cr = {alpha_cr:.3g} is below 3: the frame needs a second-order analysis (5.2.2(6)) [E-EC3-01]"
+        )
     return 1.0 if alpha_cr >= FIRST_ORDER else 1.0 / (1.0 - 1.0 / alpha_cr)
 
 
@@ -43,6 +45,8 @@ def initial_sway(height: float, columns: int) -> float:
     Source: EN 1993-1-1:2005, 5.3.2(3)a, Eq. 5.5: alpha_h = 2 / sqrt(h) within 2/3 and 1, alpha_m = sqrt(0.5 (1 + 1/m)).
     """
     if not height > 0.0 or columns < 1:
-        raise InputError(f"initial sway of {columns} columns, {height:g} m high: both must be greater than zero")
+        raise InputError(
+            f"initial sway of {columns} columns, {height:g} m high: both must be greater than zero [E-VALUE-02]"
+        )
     alpha_h = min(max(2.0 / math.sqrt(height), 2.0 / 3.0), 1.0)
     return PHI_0 * alpha_h * math.sqrt(0.5 * (1.0 + 1.0 / columns))

@@ -135,7 +135,7 @@ def critical_moment(
     """
     for name, value in dict(E=modulus, G=shear_modulus, I_z=I_z, I_t=I_t, L=length, C1=C1, k=k, k_w=k_w).items():
         if not value > 0.0:
-            raise InputError(f"{name}: {value:g} is not greater than zero")
+            raise InputError(f"{name}: {value:g} is not greater than zero [E-VALUE-02]")
     euler = math.pi**2 * modulus * I_z / (k * length) ** 2
     tipping = C2 * z_g
     inner = (k / k_w) ** 2 * I_w / I_z + shear_modulus * I_t / euler + tipping**2
@@ -197,7 +197,7 @@ def slenderness(modulus: float, yield_stress: float, critical: float) -> float:
     Source: EN 1993-1-1:2005, 6.3.2.2(1).
     """
     if not critical > 0.0:
-        raise InputError(f"M_cr: {critical:g} is not greater than zero")
+        raise InputError(f"M_cr: {critical:g} is not greater than zero [E-VALUE-02]")
     return math.sqrt(modulus * yield_stress / critical)
 
 
@@ -310,7 +310,7 @@ def _checked(slenderness: float, curve: str) -> tuple[float, float]:
     if curve not in IMPERFECTION:
         raise unknown("buckling curve", curve, IMPERFECTION)
     if not slenderness >= 0.0:
-        raise InputError(f"a slenderness of {slenderness:g} is negative")
+        raise InputError(f"a slenderness of {slenderness:g} is negative [E-VALUE-02]")
     return slenderness, IMPERFECTION[curve]
 
 
@@ -329,5 +329,7 @@ def _euler(slenderness: Values) -> Values:
 
 def _ratio(psi: float) -> float:
     if not -1.0 <= psi <= 1.0:
-        raise InputError(f"psi: {psi:g} is not between -1 and 1; it is the smaller end moment by the larger")
+        raise InputError(
+            f"psi: {psi:g} is not between -1 and 1; it is the smaller end moment by the larger [E-VALUE-02]"
+        )
     return psi

@@ -92,10 +92,11 @@ def _row(grade: str, thickness: float, standard: Standard) -> tuple[float, float
     if grade not in table:
         raise unknown("steel", grade, table)
     if not thickness > 0.0:
-        raise InputError(f"a thickness of {1e3 * thickness:g} mm is not greater than zero")
+        raise InputError(f"a thickness of {1e3 * thickness:g} mm is not greater than zero [E-VALUE-02]")
     for row in table[grade]:
         if 1e3 * thickness <= row[0] * (1.0 + 1e-12):  # a size typed in mm is not exact in m
             return row
     raise InputError(
         f"{grade} of {1e3 * thickness:g} mm is thicker than {table[grade][-1][0]:g} mm, where {standard} ends"
+        " [E-EC3-02]"
     )

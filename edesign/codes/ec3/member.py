@@ -83,7 +83,7 @@ class Member:
     def __post_init__(self) -> None:
         if self.section_class not in (1, 2, 3):
             name, number = self.section.name, self.section_class
-            raise InputError(f"{name} is of class {number}; sections of class 1 to 3 are checked")
+            raise InputError(f"{name} is of class {number}; sections of class 1 to 3 are checked [E-EC3-03]")
 
     @property
     def plastic(self) -> bool:

@@ -26,5 +26,7 @@ def linear_moment_factor_a(psi: float, N_Ed: float, N_cr: float) -> float:
 
 def _within(name: str, value: float) -> float:
     if not -1.0 <= value <= 1.0:
-        raise InputError(f"{name}: {value:g} is not between -1 and 1; it is the smaller end moment by the larger")
+        raise InputError(
+            f"{name}: {value:g} is not between -1 and 1; it is the smaller end moment by the larger [E-VALUE-02]"
+        )
     return value

@@ -58,7 +58,7 @@ def alpha_ratio(system: str, storeys: int, bays: int, regular_in_plan: bool = Tr
     """
     _check_system(system)
     if storeys < 1 or bays < 1:
-        raise InputError(f"a frame has at least one storey and one bay, not {storeys} and {bays}")
+        raise InputError(f"a frame has at least one storey and one bay, not {storeys} and {bays} [E-VALUE-02]")
     if system in ("moment_frame", "moment_frame_with_isolated_infills"):
         ratio = 1.1 if storeys == 1 else 1.2 if bays == 1 else 1.3
     elif system in ("eccentric", "moment_frame_with_concentric_bracing"):
@@ -87,9 +87,12 @@ def reference_q(system: str, ductility: str, alpha_ratio: float = 1.0, low_ducti
     if not 1.0 <= alpha_ratio <= LARGEST_ALPHA_RATIO:
         raise InputError(
             f"alpha_u / alpha_1 lies between 1 and {LARGEST_ALPHA_RATIO}, not {alpha_ratio:g} (EN 1998-1, 6.3.2(6))"
+            " [E-VALUE-02]"
         )
     if not 1.0 <= low_ductility_q <= LARGEST_LOW_DUCTILITY_Q:
-        raise InputError(f"q of ductility class low is at most {LARGEST_LOW_DUCTILITY_Q:g}, not {low_ductility_q:g}")
+        raise InputError(
+            f"q of ductility class low is at most {LARGEST_LOW_DUCTILITY_Q:g}, not {low_ductility_q:g} [E-VALUE-02]"
+        )
     medium, high, with_ratio = _LIMITS[system]
     if ductility == "low":
         return low_ductility_q
@@ -147,7 +150,9 @@ def largest_section_class(ductility: str, q: float) -> int:
         return 1
     if ductility == "medium":
         if q > 4.0:
-            raise InputError(f"q = {q:g} is too large for ductility class medium: at most 4 (EN 1998-1, Table 6.1)")
+            raise InputError(
+                f"q = {q:g} is too large for ductility class medium: at most 4 (EN 1998-1, Table 6.1) [E-EC8-01]"
+            )
         return 2 if q > 2.0 else 3
     return 3 if q > LOWEST_Q else 4
 

@@ -50,7 +50,7 @@ def checked_periods(period: ArrayLike) -> np.ndarray:
     T = np.asarray(period, dtype=float)
     wrong = T[~(np.isfinite(T) & (T >= 0.0))]
     if wrong.size:
-        raise InputError(f"a period must be finite and at least zero, not {wrong.flat[0]:g} s")
+        raise InputError(f"a period must be finite and at least zero, not {wrong.flat[0]:g} s [E-VALUE-02]")
     return T
 
 
@@ -81,4 +81,4 @@ def checked_action(a_gR: float, gamma_I: float) -> None:
     """
     for name, value, unit in (("a_gR", a_gR, " m/s2"), ("gamma_I", gamma_I, "")):
         if not (math.isfinite(value) and value > 0.0):
-            raise InputError(f"{name} must be greater than zero, not {value:g}{unit}")
+            raise InputError(f"{name} must be greater than zero, not {value:g}{unit} [E-VALUE-02]")

@@ -45,9 +45,9 @@ class DesignSpectrum:
     def __post_init__(self) -> None:
         checked_action(self.a_gR, self.gamma_I)
         if not (math.isfinite(self.q) and self.q >= 1.0):
-            raise InputError(f"the behaviour factor q must be at least 1, not {self.q:g}")
+            raise InputError(f"the behaviour factor q must be at least 1, not {self.q:g} [E-VALUE-02]")
         if not (math.isfinite(self.beta) and self.beta >= 0.0):
-            raise InputError(f"the lower bound factor beta must be at least 0, not {self.beta:g}")
+            raise InputError(f"the lower bound factor beta must be at least 0, not {self.beta:g} [E-VALUE-02]")
 
     @classmethod
     def of(cls, elastic: ElasticSpectrum, q: float, beta: float = 0.2, label: str = "") -> DesignSpectrum:
@@ -108,7 +108,7 @@ def vertical_design_spectrum(
     if q > LARGEST_VERTICAL_Q and not justified:
         raise InputError(
             f"q = {q:g} is too large for the vertical component: up to {LARGEST_VERTICAL_Q:g} is generally adopted, "
-            "more must be justified by an appropriate analysis (EN 1998-1, 3.2.2.5(6) and (7))"
+            "more must be justified by an appropriate analysis (EN 1998-1, 3.2.2.5(6) and (7)) [E-EC8-01]"
         )
     p = elastic.parameters
     label = f"EN 1998-1 design, vertical, q = {q:g}"

@@ -52,11 +52,11 @@ class LongPeriodSpectrum:
     def __post_init__(self) -> None:
         p = self.elastic.parameters
         if p.spectrum_type != 1:
-            raise InputError(f"Annex A of EN 1998-1 is for spectra of type 1, not of type {p.spectrum_type}")
+            raise InputError(f"Annex A of EN 1998-1 is for spectra of type 1, not of type {p.spectrum_type} [E-EC8-02]")
         if p.ground not in TABLE_A_1:
             raise unknown("ground type", p.ground, TABLE_A_1)
         if p.T_D > self.T_E:
-            raise InputError(f"Annex A of EN 1998-1 needs T_D <= T_E, not {p.T_D:g} s and {self.T_E:g} s")
+            raise InputError(f"Annex A of EN 1998-1 needs T_D <= T_E, not {p.T_D:g} s and {self.T_E:g} s [E-VALUE-04]")
 
     @property
     def T_E(self) -> float:

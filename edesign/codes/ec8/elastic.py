@@ -33,7 +33,7 @@ def damping_correction(damping: float) -> float:
     Source: EN 1998-1:2004, 3.2.2.2(3), Eq. 3.6.
     """
     if not 0.0 <= damping <= 1.0:
-        raise InputError(f"the damping is a ratio between 0 and 1, such as 0.05 for 5 %, not {damping:g}")
+        raise InputError(f"the damping is a ratio between 0 and 1, such as 0.05 for 5 %, not {damping:g} [E-VALUE-02]")
     return max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), SMALLEST_CORRECTION)
 
 

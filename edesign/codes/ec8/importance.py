@@ -71,23 +71,24 @@ def _power(ratio: float, k: float) -> float:
         raise InputError(
             f"with the exponent k = {k:g} what is exceeded {ratio:.4g} times as often as the reference action has "
             f"gamma_I = e^{exponent:.4g}, which is no factor; k is generally of the order of 3 (EN 1998-1, 2.1(4) Note)"
+            " [E-EC8-03]"
         )
     return float(ratio ** (-1.0 / k))
 
 
 def _probability(value: float) -> float:
     if not 0.0 < value < 1.0:
-        raise InputError(f"a probability of exceedance lies between 0 and 1, not {value:g}")
+        raise InputError(f"a probability of exceedance lies between 0 and 1, not {value:g} [E-VALUE-02]")
     return value
 
 
 def _years(value: float) -> float:
     if not (math.isfinite(value) and value > 0.0):
-        raise InputError(f"a time of more than zero years is needed, not {value:g}")
+        raise InputError(f"a time of more than zero years is needed, not {value:g} [E-VALUE-02]")
     return value
 
 
 def _exponent(k: float) -> float:
     if not (math.isfinite(k) and k > 0.0):
-        raise InputError(f"the exponent k must be greater than zero, not {k:g}")
+        raise InputError(f"the exponent k must be greater than zero, not {k:g} [E-VALUE-02]")
     return k

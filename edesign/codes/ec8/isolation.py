@@ -121,9 +121,9 @@ def equivalent_linear(loop: Loop, mass: float, spectrum: Spectrum, gravity: floa
             break
         above = displacement
     else:
-        raise InputError("no displacement from 0.1 mm on solves it with a damping that the spectrum knows")
+        raise InputError("no displacement from 0.1 mm on solves it with a damping that the spectrum knows [E-EC8-04]")
     if above is None:
-        raise InputError(f"no displacement solves it with a damping and period that {spectrum.label} knows")
+        raise InputError(f"no displacement solves it with a damping and period that {spectrum.label} knows [E-EC8-04]")
     d = float(brentq(excess, displacement, above, xtol=1e-9))
     stiffness, damping, acceleration = state(d)
     small, _ = _steady(loop, 0.2 * d, mass)
@@ -145,7 +145,7 @@ def _steady(loop: Loop, displacement: float, mass: float, speed: float | None = 
         own = 2.0 * math.pi * frequency * displacement
         stiffness, energy = loop(displacement, frequency, own if speed is None else speed)
         if not stiffness > 0.0:
-            raise InputError(f"the isolation system has no stiffness at {1e3 * displacement:g} mm")
+            raise InputError(f"the isolation system has no stiffness at {1e3 * displacement:g} mm [E-EC8-04]")
         before, frequency = frequency, math.sqrt(stiffness / mass) / (2.0 * math.pi)
         if abs(frequency - before) <= _AGREEMENT * frequency:
             break

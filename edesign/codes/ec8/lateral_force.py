@@ -65,5 +65,5 @@ def lateral_forces(base_shear: float, mass: np.ndarray, shape: np.ndarray) -> np
     weights = mass * shape
     total = float(weights.sum())
     if total == 0.0:
-        raise InputError("the masses have no displacement in the shape that lateral forces follow")
+        raise InputError("the masses have no displacement in the shape that lateral forces follow [E-EC8-06]")
     return base_shear * weights / total

@@ -54,7 +54,7 @@ def check_modes(mass_ratio: ArrayLike, taken: int, direction: str = "") -> RuleC
     """
     ratios = _ratios(mass_ratio)[:, 0]
     if not 0 <= taken <= ratios.size:
-        raise InputError(f"{taken} modes cannot be taken of {ratios.size} that are known")
+        raise InputError(f"{taken} modes cannot be taken of {ratios.size} that are known [E-VALUE-02]")
     total = float(ratios[:taken].sum())
     left = [float(ratio) for ratio in ratios[taken:]]
     largest_left = max([*left, 1.0 - float(ratios.sum())])

@@ -185,7 +185,9 @@ class NationalParameters:
             return
         fixed = self.parameters["zone_spectra"].value[self._zone(zone)]
         if spectrum_type != fixed:
-            raise InputError(f"zone {zone} of {self.country} takes spectrum type {fixed}, not {spectrum_type}")
+            raise InputError(
+                f"zone {zone} of {self.country} takes spectrum type {fixed}, not {spectrum_type} [E-EC8-02]"
+            )
 
     def gamma_I(self, importance_class: str) -> float:
         """Return the importance factor of a class, 4.2.5(5)P.
@@ -235,7 +237,7 @@ class NationalParameters:
     def _zone(self, zone: str) -> str:
         zones = self.zones
         if not zones:
-            raise InputError("the recommended values have no zones: name a country, or give a_gR")
+            raise InputError("the recommended values have no zones: name a country, or give a_gR [E-EC8-02]")
         for name in (zone, f"Z{zone}", zone.upper()):
             if name in zones:
                 return name

@@ -77,7 +77,7 @@ def horizontal_of(table: Mapping[int, Any], spectrum_type: int, ground: str) -> 
         raise unknown("spectrum type", spectrum_type, table)
     if ground in ("S1", "S2"):
         raise InputError(
-            f"ground {ground} needs a study of its own (EN 1998-1, 3.1.2(4)P): no spectrum of 3.2.2 applies"
+            f"ground {ground} needs a study of its own (EN 1998-1, 3.1.2(4)P): no spectrum of 3.2.2 applies [E-EC8-05]"
         )
     if ground not in table[spectrum_type]:
         raise unknown("ground type", ground, table[spectrum_type])
@@ -101,11 +101,11 @@ def vertical_of(table: Mapping[int, Any], spectrum_type: int) -> VerticalParamet
 
 def _positive(name: str, value: float, unit: str) -> None:
     if not (math.isfinite(value) and value > 0.0):
-        raise InputError(f"{name} must be greater than zero, not {value:g}{unit}")
+        raise InputError(f"{name} must be greater than zero, not {value:g}{unit} [E-VALUE-02]")
 
 
 def _ordered(T_B: float, T_C: float, T_D: float) -> None:
     for name, value in (("T_B", T_B), ("T_C", T_C), ("T_D", T_D)):
         _positive(name, value, " s")
     if not T_B <= T_C <= T_D:
-        raise InputError(f"T_B <= T_C <= T_D is needed, not {T_B:g} s, {T_C:g} s and {T_D:g} s")
+        raise InputError(f"T_B <= T_C <= T_D is needed, not {T_B:g} s, {T_C:g} s and {T_D:g} s [E-VALUE-04]")

@@ -181,11 +181,11 @@ def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[RuleCh
     Source: EN 1998-1:2004, 4.2.3.3(5) and Figure 4.1.
     """
     if not np.shape(lower) == np.shape(upper) == np.shape(top):
-        raise InputError("each storey has a lower face, an upper face and a top")
+        raise InputError("each storey has a lower face, an upper face and a top [E-VALUE-01]")
     faces = np.array([lower, upper], dtype=float)
     width = faces[1] - faces[0]
     if not (width > 0.0).all():
-        raise InputError("the upper face of a storey must lie beyond its lower face")
+        raise InputError("the upper face of a storey must lie beyond its lower face [E-VALUE-04]")
     steps = np.array([np.diff(faces[0]), -np.diff(faces[1])])  # (2, n - 1), positive inwards
     inwards = np.maximum(steps, 0.0)
     relative = inwards.sum(axis=0) / width[:-1]

@@ -29,6 +29,8 @@ def soil_strain(acceleration: float) -> tuple[float, float]:
     """
     if acceleration > ACCELERATIONS[-1]:
         message = "give `strain: {code: given, modulus_ratio: }` and `damping`, from a response analysis of the site"
-        raise InputError(f"EN 1998-5, Table 4.1 ends at 0.3 g, and {acceleration:.4g} g is asked for; {message}")
+        raise InputError(
+            f"EN 1998-5, Table 4.1 ends at 0.3 g, and {acceleration:.4g} g is asked for; {message} [E-EC8-05]"
+        )
     ratio, damping = (float(np.interp(acceleration, ACCELERATIONS, row)) for row in (MODULUS_RATIOS, DAMPING_RATIOS))
     return ratio, damping

@@ -92,18 +92,20 @@ def equivalent_oscillator(forces: np.ndarray, masses: np.ndarray) -> Oscillator:
     Source: EN 1998-1:2004, Annex B, Eqs. B.1 to B.3.
     """
     if not (masses[-1] > 0.0 and forces[-1] != 0.0):
-        raise InputError("the roof needs a mass and a lateral force, to which those of the other floors are related")
+        raise InputError(
+            "the roof needs a mass and a lateral force, to which those of the other floors are related [E-EC8-06]"
+        )
     share = abs(forces[-1]) / np.abs(forces).max()
     if share < LEAST_ROOF_FORCE:
         raise InputError(
             f"the lateral force of the roof is {share:.3g} of the largest one; those of the other floors are related "
-            f"to it, which takes {LEAST_ROOF_FORCE:g} at least"
+            f"to it, which takes {LEAST_ROOF_FORCE:g} at least [E-EC8-06]"
         )
     there = masses > 0.0
     m, normalised = masses[there], forces[there] * masses[-1] / forces[-1]
     total = float(normalised.sum())
     if not total > 0.0:
-        raise InputError("the lateral forces act against the displacement of the roof")
+        raise InputError("the lateral forces act against the displacement of the roof [E-EC8-06]")
     return Oscillator(total, total / float(np.sum(normalised**2 / m)))
 
 

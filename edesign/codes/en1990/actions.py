@@ -53,7 +53,7 @@ def split_cases(cases: Mapping[str, str], psi: Mapping[str, Psi]) -> tuple[list[
         else:
             raise unknown(f"category of the load case {name},", category, (PERMANENT, *psi))
     if not permanent:
-        raise InputError("no load case is permanent: every combination of EN 1990 needs one")
+        raise InputError("no load case is permanent: every combination of EN 1990 needs one [E-EN1990-01]")
     return permanent, variable
 
 
@@ -73,7 +73,7 @@ def sets_of_actions(variable: Mapping[str, Sequence[str]], favourable: bool) -> 
     if rows > MOST_COMBINATIONS:
         raise InputError(
             f"{sum(map(len, variable.values()))} variable load cases make up to {rows} sets of actions, more than "
-            f"{MOST_COMBINATIONS}: merge cases that act together"
+            f"{MOST_COMBINATIONS}: merge cases that act together [E-EN1990-02]"
         )
     options = [[(), *_choices(kind, variable[kind], favourable)] for kind in kinds]
     sets = [

@@ -232,6 +232,7 @@ def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combinatio
         if len(kept) > MOST_COMBINATIONS:
             raise InputError(
                 f"there are more than {MOST_COMBINATIONS} combinations: merge load cases that act together"
+                " [E-EN1990-02]"
             )
     found = tuple(kept.values())
     return found if favourable else tuple(row for row in found if not any(_covers(other, row) for other in found))

@@ -74,5 +74,5 @@ def _check_category(category: str) -> None:
     if category not in REDUCED:
         raise InputError(
             f"imposed loads of category {category} ({CATEGORIES[category]}) are not reduced; EN 1991-1-1, 6.3.1.2(10) "
-            "and (11) allow it for categories A to D"
+            "and (11) allow it for categories A to D [E-EN1990-03]"
         )

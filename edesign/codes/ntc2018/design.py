@@ -34,7 +34,7 @@ class NtcDesignSpectrum:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.q) and self.q >= 1.0):
-            raise InputError(f"the behaviour factor q must be at least 1, not {self.q:g}")
+            raise InputError(f"the behaviour factor q must be at least 1, not {self.q:g} [E-VALUE-02]")
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_d(T), m/s2, in the shape of `period` (s).

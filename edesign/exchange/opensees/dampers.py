@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from math import hypot
 
 from edesign.exchange.opensees.commands import Command, command
-from edesign.exchange.opensees.materials import Material, NoSuchMaterial, damper_branches
+from edesign.exchange.opensees.materials import OTHER_LAW, Material, NoSuchMaterial, damper_branches
 from edesign.exchange.opensees.structure import NotTranslated, NotTranslatedParts, Structure
 from edesign.exchange.recorded_model import Call
 
@@ -99,9 +99,15 @@ class DamperBuilder:
     def _damper(self, call: Call, found: Dampers) -> None:
         name, brace = call["name"], call["brace"]
         if call["play"] > 0.0:
-            raise NotTranslated(name, "its brace has `play` in its pins; leave this key out of a copy")
+            raise NotTranslated(
+                name,
+                "its brace has `play` in its pins; leave this key out of a copy, or leave out all dampers with "
+                "--without-dampers [E-OPS-02]",
+            )
         if call["pressed_by"] is not None:
-            raise NotTranslated(name, "its force follows the compression of a spring (`weight: varying`)")
+            raise NotTranslated(
+                name, f"its force follows the compression of a spring (`weight: varying`); {OTHER_LAW} [E-OPS-01]"
+            )
         try:
             scales = call["force_scale"], call["deformation_scale"]
             branches, braced = damper_branches(call["law"], *scales, brace)
@@ -111,7 +117,7 @@ class DamperBuilder:
         first, second, along = self._ends(name, call["terms"], found)
         self._ends_of[name] = first, second, along
         if along.degree != 1 and (brace > 0.0 or any(branch.spring for branch in branches)):
-            raise NotTranslated(name, "it has a spring in series in another direction than x")
+            raise NotTranslated(name, f"it has a spring in series in another direction than x; {OTHER_LAW} [E-OPS-02]")
         if brace > 0.0:
             first = self._brace(name, first, brace, along, found)
         for branch in branches:
@@ -189,7 +195,9 @@ class DamperBuilder:
         s = self._to
         ends = {round(c): node for c, node, _ in terms}
         if any(abs(abs(c) - 1.0) > _CLOSE for c, _, _ in terms) or 1 not in ends:
-            raise NotTranslated(name, "it couples displacements as no element of OpenSees does")
+            raise NotTranslated(
+                name, f"it couples displacements as no element of OpenSees does; {OTHER_LAW} [E-OPS-02]"
+            )
         far = ends[1]
         if -1 not in ends:
             near = s.add_node(f"{name}, ground", s.places[far])

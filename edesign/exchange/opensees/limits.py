@@ -14,8 +14,6 @@ from edesign.project.analysis.integration import GeneralisedAlphaIntegration, Ne
 from edesign.project.frame.materials import BilinearMaterial, Material, MenegottoPintoMaterial
 from edesign.project.project import Project
 
-WITHOUT = "or leave out all dampers with --without-dampers"
-
 
 def refuse(project: Project, without_dampers: bool) -> None:
     """Refuse what OpenSees lacks, where the project file has it.
@@ -27,16 +25,18 @@ def refuse(project: Project, without_dampers: bool) -> None:
     if project.panel_zones:
         where = project.where("panel_zones", 0)
         reason = "OpenSees has no joint that carries the ends of members along its edges as these do"
-        found.append(f"{where}: panel_zones: {reason}; translate a copy of the project without this key")
+        found.append(f"{where}: panel_zones: {reason}; translate a copy of the project without this key [E-OPS-03]")
     for i, run in enumerate(project.frame.braces):
         if run.buckling is not None:
             where = project.where("frame", "braces", i, "buckling")
             reason = "the cambered parts of a brace are condensed to one bar, which OpenSees does not have"
-            found.append(f"{where}: frame.braces[{i}].buckling: {reason}; translate a copy without this key")
+            found.append(f"{where}: frame.braces[{i}].buckling: {reason}; translate a copy without this key [E-OPS-03]")
     if project.isolation is not None and not without_dampers:
         where = project.where("dampers", "isolation")
         reason = "isolators whose forces follow from their weights are not translated"
-        found.append(f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports")
+        found.append(
+            f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports [E-OPS-01]"
+        )
     if found:
         raise InputError("\n".join(found))
 
@@ -55,10 +55,10 @@ def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
             runs = enumerate(project.dampers.devices if project.dampers is not None else ())
             i = next(i for i, run in runs if run.law == device.law and getattr(run.brace, "play", None))
             where = project.where("dampers", "devices", i, "brace", "play")
-            return f"{where}: dampers.devices[{i}].brace.play: {device.name}: {problem}, {WITHOUT}"
+            return f"{where}: dampers.devices[{i}].brace.play: {device.name}: {problem}"
         if device.name == problem.subject:
             where = project.where("dampers", "laws", device.law)
-            return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}; take another law, {WITHOUT}"
+            return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}"
     member = problem.subject.partition(".")[0]
     if member in frame.members:
         kinds = {"column": "columns", "beam": "beams", "brace": "braces"}

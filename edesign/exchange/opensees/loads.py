@@ -64,7 +64,7 @@ class LoadBuilder:
     def _inside(self, element: int, loads: MemberLoads) -> None:
         tags, stretches = self._pieces[element]
         if element in self._without and loads.parts:
-            reason = "a member with hinges has a load on a part of its length, which `ModElasticBeam2d` cannot have"
+            reason = "a member with hinges has a load on a part of its length; give it uniform or at points [E-OPS-04]"
             raise NotTranslated(self._calls[element]["name"], reason)
         for tag, on in zip(tags, loads.split(stretches)[0], strict=True):
             for position, force in on.points:

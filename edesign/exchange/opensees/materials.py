@@ -24,6 +24,8 @@ FOR_GOOD = 1e6
 """Deformation energy over M_y without deterioration: cycles of a building use up less than a millionth of it."""
 OUT_OF_REACH = 1e12
 """Yield force of a contact that does not yield, over one newton."""
+OTHER_LAW = "take another law, or leave out all dampers with --without-dampers"
+"""What to do about a damper that OpenSees lacks."""
 
 
 class NoSuchMaterial(Exception):
@@ -49,7 +51,7 @@ def spring_material(law: SpringLaw) -> Material:
         if not law.corners:
             return ("Elastic", law.slope)
         if len(law.corners) > 1:
-            raise NoSuchMaterial("no material has several corners with kinematic hardening")
+            raise NoSuchMaterial("no material has several corners with kinematic hardening [E-OPS-05]")
         return ("Steel01", law.corners[0][1], law.stiffness, law.slope / law.stiffness)
     if isinstance(law, ContactSpring):
         if isfinite(law.capacity):
@@ -101,10 +103,10 @@ def damper_branches(law: LawValues, force: float, deformation: float, brace: flo
         NoSuchMaterial: OpenSees has none.
     """
     if law.effects:
-        raise NoSuchMaterial("its `effects` are of edesign alone")
+        raise NoSuchMaterial(f"its `effects` are of edesign alone; {OTHER_LAW} [E-OPS-01]")
     make = _LAWS.get(law.law)
     if make is None:
-        raise NoSuchMaterial(f"no material of OpenSees has the law `{law.law}`")
+        raise NoSuchMaterial(f"no material of OpenSees has the law `{law.law}`; {OTHER_LAW} [E-OPS-01]")
     return make(tuple(law.values), force, deformation, brace)
 
 
@@ -155,7 +157,9 @@ def _maxwell_power(p: tuple[float, ...], F: float, d: float, brace: float) -> _M
 
 def _bilinear_oil(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     if brace == 0.0:
-        raise NoSuchMaterial("`BilinearOilDamper` has a spring in series; give the damper a `brace` with a stiffness")
+        raise NoSuchMaterial(
+            "`BilinearOilDamper` has a spring in series; give the damper a `brace` with a stiffness [E-OPS-01]"
+        )
     c, relief, ratio = p
     return [Branch(("BilinearOilDamper", brace, F * d * c, F * relief, ratio), moves=True)], True
 
@@ -184,10 +188,10 @@ def _self_centring(p: tuple[float, ...], F: float, d: float, brace: float) -> _M
 def _gap(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     k, gap, loss, side = p
     if loss > 0.0:
-        raise NoSuchMaterial("no material of OpenSees loses energy in contact (`d`)")
+        raise NoSuchMaterial(f"no material of OpenSees loses energy in contact (`d`); {OTHER_LAW} [E-OPS-01]")
     sides = (1.0, -1.0) if side == 0.0 else (side,)
     if any(abs(one) != 1.0 for one in sides):
-        raise NoSuchMaterial("no contact of OpenSees has a `side` between -1 and 1")
+        raise NoSuchMaterial(f"no contact of OpenSees has a `side` between -1 and 1; {OTHER_LAW} [E-OPS-01]")
     return [Branch(("ElasticPPGap", F * d * k, one * OUT_OF_REACH, one * gap / d, 0.0)) for one in sides], False
 
 

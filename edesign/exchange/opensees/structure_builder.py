@@ -174,7 +174,7 @@ class StructureBuilder:
         if len(places) > MOST_SECTIONS:
             reason = (
                 f"{len(places)} sections between its loads, and a member of OpenSees has at most {MOST_SECTIONS}; "
-                "fewer loads inside the member or fewer `elements.integration_points`"
+                "fewer loads inside the member or fewer `elements.integration_points` [E-OPS-04]"
             )
             raise NotTranslated(call["name"], reason)
         words = (tag, len(places), *[section] * len(places), *places, *weights)
@@ -232,7 +232,9 @@ class StructureBuilder:
         to.elements.append(command("element", *words, comment=comment))
 
     def _strut(self, call: Call) -> None:
-        raise NotTranslated(call["name"], "a brace that buckles is condensed to one bar, which OpenSees does not have")
+        raise NotTranslated(
+            call["name"], "a brace that buckles is condensed to one bar, which OpenSees does not have [E-OPS-03]"
+        )
 
     def _link(self, call: Call) -> None:
         """The spring of a tuned mass, along x alone."""
@@ -250,7 +252,7 @@ class StructureBuilder:
             or terms[degree] != -1.0
             or hypot(there[0] - here[0], there[1] - here[1]) > SAME_PLACE
         ):
-            raise NotTranslated(call["name"], "it couples displacements of several directions")
+            raise NotTranslated(call["name"], "it couples displacements of several directions [E-OPS-05]")
         try:
             law = spring_material(call["law"])
         except NoSuchMaterial as error:

@@ -52,7 +52,9 @@ def _translate(
     project: Project, path: Path, without_dampers: bool, tell: Tell, text: Callable[[Script, Path], str]
 ) -> Translation:
     if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
-        raise InputError(f"{path}: the script names files beside it; give it a name of letters, digits and `_ + - .`")
+        raise InputError(
+            f"{path}: the script names files beside it; give it a name of letters, digits and `_ + - .` [E-FILE-10]"
+        )
     refuse(project, without_dampers)
     if any(isinstance(spec, ChosenRecords) for spec in project.records.values()):
         tell("choosing the records")

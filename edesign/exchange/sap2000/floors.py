@@ -21,13 +21,15 @@ def diaphragm_floors(model: Sap2000Model, grid: Grid) -> set[int]:
         if len(used) < 2:
             continue
         if len(floors) > 1:
-            raise model.error("diaphragm", name, f"its joints are on {len(floors)} floors")
+            raise model.error("diaphragm", name, f"its joints are on {len(floors)} floors [E-SAP-14]")
         floor = floors.pop()
         of_floor = {joint for joint, level in levels.items() if level == floor}
         if used != of_floor:
             lacking = len(of_floor - used)
             raise model.error(
-                "diaphragm", name, f"{lacking} joints of its floor are not in it; a floor is rigid as a whole or not"
+                "diaphragm",
+                name,
+                f"{lacking} joints of its floor are not in it; a floor is rigid as a whole or not [E-SAP-14]",
             )
         found.add(floor)
     return found

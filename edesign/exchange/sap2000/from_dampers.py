@@ -27,7 +27,7 @@ def add_dampers(project: Project, model: Sap2000Model) -> None:
         key = "isolation" if dampers.isolation is not None else "attachments"
         raise InputError(
             f"{project.where('dampers', key)}: dampers.{key}: this translation for SAP2000 takes no such devices; "
-            "--without-dampers leaves all dampers out"
+            "--without-dampers leaves all dampers out [E-SAP-28]"
         )
     built = build_frame(project, laws=device_laws(project))
     names = {number: name for name, number in built.nodes.items()}
@@ -37,7 +37,7 @@ def add_dampers(project: Project, model: Sap2000Model) -> None:
         if len(ends) != 2 or not ends <= set(names):
             raise InputError(
                 f"{where}: it acts between floors and not along the line between two nodes, which links of SAP2000 do; "
-                "--without-dampers leaves all dampers out"
+                "--without-dampers leaves all dampers out [E-SAP-28]"
             )
         found = _property(device, where)
         model.link_properties[device.name] = found
@@ -55,9 +55,13 @@ def _property(device: Device, where: str) -> LinkProperty:
     law, values = device.values.law, device.values.values
     force, stretch = device.force_scale, device.deformation_scale
     if device.values.effects:
-        raise InputError(f"{where}: its law `{law}` has effects, which links of SAP2000 do not have; {_TAKEN}")
+        raise InputError(
+            f"{where}: its law `{law}` has effects, which links of SAP2000 do not have; {_TAKEN} [E-SAP-28]"
+        )
     if device.play:
-        raise InputError(f"{where}: the pins of its brace have play, which this link of SAP2000 does not have")
+        raise InputError(
+            f"{where}: the pins of its brace have play, which this link of SAP2000 does not have [E-SAP-28]"
+        )
     linear = force * stretch
     if not device.brace and law == "kelvin_voigt":
         return LinkProperty(device.name, "Linear", linear * values[0], linear * values[1])
@@ -78,6 +82,7 @@ def _property(device: Device, where: str) -> LinkProperty:
         brace = "with its brace" if device.brace else "without a brace"
         raise InputError(
             f"{where}: SAP2000 has no link of its law `{law}` {brace}; {_TAKEN}; --without-dampers leaves all out"
+            " [E-SAP-28]"
         )
     return LinkProperty(
         device.name, "Damper - Exponential", k=1.0 / flexibility, c=c, exponent=exponent, nonlinear=True

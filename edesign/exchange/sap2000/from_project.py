@@ -201,7 +201,7 @@ def _supports(project: Project, model: Sap2000Model) -> None:
         held = (springs.horizontal, springs.vertical, springs.rotation if node in bent else "fixed")
         if not all(isinstance(direction, (str, float)) for direction in held):
             where = project.where("frame", "supports", base[node])
-            raise InputError(f"{where}: springs that yield or lift off are no springs of SAP2000's joints")
+            raise InputError(f"{where}: springs that yield or lift off are no springs of SAP2000's joints [E-SAP-29]")
         ux, uz, ry = (direction == "fixed" for direction in held)
         model.restraints[node] = (ux, False, uz, False, ry, False)
         kx, kz, kr = (direction if isinstance(direction, float) else 0.0 for direction in held)

@@ -115,10 +115,12 @@ class Grid:
             plan = float(np.hypot(dx, dy))
             if TOLERANCE <= plan < _STEEPEST * dz:
                 raise self._refuse(
-                    frame, f"it is inclined: its ends are {plan:.4g} m apart in plan; columns are upright"
+                    frame, f"it is inclined: its ends are {plan:.4g} m apart in plan; columns are upright [E-SAP-16]"
                 )
             if TOLERANCE <= dz < _STEEPEST * plan:
-                raise self._refuse(frame, f"it slopes: its ends differ by {dz:.4g} m in height; beams are level")
+                raise self._refuse(
+                    frame, f"it slopes: its ends differ by {dz:.4g} m in height; beams are level [E-SAP-16]"
+                )
 
     def _find_middles(self) -> dict[str, tuple[str, str]]:
         """Joints in the middle of beams that braces meet, with the joints at the ends of the beam, in rising order."""
@@ -142,7 +144,7 @@ class Grid:
         ends = [frame.i, frame.j]
         if kind == "beam" and (met := [joint for joint in ends if joint in self.middles]):
             if len(met) == 2:
-                raise self._refuse(frame, "it stands between two beams' middles")
+                raise self._refuse(frame, "it stands between two beams' middles [E-SAP-18]")
             start, end = (self.point(joint) for joint in self.middles[met[0]])
             other = frame.j if frame.i == met[0] else frame.i
             half = 1 if other == self.middles[met[0]][0] else 2
@@ -156,7 +158,9 @@ class Grid:
         if kind == "column":
             if end[2] != start[2] + 1:
                 raise self._refuse(
-                    frame, f"it goes from floor {start[2]} to floor {end[2]}; divide it where other members have joints"
+                    frame,
+                    f"it goes from floor {start[2]} to floor {end[2]}; divide it where other members have joints"
+                    " [E-SAP-17]",
                 )
         else:
             self._check_bay(frame, start, end)
@@ -165,16 +169,16 @@ class Grid:
     def _check_bay(self, frame: FrameObject, start: Point, end: Point) -> None:
         steps = [abs(a - b) for a, b in zip(start, end, strict=True)]
         if steps[2]:
-            raise self._refuse(frame, "it is neither level nor a brace")
+            raise self._refuse(frame, "it is neither level nor a brace [E-SAP-16]")
         if sum(step > 0 for step in steps) != 1:
-            raise self._refuse(frame, "it runs across the grid, neither along X nor along Y")
+            raise self._refuse(frame, "it runs across the grid, neither along X nor along Y [E-SAP-16]")
         if sum(steps) > 1:
-            raise self._refuse(frame, "it spans over a column line; divide it there, or take the line out")
+            raise self._refuse(frame, "it spans over a column line; divide it there, or take the line out [E-SAP-17]")
 
     def _place_brace(self, frame: FrameObject) -> Placed:
         low, high = sorted((frame.i, frame.j), key=lambda joint: self.model.joints[joint][2])
         if low in self.middles and high in self.middles:
-            raise self._refuse(frame, "both of its ends are in the middle of beams")
+            raise self._refuse(frame, "both of its ends are in the middle of beams [E-SAP-18]")
         if low in self.middles or high in self.middles:
             middle = low if low in self.middles else high
             other = self.point(high if low in self.middles else low)
@@ -182,7 +186,9 @@ class Grid:
             far = [end for end in ends if end[:2] != other[:2]]
             step = 1 if low in self.middles else -1
             if len(far) != 1 or other[2] != far[0][2] + step:
-                raise self._refuse(frame, "it does not stand between the feet or heads of the bay and its beam")
+                raise self._refuse(
+                    frame, "it does not stand between the feet or heads of the bay and its beam [E-SAP-18]"
+                )
             corner = (far[0][0], far[0][1], far[0][2])
             at: Literal["start", "end"] = "start" if low in self.middles else "end"
             start, end = (corner, other) if low in self.middles else (other, corner)
@@ -190,7 +196,9 @@ class Grid:
         start, end = self.point(low), self.point(high)
         plan = [abs(a - b) for a, b in zip(start[:2], end[:2], strict=True)]
         if sorted(plan) != [0, 1] or end[2] != start[2] + 1:
-            raise self._refuse(frame, "it is inclined, and not a brace between the corners of a bay of one storey")
+            raise self._refuse(
+                frame, "it is inclined, and not a brace between the corners of a bay of one storey [E-SAP-18]"
+            )
         return Placed(frame, "brace", start, end, reversed=frame.i != low)
 
     def _check_joints_between(self) -> None:
@@ -206,7 +214,7 @@ class Grid:
             near = inside & (np.linalg.norm(places - start - np.outer(along, axis / length), axis=1) < TOLERANCE)
             if near.any():
                 names = listed([joints[k] for k in np.flatnonzero(near)])
-                raise self._refuse(frame, f"joint {names} lies on it; divide the frame there")
+                raise self._refuse(frame, f"joint {names} lies on it; divide the frame there [E-SAP-17]")
 
     def _refuse(self, frame: FrameObject, why: str) -> InputError:
         return self.model.error("frame", frame.name, why)

@@ -80,7 +80,11 @@ class PlaneLoads:
                 kind, weight = self._weights[load.pattern]
                 sideways = [value for n, value in enumerate(load.forces) if n != 2]
                 if any(sideways) and weight:
-                    raise self._refuse(load.row, f"joint {load.joint} has a horizontal force or a moment")
+                    raise self._refuse(
+                        load.row,
+                        f"joint {load.joint} has a horizontal force or a moment; gravity loads of projects have none"
+                        " [E-SAP-25]",
+                    )
                 self._on_joint(load.joint, kind, -weight * load.forces[2])
         for on_part in self._model.frame_loads:
             if on_part.pattern in self._weights:
@@ -96,7 +100,7 @@ class PlaneLoads:
                     self._along(self._placed[frame.name], kind, q)
 
     def _refuse(self, row: Row | None, why: str) -> Exception:
-        return row.error(f"{why}, which projects do not have in their gravity loads") if row else ValueError(why)
+        return row.error(why) if row else ValueError(why)
 
     def _on_joint(self, joint: str, kind: int, down: float) -> None:
         if down == 0.0:
@@ -106,7 +110,7 @@ class PlaneLoads:
             place = min(start[self._across], end[self._across]) + 1, start[2]
             self._beams[place].points[0.5][kind] += down
         elif joint not in self._grid.points:
-            raise self._model.error("joint", joint, "it has a load, and no member ends there")
+            raise self._model.error("joint", joint, "it has a load, and no member ends there [E-SAP-26]")
         else:
             point = self._grid.points[joint]
             if point[2] == 0:
@@ -136,7 +140,11 @@ class PlaneLoads:
         self._check_plane(load.row, load.frame, load.along)
         if down and placed.kind != "beam":
             if not uniform:
-                raise self._refuse(load.row, f"{placed.kind} {load.frame} has a vertical load on a part of it")
+                raise self._refuse(
+                    load.row,
+                    f"{placed.kind} {load.frame} has a vertical load on a part of it; projects have these on beams"
+                    " [E-SAP-25]",
+                )
             self._along(placed, kind, down * load.at_start)
         elif down and uniform:
             self._along(placed, kind, down * load.at_start)
@@ -147,14 +155,20 @@ class PlaneLoads:
             self._beams[placed.start[self._across] + 1, placed.start[2]].parts.append(part)
         if abs(right) > GENTLE:
             if placed.kind != "column" or not uniform:
-                raise self._refuse(load.row, f"{placed.kind} {load.frame} has a horizontal load that is not uniform")
+                raise self._refuse(
+                    load.row,
+                    f"{placed.kind} {load.frame} has a horizontal load; projects have uniform ones on columns"
+                    " [E-SAP-25]",
+                )
             self._columns[placed.start[self._across], placed.end[2]][kind] += right * load.at_start
 
     def _point(self, load: FramePoint) -> None:
         placed, (kind, weight) = self._placed[load.frame], self._weights[load.pattern]
         self._check_plane(load.row, load.frame, load.along)
         if placed.kind != "beam" or abs(load.along[self._across]) > GENTLE:
-            raise self._refuse(load.row, f"{placed.kind} {load.frame} has a force at a place that is no load of a beam")
+            raise self._refuse(
+                load.row, f"{placed.kind} {load.frame} has a force; projects have vertical ones on beams [E-SAP-25]"
+            )
         down = -load.along[2] * load.force * weight
         at = placed.share_of_beam(load.at)
         place = placed.start[self._across] + 1, placed.start[2]
@@ -165,7 +179,7 @@ class PlaneLoads:
 
     def _check_plane(self, row: Row | None, frame: str, along: Vector) -> None:
         if abs(along[1 - self._across]) > GENTLE:
-            raise self._refuse(row, f"frame {frame} has a load across the plane of the frame")
+            raise self._refuse(row, f"frame {frame} has a load across the plane of the frame [E-SAP-25]")
 
     # --- text
 

@@ -69,12 +69,14 @@ class PlaneMembers:
                 self._check_brace(placed)
                 full = section.axial_share == 1.0
                 if section.axial_share not in (1.0, 0.5):
-                    raise self.refuse(placed, f"its section has `AMod` = {section.axial_share:g}, not 1 or 0.5")
+                    raise self.refuse(
+                        placed, f"its section has `AMod` = {section.axial_share:g}, not 1 or 0.5 [E-SAP-12]"
+                    )
                 place = (min(self.line(placed.start), self.line(placed.end)) + 1, placed.end[2])
                 braces[place].append((placed, (*self._of_section(section), full)))
                 continue
             if section.axial_share != 1.0:
-                raise self.refuse(placed, "its section has an `AMod` other than 1")
+                raise self.refuse(placed, "its section has an `AMod` other than 1 [E-SAP-12]")
             what = (*self._of_section(section), self._axis(placed))
             self.released[placed.frame.name] = self._released(placed, what[2])
             if placed.kind == "column":
@@ -83,7 +85,7 @@ class PlaneMembers:
                 beams[self.line(placed.start) + 1, placed.start[2]].append((placed, what))
         self.columns, self.beams, self.braces = columns, self._whole_beams(beams), self._brace_kinds(braces)
         if any(floor == 0 for _, floor in self.beams):
-            raise InputError("beams at the base level: projects have beams from floor 1 on")
+            raise InputError("beams at the base level: projects have beams from floor 1 on [E-SAP-23]")
 
     def _once(
         self,
@@ -93,7 +95,7 @@ class PlaneMembers:
         placed: Placed,
     ) -> None:
         if place in there:
-            raise self.refuse(placed, "another frame stands in its place")
+            raise self.refuse(placed, "another frame stands in its place [E-SAP-19]")
         there[place] = what
 
     def refuse(self, placed: Placed, why: str) -> InputError:
@@ -108,7 +110,9 @@ class PlaneMembers:
             return ""
         if out_of_plane > 1.0 - 1e-6:
             return ", axis: weak"
-        raise self.refuse(placed, f"its local axes are turned by {placed.frame.angle:g} degrees out of the plane")
+        raise self.refuse(
+            placed, f"its local axes are turned by {placed.frame.angle:g} degrees out of the plane [E-SAP-22]"
+        )
 
     def _released(self, placed: Placed, axis: str) -> tuple[bool, bool]:
         """Whether the start and the end are pins, in the direction in which the project counts."""
@@ -116,16 +120,22 @@ class PlaneMembers:
         ends = []
         for released, springs in zip(placed.frame.released, placed.frame.springs, strict=True):
             if any(released[:3]):
-                raise self.refuse(placed, "an axial force or a shear force is released, which projects do not have")
+                raise self.refuse(
+                    placed, "an axial force or a shear force is released, which projects do not have [E-SAP-21]"
+                )
             if springs[bending]:
-                raise self.refuse(placed, "it has partial fixity; give joints that turn in the project (`joints`)")
+                raise self.refuse(
+                    placed, "it has partial fixity; give joints that turn in the project (`joints`) [E-SAP-21]"
+                )
             ends.append(released[bending])
         return (ends[1], ends[0]) if placed.reversed else (ends[0], ends[1])
 
     def _check_brace(self, placed: Placed) -> None:
         axis = self._axis(placed)
         if self._released(placed, axis) != (True, True):
-            raise self.refuse(placed, "it is a brace whose ends are not released in the plane; braces are pin-ended")
+            raise self.refuse(
+                placed, "it is a brace whose ends are not released in the plane; braces are pin-ended [E-SAP-21]"
+            )
 
     def _of_section(self, section: Section) -> tuple[str, str]:
         """The names of a section and its material in the project."""
@@ -133,7 +143,7 @@ class PlaneMembers:
             self.sections[section.name] = self._new_section(section)
         material = self.model.materials.get(section.material)
         if material is None:
-            raise self.model.error("section", section.name, f"its material `{section.material}` has no data")
+            raise self.model.error("section", section.name, f"its material `{section.material}` has no data [E-SAP-08]")
         if material.name not in self.materials:
             self.materials[material.name] = free_identifier(material.name, set(self.materials.values()))
         return self.sections[section.name], self.materials[material.name]
@@ -148,7 +158,9 @@ class PlaneMembers:
                 )
             return known.name
         if section.area <= 0.0 or section.I33 <= 0.0:
-            raise self.model.error("section", section.name, f"of the shape {section.shape} it has no area or no I33")
+            raise self.model.error(
+                "section", section.name, f"of the shape {section.shape} it has no area or no I33 [E-SAP-08]"
+            )
         name = f"{section.name}_own" if is_catalogue_name(section.name) else section.name
         name = free_identifier(name, set(self.own_sections))
         plates = (section.depth, section.width, section.flange, section.web)
@@ -176,12 +188,14 @@ class PlaneMembers:
         for place, parts in beams.items():
             parts.sort(key=lambda part: part[0].half)
             if [placed.half for placed, _ in parts] not in ([0], [1, 2]):
-                raise self.refuse(parts[-1][0], "another frame stands in its place")
+                raise self.refuse(parts[-1][0], "another frame stands in its place [E-SAP-19]")
             if len({what for _, what in parts}) > 1:
-                raise self.refuse(parts[1][0], "the halves of a beam that braces meet have different sections")
+                raise self.refuse(
+                    parts[1][0], "the halves of a beam that braces meet have different sections [E-SAP-20]"
+                )
             first, last = self.released[parts[0][0].frame.name], self.released[parts[-1][0].frame.name]
             if len(parts) == 2 and (first[1] or last[0]):
-                raise self.refuse(parts[0][0], "a beam that braces meet is released in its middle")
+                raise self.refuse(parts[0][0], "a beam that braces meet is released in its middle [E-SAP-20]")
             self.beam_releases[place] = first[0], last[1]
             found[place] = parts[0][1]
         return found
@@ -192,7 +206,7 @@ class PlaneMembers:
         found = {}
         for place, parts in braces.items():
             if len({what for _, what in parts}) > 1:
-                raise self.refuse(parts[1][0], "two braces of one bay have different sections")
+                raise self.refuse(parts[1][0], "two braces of one bay have different sections [E-SAP-18]")
             middles = [placed.middle for placed, _ in parts]
             rising = [self.line(placed.start) < self.line(placed.end) for placed, _ in parts]
             if sorted(rising) == [False, True] and middles[0] == middles[1]:
@@ -200,6 +214,6 @@ class PlaneMembers:
             elif len(parts) == 1 and not middles[0]:
                 kind = "rising" if rising[0] else "falling"
             else:
-                raise self.refuse(parts[0][0], "the braces of its bay are no diagonal, cross, chevron or V")
+                raise self.refuse(parts[0][0], "the braces of its bay are no diagonal, cross, chevron or V [E-SAP-18]")
             found[place] = (kind, *parts[0][1])
         return found

@@ -39,7 +39,7 @@ def read_loads(tables: Tables, units: Units, model: Sap2000Model) -> None:
     for row in tables.of("JOINT LOADS - FORCE"):
         system = row.text("CoordSys", "GLOBAL").upper()
         if system not in ("GLOBAL", "LOCAL"):  # joints have no local axes of their own
-            raise row.error(f"forces in the system {system} are not taken, only in GLOBAL")
+            raise row.error(f"forces in the system {system} are not taken, only in GLOBAL [E-SAP-10]")
         joint = _part(row, "Joint", model.joints)
         values = [row.number(name, 0.0) for name in _FORCES]
         a, b, c = (value * units.force for value in values[:3])
@@ -65,7 +65,7 @@ def _distributed(row: Row, units: Units, model: Sap2000Model) -> None:
     length = model.length(model.frames[frame])
     begin, end = (_place(row, letter, units, length) for letter in "AB")
     if begin > end:
-        raise row.error("the load ends before it begins")
+        raise row.error("the load ends before it begins [E-SAP-09]")
     first, last = (row.number(f"FOverL{letter}") * units.force / units.length for letter in "AB")
     if end > begin:
         model.frame_loads.append(FrameLoad(frame, _pattern(row, model), along, begin, end, first, last, row))
@@ -85,14 +85,16 @@ def _gravity(row: Row, model: Sap2000Model) -> None:
 def _part(row: Row, key: str, there: Mapping[str, object]) -> str:
     name = row.text(key)
     if name not in there:
-        raise row.error(f"`{key}={name}`: there is no such {key.lower()}{did_you_mean(name, list(there))}")
+        raise row.error(f"`{key}={name}`: there is no such {key.lower()}{did_you_mean(name, list(there))} [E-SAP-05]")
     return name
 
 
 def _pattern(row: Row, model: Sap2000Model) -> str:
     name = row.text("LoadPat")
     if name not in model.patterns:
-        raise row.error(f"`LoadPat={name}`: there is no such load pattern{did_you_mean(name, model.patterns)}")
+        raise row.error(
+            f"`LoadPat={name}`: there is no such load pattern{did_you_mean(name, model.patterns)} [E-SAP-05]"
+        )
     return name
 
 
@@ -100,7 +102,7 @@ def _frame_direction(row: Row, model: Sap2000Model) -> tuple[str, Vector]:
     """The frame that a load is on, and its direction as a global unit vector."""
     frame = _part(row, "Frame", model.frames)
     if row.text("Type", "Force").lower() != "force":
-        raise row.error(f"moments along frame {frame} are not taken")
+        raise row.error(f"moments along frame {frame} are not taken [E-SAP-25]")
     system, direction = row.text("CoordSys", "GLOBAL").upper(), row.text("Dir").upper()
     if system == "GLOBAL" and direction in _GLOBAL:
         return frame, _GLOBAL[direction]
@@ -110,7 +112,7 @@ def _frame_direction(row: Row, model: Sap2000Model) -> tuple[str, Vector]:
         return frame, (x, y, z)
     if direction == "GRAV PROJ" and abs(axes[0][2]) < GENTLE:  # on a level frame the same
         return frame, _GLOBAL["GRAVITY"]
-    raise row.error(f"the load on frame {frame} acts along {direction} of {system}, which is not taken")
+    raise row.error(f"the load on frame {frame} acts along {direction} of {system}, which is not taken [E-SAP-10]")
 
 
 def _place(row: Row, letter: str, units: Units, length: float) -> float:
@@ -120,7 +122,7 @@ def _place(row: Row, letter: str, units: Units, length: float) -> float:
     else:
         share = row.number(f"AbsDist{letter}") * units.length / length
     if not -GENTLE <= share <= 1.0 + GENTLE:
-        raise row.error(f"the load stands at {share:g} of the length of its frame, outside of it")
+        raise row.error(f"the load stands at {share:g} of the length of its frame, outside of it [E-SAP-09]")
     return min(max(share, 0.0), 1.0)
 
 
@@ -130,9 +132,9 @@ def read_masses(tables: Tables, units: Units, model: Sap2000Model) -> None:
         joint = _part(row, "Joint", model.joints)
         x, y, z = (row.number(f"Mass{axis}", 0.0) * units.mass for axis in "123")
         if min(x, y, z) < 0.0:
-            raise row.error(f"joint {joint} has a negative mass")
+            raise row.error(f"joint {joint} has a negative mass [E-SAP-09]")
         if any(row.number(f"MMI{axis}", 0.0) for axis in "123"):
-            raise row.error(f"joint {joint} has a rotational inertia, which nodes of edesign do not have")
+            raise row.error(f"joint {joint} has a rotational inertia, which nodes of edesign do not have [E-SAP-15]")
         model.joint_masses[joint] = x, y, z
         model.rows["mass", joint] = row
     rows = tables.of("MASS SOURCE")
@@ -157,7 +159,7 @@ def _mass_patterns(rows: Iterable[Row], model: Sap2000Model) -> dict[str, float]
         if row.has("LoadPat"):
             name = _pattern(row, model)
             if name in found:
-                raise row.error(f"LoadPat {name} is there twice")
+                raise row.error(f"LoadPat {name} is there twice [E-SAP-06]")
             found[name] = row.number("Multiplier", 1.0)
     return found
 
@@ -175,11 +177,11 @@ def read_cases(tables: Tables, model: Sap2000Model) -> None:
         if row.text("Case") != name:
             continue
         if row.text("LoadType", "Load pattern").lower() != "load pattern":
-            raise row.error(f"the case {name} before the modes has loads that are no load patterns")
+            raise row.error(f"the case {name} before the modes has loads that are no load patterns [E-SAP-25]")
         pattern = row.text("LoadName")
         if pattern not in model.patterns:
             raise row.error(
-                f"`LoadName={pattern}`: there is no such load pattern{did_you_mean(pattern, model.patterns)}"
+                f"`LoadName={pattern}`: there is no such load pattern{did_you_mean(pattern, model.patterns)} [E-SAP-05]"
             )
         factors[pattern] = factors.get(pattern, 0.0) + row.number("LoadSF", 1.0)
     kinds = {
@@ -222,7 +224,9 @@ def nodal_masses(model: Sap2000Model) -> dict[str, np.ndarray]:
     ends = {joint for frame in model.frames.values() for joint in (frame.i, frame.j)}
     for joint in found:
         if joint not in ends and np.any(found[joint] != 0.0):
-            raise model.error("joint", joint, "it has a mass, and no member ends there; give it to joints of members")
+            raise model.error(
+                "joint", joint, "it has a mass, and no member ends there; give it to joints of members [E-SAP-26]"
+            )
     return {joint: mass for joint, mass in found.items() if np.any(mass != 0.0)}
 
 

@@ -107,7 +107,7 @@ def _check_tables(tables: Tables, found: ReadModel) -> None:
         if name.startswith(_STRUCTURE) and not name.startswith(_HARMLESS):
             raise rows[0].error(
                 f"edesign takes no such table, and without its {len(rows)} records the structure would be another; "
-                "take these parts out of the model"
+                "take these parts out of the model [E-SAP-11]"
             )
         partly = ", but for the loads before the modes" if name in _PARTLY else ""
         found.left_out.append(f"{name}: {counted(len(rows), 'record')}{partly}")
@@ -116,7 +116,7 @@ def _check_tables(tables: Tables, found: ReadModel) -> None:
 def _coordinate_systems(tables: Tables) -> None:
     for row in tables.of("JOINT COORDINATES"):
         if row.text("CoordSys", "GLOBAL").upper() != "GLOBAL" or row.text("CoordType", "Cartesian") != "Cartesian":
-            raise row.error("coordinates are taken in the system GLOBAL, Cartesian, only")
+            raise row.error("coordinates are taken in the system GLOBAL, Cartesian, only [E-SAP-10]")
 
 
 def _joints(tables: Tables, units: Units, model: Sap2000Model) -> None:
@@ -127,18 +127,20 @@ def _joints(tables: Tables, units: Units, model: Sap2000Model) -> None:
 
     model.joints = keyed(tables, "JOINT COORDINATES", "Joint", place)
     if not model.joints:
-        raise InputError(f"{tables.path}: the table JOINT COORDINATES is missing or empty: there is no structure")
+        raise InputError(
+            f"{tables.path}: the table JOINT COORDINATES is missing or empty: there is no structure [E-SAP-07]"
+        )
     for row in keyed(tables, "JOINT RESTRAINT ASSIGNMENTS", "Joint", lambda row: row).values():
         held = six_flags(row.yes(name) for name in DIRECTIONS)
         model.restraints[known_name(row, "Joint", model.joints, "joint")] = held
         model.rows["restraint", row.text("Joint")] = row
     for row in keyed(tables, "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED", "Joint", lambda row: row).values():
         if row.text("CoordSys", "GLOBAL").upper() not in ("GLOBAL", "LOCAL"):  # joints have no local axes of their own
-            raise row.error("springs are taken in the system GLOBAL only")
+            raise row.error("springs are taken in the system GLOBAL only [E-SAP-10]")
         factors = [units.force / units.length] * 3 + [units.moment] * 3
         springs = six_values(row.number(n, 0.0) * f for n, f in zip(DIRECTIONS, factors, strict=True))
         if min(springs) < 0.0:
-            raise row.error("a stiffness is negative")
+            raise row.error("a stiffness is negative [E-SAP-09]")
         model.springs[known_name(row, "Joint", model.joints, "joint")] = springs
         model.rows["spring", row.text("Joint")] = row
 
@@ -160,14 +162,14 @@ def _frames(tables: Tables, units: Units, model: Sap2000Model) -> None:
         model.rows["frame", name] = row
         i, j = (known_name(row, key, model.joints, "joint") for key in ("JointI", "JointJ"))
         if row.yes("IsCurved"):
-            raise row.error(f"frame {name} is curved; only straight members are taken")
+            raise row.error(f"frame {name} is curved; only straight members are taken [E-SAP-12]")
         if name not in assigned:
-            raise row.error(f"frame {name} has no section in FRAME SECTION ASSIGNMENTS")
+            raise row.error(f"frame {name} has no section in FRAME SECTION ASSIGNMENTS [E-SAP-05]")
         section = known_name(assigned[name], "AnalSect", model.sections, "section of FRAME SECTION PROPERTIES 01")
         if assigned[name].text("MatProp", "Default") != "Default":
-            raise assigned[name].error(f"frame {name} has a material of its own; give it to a section")
+            raise assigned[name].error(f"frame {name} has a material of its own; give it to a section [E-SAP-12]")
         if np.linalg.norm(np.subtract(model.joints[i], model.joints[j])) < 1e-6:
-            raise row.error(f"frame {name} has no length: joints {i} and {j} are in one place")
+            raise row.error(f"frame {name} has no length: joints {i} and {j} are in one place [E-SAP-09]")
         released = loose.get(name, [False] * 12)
         springs = [value * factor for value, factor in zip(held.get(name, [0.0] * 12), factors, strict=True)]
         springs = [spring if free else 0.0 for spring, free in zip(springs, released, strict=True)]
@@ -184,7 +186,9 @@ def _frames(tables: Tables, units: Units, model: Sap2000Model) -> None:
 
     model.frames = keyed(tables, "CONNECTIVITY - FRAME", "Frame", frame)
     if not model.frames:
-        raise InputError(f"{tables.path}: the table CONNECTIVITY - FRAME is missing or empty: there are no members")
+        raise InputError(
+            f"{tables.path}: the table CONNECTIVITY - FRAME is missing or empty: there are no members [E-SAP-07]"
+        )
     for table in (*_ASSIGNED, general, partial, "FRAME LOCAL AXES ASSIGNMENTS 1 - TYPICAL"):
         for row in tables.of(table):
             known_name(row, "Frame", model.frames, "frame")
@@ -193,7 +197,7 @@ def _frames(tables: Tables, units: Units, model: Sap2000Model) -> None:
 
 def _angle(row: Row) -> float:
     if row.yes("AdvanceAxes"):
-        raise row.error("advanced local axes are not taken; turn the frame by an angle")
+        raise row.error("advanced local axes are not taken; turn the frame by an angle [E-SAP-12]")
     return row.number("Angle", 0.0)
 
 
@@ -209,13 +213,17 @@ def _check_assigned(row: Row) -> None:
     name = row.text("Frame")
     if row.table == _ASSIGNED[0] and (row.number("LengthI", 0.0) or row.number("LengthJ", 0.0)):
         if row.number("RigidFact", 0.0):
-            raise row.error(f"frame {name} has rigid ends, which are not taken; set their rigid zone factor to 0")
+            raise row.error(
+                f"frame {name} has rigid ends, which are not taken; set their rigid zone factor to 0 [E-SAP-12]"
+            )
     if row.table == _ASSIGNED[1] and (row.yes("TensLimit") or row.yes("CompLimit")):
-        raise row.error(f"frame {name} has a limit of its axial force, which makes the analysis nonlinear")
+        raise row.error(f"frame {name} has a limit of its axial force, which makes the analysis nonlinear [E-SAP-12]")
     if row.table == _ASSIGNED[2]:
         for field in ("AMod", "AS2Mod", "AS3Mod", "JMod", "I22Mod", "I33Mod", "MassMod", "WeightMod"):
             if row.number(field, 1.0) != 1.0:
-                raise row.error(f"frame {name}: the modifier `{field}` is not 1; give its section other properties")
+                raise row.error(
+                    f"frame {name}: the modifier `{field}` is not 1; give its section other properties [E-SAP-12]"
+                )
 
 
 def _links(tables: Tables, model: Sap2000Model) -> None:
@@ -227,12 +235,14 @@ def _links(tables: Tables, model: Sap2000Model) -> None:
         model.rows["link", name] = row
         i, j = (known_name(row, key, model.joints, "joint") for key in ("JointI", "JointJ"))
         if name not in properties:
-            raise row.error(f"link {name} has no property in LINK PROPERTY ASSIGNMENTS")
+            raise row.error(f"link {name} has no property in LINK PROPERTY ASSIGNMENTS [E-SAP-05]")
         of = properties[name].text("LinkProp")
         if of not in model.link_properties:
             kind = kinds[of].text("LinkType", "") if of in kinds else "unknown"
             allowed = listed(["Linear", "Damper - Exponential"])
-            raise properties[name].error(f"link {name} has the property {of} of the type `{kind}`; taken are {allowed}")
+            raise properties[name].error(
+                f"link {name} has the property {of} of the type `{kind}`; taken are {allowed} [E-SAP-13]"
+            )
         return Link(name, i, j, of, row)
 
     model.links = keyed(tables, "CONNECTIVITY - LINK", "Link", link)
@@ -242,13 +252,13 @@ def _constraints(tables: Tables, model: Sap2000Model) -> None:
     levels = {}
     for row in keyed(tables, "CONSTRAINT DEFINITIONS - DIAPHRAGM", "Name", lambda row: row).values():
         if row.text("Axis", "Z").upper() not in ("Z", "AUTO") or row.text("CoordSys", "GLOBAL").upper() != "GLOBAL":
-            raise row.error(f"diaphragm {row.text('Name')} is not horizontal")
+            raise row.error(f"diaphragm {row.text('Name')} is not horizontal [E-SAP-14]")
         levels[row.text("Name")] = row.yes("MultiLevel")
         model.diaphragms[row.text("Name")] = []
     for row in tables.of("JOINT CONSTRAINT ASSIGNMENTS"):
         joint, name = known_name(row, "Joint", model.joints, "joint"), row.text("Constraint")
         if name not in levels:
-            raise row.error(f"joint {joint} has the constraint {name}; only diaphragms are taken")
+            raise row.error(f"joint {joint} has the constraint {name}; only diaphragms are taken [E-SAP-14]")
         model.rows["diaphragm", name] = row
         model.diaphragms[name].append(joint)
     for name in [name for name, multi in levels.items() if multi]:

@@ -22,7 +22,7 @@ def read_materials(tables: Tables, units: Units, model: Sap2000Model) -> None:
     def material(row: Row) -> Material:
         name, E = row.text("Material"), row.number("E1") * units.stress
         if E <= 0.0:
-            raise row.error("the modulus of elasticity is not greater than zero")
+            raise row.error("the modulus of elasticity is not greater than zero [E-SAP-08]")
         nu = row.number("U12", 0.3)
         density = row.number("UnitMass", 0.0) * units.mass / units.length**3
         weight = row.number("UnitWeight", 0.0) * units.force / units.length**3
@@ -44,7 +44,9 @@ def read_sections(tables: Tables, units: Units, model: Sap2000Model) -> None:
         same = all(abs(row.number(a, row.number(b, 0.0)) - row.number(b, 0.0)) < 1e-9 for a, b in _PAIRS)
         for field in ("A2Mod", "A3Mod", "JMod", "I2Mod", "I3Mod", "MMod", "WMod"):
             if row.number(field, 1.0) != 1.0:
-                raise row.error(f"section {name}: the modifier `{field}` is not 1; give its properties instead")
+                raise row.error(
+                    f"section {name}: the modifier `{field}` is not 1; give its properties instead [E-SAP-12]"
+                )
         return Section(
             name=name,
             material=row.text("Material", ""),
@@ -73,7 +75,7 @@ def read_link_properties(tables: Tables, units: Units, model: Sap2000Model) -> N
             if row.text("Link") in used and row.number(field, 0.0):
                 raise row.error(
                     f"link property {row.text('Link')} has a `{field}`, which dampers of edesign do not have; give "
-                    f"half of it to each joint of its links, with the {what} of joints"
+                    f"half of it to each joint of its links, with the {what} of joints [E-SAP-13]"
                 )
     stiffness, damping = units.force / units.length, units.force / units.length
     for table in ("LINK PROPERTY DEFINITIONS 02 - LINEAR", "LINK PROPERTY DEFINITIONS 04 - DAMPER"):
@@ -82,11 +84,15 @@ def read_link_properties(tables: Tables, units: Units, model: Sap2000Model) -> N
             if name not in used:
                 continue
             if row.text("DOF").upper() != "U1":
-                raise row.error(f"link property {name} acts along {row.text('DOF')}; only U1, its axis, is taken")
+                raise row.error(
+                    f"link property {name} acts along {row.text('DOF')}; only U1, its axis, is taken [E-SAP-13]"
+                )
             if name in model.link_properties:
-                raise row.error(f"Link {name} is there twice")
+                raise row.error(f"Link {name} is there twice [E-SAP-06]")
             if row.yes("Fixed"):
-                raise row.error(f"link property {name} is fixed along U1; only springs and dampers are taken")
+                raise row.error(
+                    f"link property {name} is fixed along U1; only springs and dampers are taken [E-SAP-13]"
+                )
             exponent = row.number("CExp", 1.0)
             model.link_properties[name] = LinkProperty(
                 name,

@@ -22,7 +22,7 @@ def keyed(tables: Tables, table: str, key: str, make: Callable[[Row], T]) -> dic
     for row in tables.of(table):
         name = row.text(key)
         if name in found:
-            raise row.error(f"{key} {name} is there twice")
+            raise row.error(f"{key} {name} is there twice [E-SAP-06]")
         found[name] = make(row)
     return found
 
@@ -35,7 +35,7 @@ def known_name(row: Row, key: str, there: Collection[str], what: str) -> str:
     """
     name = row.text(key)
     if name not in there:
-        raise row.error(f"`{key}={name}`: there is no such {what}{did_you_mean(name, there)}")
+        raise row.error(f"`{key}={name}`: there is no such {what}{did_you_mean(name, there)} [E-SAP-05]")
     return name
 
 

@@ -43,7 +43,11 @@ class SpaceLoads:
         for load in model.joint_loads:
             if load.pattern in self._kinds:
                 if any(value for n, value in enumerate(load.forces) if n != 2):
-                    raise self._refuse(load.row, f"joint {load.joint} has a horizontal force or a moment")
+                    raise self._refuse(
+                        load.row,
+                        f"joint {load.joint} has a horizontal force or a moment; buildings have vertical loads"
+                        " [E-SAP-25]",
+                    )
                 self._on_joint(load.joint, self._kinds[load.pattern], -load.forces[2])
         for on_part in model.frame_loads:
             if on_part.pattern in self._kinds:
@@ -62,11 +66,15 @@ class SpaceLoads:
         multiple = sum(pattern.self_weight for pattern in own.values())
         if own and (multiple != 1.0 or not set(own) <= set(taken.permanent)):
             row = next(iter(own.values())).row
-            raise self._refuse(row, f"the self weight counts {multiple:g} times, or in a pattern of variable loads")
+            raise self._refuse(
+                row,
+                f"the self weight counts {multiple:g} times, or in a pattern of variable loads; it belongs once to G"
+                " [E-SAP-25]",
+            )
         return bool(own)
 
     def _refuse(self, row: Row | None, why: str) -> Exception:
-        return row.error(f"{why}, which buildings do not have") if row else ValueError(why)
+        return row.error(why) if row else ValueError(why)
 
     def _on_joint(self, joint: str, kind: str, down: float) -> None:
         if down == 0.0:
@@ -75,7 +83,7 @@ class SpaceLoads:
             start, end = (self._grid.point(end) for end in self._grid.middles[joint])
             self._points[beam_place(start, end)][kind, 0.5] += down
         elif joint not in self._grid.points:
-            raise self._model.error("joint", joint, "it has a load, and no member ends there")
+            raise self._model.error("joint", joint, "it has a load, and no member ends there [E-SAP-26]")
         else:
             i, j, floor = self._grid.points[joint]
             if floor == 0:
@@ -87,7 +95,11 @@ class SpaceLoads:
         placed, kind = self._placed[load.frame], self._kinds[load.pattern]
         uniform = load.start < GENTLE and load.end > 1.0 - GENTLE and load.at_start == load.at_end
         if max(abs(load.along[0]), abs(load.along[1])) > GENTLE or not uniform:
-            raise self._refuse(load.row, f"{placed.kind} {load.frame} has a load that is not vertical and uniform")
+            raise self._refuse(
+                load.row,
+                f"{placed.kind} {load.frame} has a load that is not vertical and uniform, as those of buildings are"
+                " [E-SAP-25]",
+            )
         down = -load.along[2] * load.at_start
         if placed.kind == "beam":
             on = self._uniform[beam_place(placed.start, placed.end)][kind]
@@ -101,7 +113,9 @@ class SpaceLoads:
     def _point(self, load: FramePoint) -> None:
         placed, kind = self._placed[load.frame], self._kinds[load.pattern]
         if placed.kind != "beam" or max(abs(load.along[0]), abs(load.along[1])) > GENTLE:
-            raise self._refuse(load.row, f"{placed.kind} {load.frame} has a force that is not vertical on a beam")
+            raise self._refuse(
+                load.row, f"{placed.kind} {load.frame} has a force; buildings have vertical ones on beams [E-SAP-25]"
+            )
         down, share = -load.along[2] * load.force, placed.share_of_beam(load.at)
         if share in (0.0, 1.0):
             self._on_joint(placed.frame.i if load.at == 0.0 else placed.frame.j, kind, down)
@@ -134,7 +148,9 @@ class SpaceLoads:
 
     def _refuse_place(self, place: BeamPlace) -> Exception:
         frame = next(p.frame for p in self._grid.placed if p.kind == "beam" and beam_place(p.start, p.end) == place)
-        return self._model.error("frame", frame.name, "the halves of a beam that braces meet have different loads")
+        return self._model.error(
+            "frame", frame.name, "the halves of a beam that braces meet have different loads [E-SAP-20]"
+        )
 
     def node_texts(self) -> list[str]:
         """Return the loads on nodes as entries."""

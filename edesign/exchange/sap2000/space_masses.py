@@ -31,7 +31,7 @@ def masses_text(model: Sap2000Model, grid: Grid, taken: TakenLoads, left_out: li
     above = {j: float(m[0]) for j, m in masses.items() if _level(grid, j) > 0 and m[0] > 0.0}
     if uneven and any(_level(grid, joint) > 0 for joint in uneven):
         joint = next(joint for joint in uneven if _level(grid, joint) > 0)
-        raise model.error("joint", joint, "its masses along X and Y differ, which buildings do not have")
+        raise model.error("joint", joint, "its masses along X and Y differ, which buildings do not have [E-SAP-15]")
     if not above:
         return []
     if any(masses[joint][2] > 0.0 for joint in above):
@@ -42,7 +42,9 @@ def masses_text(model: Sap2000Model, grid: Grid, taken: TakenLoads, left_out: li
         if factors is None:
             joint = next(joint for joint in above if joint in grid.middles)
             raise model.error(
-                "joint", joint, "it has a mass in the middle of a beam that does not follow from the loads there"
+                "joint",
+                joint,
+                "it has a mass in the middle of a beam that does not follow from the loads there [E-SAP-15]",
             )
         Q = ", ".join(f"{name}: {number_text(value)}" for name, value in factors.items() if name != "G")
         Q = f", Q: {{{Q}}}" if Q else ""

@@ -46,7 +46,9 @@ class SpaceMembers:
         self.beams: dict[BeamPlace, tuple[str, str, str]] = {}
         self.braces: dict[BracePlace, tuple[str, str, str, bool]] = {}
         if link := next(iter(model.links), ""):
-            raise model.error("link", link, "buildings have no dampers and springs; a plane frame may have them")
+            raise model.error(
+                "link", link, "buildings have no dampers and springs; a plane frame may have them [E-SAP-13]"
+            )
         self._members()
         self.floors = self._covered()
         if self.torsion_pins:
@@ -63,11 +65,13 @@ class SpaceMembers:
         braces: dict[BracePlace, list[Placed]] = defaultdict(list)
         for placed in self.grid.placed:
             if any(any(released[:3]) for released in placed.frame.released):
-                raise self.refuse(placed, "an axial force or a shear force is released, which buildings do not have")
+                raise self.refuse(
+                    placed, "an axial force or a shear force is released, which buildings do not have [E-SAP-21]"
+                )
             if placed.kind == "brace":
                 braces[_brace_place(placed)].append(placed)
             elif self.model.sections[placed.frame.section].axial_share != 1.0:
-                raise self.refuse(placed, "its section has an `AMod` other than 1")
+                raise self.refuse(placed, "its section has an `AMod` other than 1 [E-SAP-12]")
             elif placed.kind == "beam":
                 halves[beam_place(placed.start, placed.end)].append(placed)
             else:
@@ -77,32 +81,34 @@ class SpaceMembers:
         for place, members in braces.items():
             self._brace(place, members)
         if any(place.floor == 0 for place in self.beams):
-            raise InputError("there are beams at the base level: buildings have beams from floor 1 on")
+            raise InputError("there are beams at the base level: buildings have beams from floor 1 on [E-SAP-23]")
 
     def _column(self, placed: Placed) -> None:
         if any(any(released) for released in placed.frame.released):
-            raise self.refuse(placed, "it is a column with released ends, which buildings do not have")
+            raise self.refuse(placed, "it is a column with released ends, which buildings do not have [E-SAP-21]")
         two = self.model.axes(placed.frame)[1]
         if min(abs(two[0]), abs(two[1])) > _STRAIGHT:
-            raise self.refuse(placed, f"it is turned by {placed.frame.angle:g} degrees, neither along X nor along Y")
+            raise self.refuse(
+                placed, f"it is turned by {placed.frame.angle:g} degrees, neither along X nor along Y [E-SAP-22]"
+            )
         place = ColumnLine(*placed.start[:2]), placed.end[2]
         if place in self.columns:
-            raise self.refuse(placed, "another frame stands in its place")
+            raise self.refuse(placed, "another frame stands in its place [E-SAP-19]")
         strong: Direction = "x" if abs(two[0]) > abs(two[1]) else "y"
         self.columns[place] = (*self._of_section(placed), strong)
 
     def _beam(self, place: BeamPlace, parts: list[Placed]) -> None:
         if [placed.half for placed in parts] not in ([0], [1, 2]):
-            raise self.refuse(parts[-1], "another frame stands in its place")
+            raise self.refuse(parts[-1], "another frame stands in its place [E-SAP-19]")
         whats = {self._of_section(placed) for placed in parts}
         if len(whats) > 1:
-            raise self.refuse(parts[1], "the halves of a beam that braces meet have different sections")
+            raise self.refuse(parts[1], "the halves of a beam that braces meet have different sections [E-SAP-20]")
         for placed in parts:
             if abs(self.model.axes(placed.frame)[1][2]) < 1.0 - _STRAIGHT:
-                raise self.refuse(placed, "its web is not upright")
+                raise self.refuse(placed, "its web is not upright [E-SAP-22]")
         ends = [self._beam_ends(placed) for placed in parts]
         if len(parts) == 2 and (ends[0][1], ends[1][0]) != ("rigid", "rigid"):
-            raise self.refuse(parts[0], "a beam that braces meet is released in its middle")
+            raise self.refuse(parts[0], "a beam that braces meet is released in its middle [E-SAP-20]")
         start, end = ends[0][0], ends[-1][1]
         self.beams[place] = (*whats.pop(), start if start == end else f"{{start: {start}, end: {end}}}")
 
@@ -114,13 +120,17 @@ class SpaceMembers:
             self.torsion_pins += twist
             stiff_floor = placed.start[2] in self.diaphragms
             if springs[3] or springs[4]:
-                raise self.refuse(placed, "it has partial fixity in torsion or about its weak axis")
+                raise self.refuse(placed, "it has partial fixity in torsion or about its weak axis [E-SAP-21]")
             if strong and springs[5]:
                 if weak and not stiff_floor:
-                    raise self.refuse(placed, "it is released about its weak axis and partially fixed about its strong")
+                    raise self.refuse(
+                        placed, "it is released about its weak axis and partially fixed about its strong [E-SAP-21]"
+                    )
                 found.append(quantity(springs[5], "kN*m/rad"))
             elif weak != strong and not stiff_floor:  # in a rigid floor beams do not bend about their weak axis
-                raise self.refuse(placed, "it is released about one of its axes alone, on a floor without diaphragm")
+                raise self.refuse(
+                    placed, "it is released about one of its axes alone, on a floor without diaphragm [E-SAP-21]"
+                )
             else:
                 found.append("pinned" if strong else "rigid")
         return (found[1], found[0]) if placed.reversed else (found[0], found[1])
@@ -128,25 +138,25 @@ class SpaceMembers:
     def _brace(self, place: BracePlace, parts: list[Placed]) -> None:
         for placed in parts:
             if not all(released[4] and released[5] for released in placed.frame.released):
-                raise self.refuse(placed, "it is a brace whose ends are not released about both axes")
+                raise self.refuse(placed, "it is a brace whose ends are not released about both axes [E-SAP-21]")
         whats = {(*self._of_section(placed), self._share(placed)) for placed in parts}
         rising = [placed.start[:2] < placed.end[:2] for placed in parts]
         middles = [placed.middle for placed in parts]
         if len(whats) > 1:
-            raise self.refuse(parts[1], "two braces of one bay have different sections")
+            raise self.refuse(parts[1], "two braces of one bay have different sections [E-SAP-18]")
         if sorted(rising) == [False, True] and middles[0] == middles[1]:
             kind = {"": "cross", "end": "chevron", "start": "v"}[middles[0]]
         elif len(parts) == 1 and not middles[0]:
             kind = "rising" if rising[0] else "falling"
         else:
-            raise self.refuse(parts[0], "the braces of its bay are no diagonal, cross, chevron or V")
+            raise self.refuse(parts[0], "the braces of its bay are no diagonal, cross, chevron or V [E-SAP-18]")
         self.braces[place] = (kind, *whats.pop())
 
     def _share(self, placed: Placed) -> bool:
         """Whether a brace has its whole area."""
         share = self.model.sections[placed.frame.section].axial_share
         if share not in (1.0, 0.5):
-            raise self.refuse(placed, f"its section has `AMod` = {share:g}, not 1 or 0.5")
+            raise self.refuse(placed, f"its section has `AMod` = {share:g}, not 1 or 0.5 [E-SAP-12]")
         return share == 1.0
 
     def _of_section(self, placed: Placed) -> tuple[str, str]:
@@ -155,8 +165,8 @@ class SpaceMembers:
             self.sections[section.name] = self._known(section)
         material = self.model.materials.get(section.material)
         if material is None or material.fy is None:
-            why = f"its material `{section.material}` has no Fy in MATERIAL PROPERTIES 03A - STEEL DATA"
-            raise self.model.error("section", section.name, f"{why}: buildings are of steel")
+            why = f"buildings are of steel, and `{section.material}` has no Fy in the table of STEEL DATA [E-SAP-08]"
+            raise self.model.error("section", section.name, why)
         if material.name not in self.materials:
             self.materials[material.name] = free_identifier(material.name, set(self.materials.values()))
         return self.sections[section.name], self.materials[material.name]
@@ -168,7 +178,7 @@ class SpaceMembers:
                 "section",
                 section.name,
                 "it is in none of edesign's lists of sections by its name or its sizes, and "
-                "buildings have no own sections; give it a name such as IPE300, W14X90 or SHS200x10",
+                "buildings have no own sections; give it a name such as IPE300, W14X90 or SHS200x10 [E-SAP-27]",
             )
         if known.apart > WORTH_TELLING:
             self.left_out.append(
@@ -194,7 +204,9 @@ class SpaceMembers:
         loose = sorted(joint for joint, point in self.grid.points.items() if point[2] and point not in corners)
         if loose:
             raise self.model.error(
-                "joint", loose[0], "it is at no corner of a rectangular bay with joints at all of its corners"
+                "joint",
+                loose[0],
+                "it is at no corner of a rectangular bay with joints at all of its corners [E-SAP-23]",
             )
         return found
 

@@ -49,7 +49,7 @@ class Row:
         found = self.fields.get(name.lower(), "")
         if found == "":
             if default is None:
-                raise self.error(f"the field `{name}` is missing")
+                raise self.error(f"the field `{name}` is missing [E-SAP-03]")
             return default
         return found
 
@@ -60,14 +60,14 @@ class Row:
         text = self.text(name)
         point = text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
         if _NUMBER.fullmatch(point) is None or not abs(found := float(point)) < _LARGEST:
-            raise self.error(f"`{name}={text}` is no number")
+            raise self.error(f"`{name}={text}` is no number [E-SAP-03]")
         return found
 
     def yes(self, name: str, default: bool = False) -> bool:
         """Return whether a field is `Yes`; one that is missing has the default."""
         text = self.text(name, "Yes" if default else "No")
         if text.lower() not in ("yes", "no"):
-            raise self.error(f"`{name}={text}` is neither Yes nor No")
+            raise self.error(f"`{name}={text}` is neither Yes nor No [E-SAP-03]")
         return text.lower() == "yes"
 
     def error(self, message: str) -> InputError:
@@ -107,14 +107,16 @@ def read_tables(path: Path) -> Tables:
             break
         elif line.strip() and (name or not _is_heading(line)):
             if not name:
-                raise InputError(f'{path}:{number}: this is no SAP2000 text: it begins with lines `TABLE:  "NAME"`')
+                raise InputError(
+                    f'{path}:{number}: this is no SAP2000 text: it begins with lines `TABLE:  "NAME"` [E-SAP-01]'
+                )
             found.rows[name].append(Row(name, number, _fields(path, number, name, line), path))
     if not found.rows:
-        raise InputError(f'{path}: this is no SAP2000 text: there is no line `TABLE:  "NAME"`')
+        raise InputError(f'{path}: this is no SAP2000 text: there is no line `TABLE:  "NAME"` [E-SAP-01]')
     if not ended:
         raise InputError(
             f"{path}: the last line `{END}` is missing, so that the file may be cut off; export it again, or add the "
-            "line if it is whole"
+            "line if it is whole [E-SAP-02]"
         )
     return found
 
@@ -154,7 +156,7 @@ def _decoded(path: Path, content: bytes) -> str:
             except UnicodeDecodeError:
                 text = content.decode("cp1252", errors="replace")
     if "\0" in text:
-        raise InputError(f"{path}: this is no text: it has null characters; export the model as text (.s2k)")
+        raise InputError(f"{path}: this is no text: it has null characters; export the model as text (.s2k) [E-SAP-01]")
     return text
 
 
@@ -170,7 +172,7 @@ def _logical_lines(path: Path, text: str) -> Iterator[tuple[int, str]]:
         yield number, begun + stripped
         begun, number = "", 0
     if begun:
-        raise InputError(f"{path}:{number}: the line ends in ` _`, and none follows: the file is cut off")
+        raise InputError(f"{path}:{number}: the line ends in ` _`, and none follows: the file is cut off [E-SAP-02]")
 
 
 def _fields(path: Path, number: int, table: str, line: str) -> dict[str, str]:
@@ -179,11 +181,11 @@ def _fields(path: Path, number: int, table: str, line: str) -> dict[str, str]:
     while match := _FIELD.match(line, at):
         name = match[1].lower()
         if name in found:
-            raise InputError(f"{path}:{number}: {table}: the field `{match[1]}` is there twice")
+            raise InputError(f"{path}:{number}: {table}: the field `{match[1]}` is there twice [E-SAP-03]")
         found[name] = match[2] if match[2] is not None else match[3]
         at = match.end()
     if rest := line[at:].strip():
-        raise InputError(f"{path}:{number}: {table}: `{rest[:40]}` is no `Field=value`")
+        raise InputError(f"{path}:{number}: {table}: `{rest[:40]}` is no `Field=value` [E-SAP-03]")
     return found
 
 

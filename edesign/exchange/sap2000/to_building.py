@@ -47,7 +47,7 @@ class _BuildingText:
         self.model, self.grid = model, grid
         self.storeys = len(grid.z) - 1
         if not self.storeys:
-            raise InputError("the model has no storey: all joints are at one level")
+            raise InputError("the model has no storey: all joints are at one level [E-SAP-07]")
         self.taken = taken_loads(model)
         self.diaphragms = diaphragm_floors(model, grid)
         self.members = SpaceMembers(model, grid, self.diaphragms)
@@ -92,12 +92,14 @@ class _BuildingText:
             if point[2] > 0:
                 if any(held) or any(springs):
                     raise self.model.error(
-                        "joint", joint, "it is supported above the base, which buildings do not have"
+                        "joint", joint, "it is supported above the base, which buildings do not have [E-SAP-24]"
                     )
                 continue
             found[ColumnLine(*point[:2])] = _support(held, springs)
         if joint := next((j for j in self.grid.middles if any(self.model.restraints.get(j, ()))), ""):
-            raise self.model.error("joint", joint, "it is supported above the base, which buildings do not have")
+            raise self.model.error(
+                "joint", joint, "it is supported above the base, which buildings do not have [E-SAP-24]"
+            )
         kinds = list(found.values())
         usual = max(set(kinds), key=kinds.count)
         others = [f"  {line}: {kind}" for line, kind in sorted(found.items()) if kind != usual]
@@ -160,10 +162,10 @@ class _BuildingText:
         }
         for place in self.members.beams:
             if place not in beams:
-                raise InputError(f"a beam stands at {place}, beside no bay that its floor covers")
+                raise InputError(f"a beam stands at {place}, beside no bay that its floor covers [E-SAP-23]")
         for line, storey in self.members.columns:
             if (line, storey) not in corners:
-                raise InputError(f"a column stands on line {line} in storey {storey}, below no covered bay")
+                raise InputError(f"a column stands on line {line} in storey {storey}, below no covered bay [E-SAP-23]")
         no_beams = {place: "" for place in sorted(beams - set(self.members.beams))}
         no_columns = sorted(corners - set(self.members.columns))
         text = []

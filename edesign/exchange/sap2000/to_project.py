@@ -50,7 +50,7 @@ class _ProjectText:
         self.bays = range(1, len(levels))
         self.storeys = len(self.heights)
         if not self.storeys or not self.bays:
-            raise InputError("the model has no storey, or only one column line: there is no frame")
+            raise InputError("the model has no storey, or only one column line: there is no frame [E-SAP-07]")
         self.taken = taken_loads(model)
         self.members = PlaneMembers(model, grid)
         self.across = self.members.across
@@ -100,7 +100,9 @@ class _ProjectText:
         """Refuse supports above the base; a rotation that nothing turns may be held."""
         turns_freely = all(self._is_pinned_at(frame.name, joint) for frame in self.grid.frames_at(joint))
         if held[0][0] or held[1][0] or (held[2][0] and not turns_freely) or any(spring for _, spring in held):
-            raise self.model.error("joint", joint, "it is supported above the base, which projects do not have")
+            raise self.model.error(
+                "joint", joint, "it is supported above the base, which projects do not have [E-SAP-24]"
+            )
 
     def _is_pinned_at(self, frame: str, joint: str) -> bool:
         of = self.model.frames[frame]
@@ -110,7 +112,7 @@ class _ProjectText:
     def _diaphragms(self) -> str:
         floors = diaphragm_floors(self.model, self.grid)
         if 0 in floors:
-            raise InputError("a diaphragm at the base level, which projects do not have")
+            raise InputError("a diaphragm at the base level, which projects do not have [E-SAP-14]")
         text = ", ".join(map(str, sorted(floors)))
         return "none" if not floors else "all" if len(floors) == self.storeys else f"[{text}]"
 
@@ -199,7 +201,9 @@ class _ProjectText:
             variable = {factor for name, factor in (factors or {}).items() if name != "G"}
             if factors is None or len(variable) > 1:
                 raise self.model.error(
-                    "joint", joint, "it has a mass in the middle of a beam that does not follow from the loads there"
+                    "joint",
+                    joint,
+                    "it has a mass in the middle of a beam that does not follow from the loads there [E-SAP-15]",
                 )
             Q = number_text(variable.pop()) if variable else "0"
             return [*text, f"  from_loads: {{G: {number_text(factors['G'])}, Q: {Q}}}", ""]
@@ -246,7 +250,9 @@ class _ProjectText:
     def _node(self, link: str, joint: str) -> str:
         point = self.grid.points.get(joint)
         if point is None:
-            raise self.model.error("link", link, f"its joint {joint} is no end of a column or of a whole beam")
+            raise self.model.error(
+                "link", link, f"its joint {joint} is no end of a column or of a whole beam [E-SAP-13]"
+            )
         return f"{line_name(self._line(point))}{point[2]}"
 
 

@@ -74,7 +74,9 @@ def take_model(source: Path, target: Path) -> TakenModel:
     tables = read_tables(source)
     read = read_model(tables)
     if not any(map(any, (*read.model.restraints.values(), *read.model.springs.values()))):
-        raise InputError(f"{source}: no joint has a support: the table JOINT RESTRAINT ASSIGNMENTS holds none")
+        raise InputError(
+            f"{source}: no joint has a support: the table JOINT RESTRAINT ASSIGNMENTS holds none [E-SAP-07]"
+        )
     try:
         grid = Grid(read.model)
         make = project_text if grid.is_plane else building_text
@@ -96,7 +98,7 @@ def take_model(source: Path, target: Path) -> TakenModel:
             parse_building(whole, target, BuildingSections())
     except InputError as error:
         first = str(error).splitlines()[0]
-        raise InputError(f"{source}: as a {kind} file edesign refuses this model: {first}") from error
+        raise InputError(f"{source}: as a {kind} refused: {first}") from error
     return TakenModel(kind, whole, tuple(lines))
 
 

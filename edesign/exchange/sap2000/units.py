@@ -58,9 +58,11 @@ def units_of(tables: Tables) -> Units:
     rows = tables.of("PROGRAM CONTROL")
     row = next((row for row in rows if row.has("CurrUnits")), None)
     if row is None:
-        raise InputError(f"{tables.path}: no units: the table PROGRAM CONTROL with the field `CurrUnits` is missing")
+        raise InputError(
+            f"{tables.path}: no units: the table PROGRAM CONTROL with the field `CurrUnits` is missing [E-SAP-04]"
+        )
     parts = [part.strip().lower() for part in row.text("CurrUnits").split(",")]
     if len(parts) not in (2, 3) or parts[0] not in _FORCES or parts[1] not in _LENGTHS:
         allowed = f"force {listed(_FORCES)}; length {listed(_LENGTHS)}"
-        raise row.error(f'`CurrUnits="{row.text("CurrUnits")}"` are no units of SAP2000: {allowed}')
+        raise row.error(f'`CurrUnits="{row.text("CurrUnits")}"` are no units of SAP2000: {allowed} [E-SAP-04]')
     return Units(_FORCES[parts[0]], _LENGTHS[parts[1]])

@@ -284,7 +284,7 @@ def _correlation(modes: SpaceModes, combination: str, damping: float) -> np.ndar
         first, second = close[0]
         raise InputError(
             f"`srss` needs independent modes, but T_{second + 1} = {modes.period[second]:.4g} s is above "
-            f"0.9 T_{first + 1} = {0.9 * modes.period[first]:.4g} s (EN 1998-1, 4.3.3.3.2); use `cqc`"
+            f"0.9 T_{first + 1} = {0.9 * modes.period[first]:.4g} s (EN 1998-1, 4.3.3.3.2); use `cqc` [E-SPACE-01]"
         )
     return np.eye(modes.period.size)
 

@@ -102,7 +102,7 @@ class FrameRow:
             where = self.building.where("diaphragms")
             raise InputError(
                 f"{where}: {self.name}: only rigid floors tie frames in one plane, and floor "
-                f"{', '.join(loose)} is none; extract one frame, such as {self.frames[0].name}"
+                f"{', '.join(loose)} is none; extract one frame, such as {self.frames[0].name} [E-SPACE-05]"
             )
 
 

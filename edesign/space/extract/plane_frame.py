@@ -162,7 +162,7 @@ class PlaneFrame:
         kind = kinds.get((str(held[0]), str(held[1])))
         if springs.uz != "fixed" or kind is None:
             raise self._refuse(
-                f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller",
+                f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller [E-SPACE-04]",
                 *keys_of_support(self.building, self.lines[i]),
             )
         return kind
@@ -180,14 +180,18 @@ class PlaneFrame:
         soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
         if soft:
             entry = keys_of_member(self.building, soft[0])
-            raise self._refuse(f"project files have no semi-rigid ends, as those of {listed(soft)}", *entry, "ends")
+            raise self._refuse(
+                f"project files have no semi-rigid ends, as those of {listed(soft)} [E-SPACE-04]", *entry, "ends"
+            )
         if not self.columns:
-            raise self._refuse("no column stands in it", "missing", "columns")
+            raise self._refuse("no column stands in it [E-SPACE-05]", "missing", "columns")
         if loose := self._loose_nodes():
-            message = f"beams at right angles end at {listed(loose)}, where it has no member itself"
+            message = f"beams at right angles end at {listed(loose)}, where it has no member itself [E-SPACE-05]"
             raise self._refuse(message, "missing")
         if alone and not self.resists and (firm := [other.name for other in parallel_frames(self) if other.resists]):
-            message = f"it leans on others, as its beams are pinned and it has no braces; extract {listed(firm)}"
+            message = (
+                f"it leans on others, as its beams are pinned and it has no braces; extract {listed(firm)} [E-SPACE-05]"
+            )
             beam = next(iter(self.beams), None)
             raise self._refuse(message, *(keys_of_member(self.building, str(beam)) if beam else ("beams",)))
 
@@ -224,6 +228,7 @@ def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
     known = " and ".join(f"{frame_name(a, 0)} to {frame_name(a, building.n_frames(a) - 1)}" for a in DIRECTIONS)
     raise InputError(
         f"{building.path}: there is no frame `{name}`; the frames are {known}; X and Y are all of a direction"
+        " [E-NAME-01]"
     )
 
 

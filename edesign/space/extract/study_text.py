@@ -179,9 +179,9 @@ records:
 def _hazard(row: FrameRow) -> EC8Hazard:
     building = row.building
     if building.hazard is None or not building.hazard.levels:
-        raise InputError(f"{building.where('hazard')}: a study needs a `hazard` with `levels`")
+        raise InputError(f"{building.where('hazard')}: a study needs a `hazard` with `levels` [E-KEY-02]")
     if building.masses is None:
-        raise InputError(f"{building.where('masses')}: a study needs `masses`")
+        raise InputError(f"{building.where('masses')}: a study needs `masses` [E-KEY-02]")
     return building.hazard
 
 
@@ -221,6 +221,6 @@ def _bays(row: FrameRow) -> str:
         where = row.building.where("braces")
         raise InputError(
             f"{where}: {row.name}: no bay is free of braces, with columns and beams in all storeys, for "
-            "dampers to stand in"
+            "dampers to stand in [E-SPACE-06]"
         )
     return selection(sorted({*free[0], *free[-1]}), [], str)

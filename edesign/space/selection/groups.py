@@ -84,7 +84,9 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         why = why if left_out else ""
         why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
         where = building.where("design", "select", *keys)
-        raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why}")
+        raise InputError(
+            f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why} [E-SPACE-07]"
+        )
     ordered = sorted(chosen, key=lambda section: (steel_section(section).A * price(section), section))
     area = tuple(steel_section(section).A for section in ordered)
     metres = float(frame.length[numbers].sum())
@@ -123,7 +125,7 @@ def _prices(analysis: ElasticAnalysis) -> Callable[[str], float]:
         where = building.where("design", "select", "prices")
         raise InputError(
             f"{where}: design.select.prices: there is no price of {family}, to which {section} belongs; give it, or "
-            f"`{DEFAULT_PRICE}`"
+            f"`{DEFAULT_PRICE}` [E-SPACE-08]"
         )
 
     return price

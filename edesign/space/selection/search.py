@@ -131,7 +131,9 @@ class Search:
         """
         found = self._repaired([0] * len(self._groups))
         if found is None:
-            raise InputError("the sections of a group of columns are all larger than those of the group below it")
+            raise InputError(
+                "the sections of a group of columns are all larger than those of the group below it [E-SPACE-07]"
+            )
         return found
 
     def lighter(self, base: Choice, wide: bool = False) -> dict[Choice, Exchange]:

@@ -277,8 +277,8 @@ def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:
         f"{best.mass / 1e3:.1f} t of steel, are {', '.join(f'{name} {of}' for name, of in sections.items())}",
         *(f"in the way: {text}" for text in _broken(evaluate, design)),
         *heaviest,
-        "its evaluations are used up; allow more by `evaluations`"
+        "its evaluations are used up; allow more by `evaluations` [E-SPACE-07]"
         if evaluate.count >= design_of(building).select.evaluations
-        else "give longer lists, more groups, or leave a rule for the building out by `leave_out`",
+        else "give longer lists, more groups, or leave a rule for the building out by `leave_out` [E-SPACE-07]",
     ]
     return "\n  ".join(lines)

@@ -41,6 +41,7 @@ def design_of(building: Building) -> Design:
     if design is None:
         raise InputError(
             f"{building.where('design')}: design: this block is missing; docs/reference/building_file.md explains it"
+            " [E-KEY-02]"
         )
     if hazard is None:
         return design

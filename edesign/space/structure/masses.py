@@ -101,6 +101,6 @@ def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
         where = building.where("masses", "from_loads")
         raise InputError(
             f"{where}: masses.from_loads: node {frame.node_names[worst]} would get the mass of a load upwards, "
-            f"{found[worst] * STANDARD_GRAVITY:.6g} N"
+            f"{found[worst] * STANDARD_GRAVITY:.6g} N [E-MASS-01]"
         )
     return found

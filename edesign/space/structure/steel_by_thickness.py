@@ -40,13 +40,14 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
     if match is None:
         raise InputError(
             f"{where}: materials.{material}: yield_by_thickness needs the name of a grade, S235, S275, S355 or S450, "
-            "with or without JR, J0, J2, K2 and H"
+            "with or without JR, J0, J2, K2 and H [E-SPACE-09]"
         )
     nominal = yield_stress(match[1], 1e-3, standard)
     if abs(steel.fy - nominal) > 1.0:
         raise InputError(
             f"{building.where('materials', material, 'fy')}: materials.{material}.fy: {steel.fy / 1e6:g} MPa, but "
             f"{standard} has {nominal / 1e6:g} MPa for thin parts; leave yield_by_thickness out for other steels"
+            " [E-SPACE-09]"
         )
     of = steel_section(section)
     thickness = max(of.tw, of.tf)
@@ -59,7 +60,7 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
     name = f"{material}_t{1e3 * thickness_step(match[1], thickness, standard):g}"
     if name in building.materials and building.materials[name].fy != fy:
         raise InputError(
-            f"{building.where('materials', name)}: materials.{name}: edesign gives this name; take another"
+            f"{building.where('materials', name)}: materials.{name}: edesign gives this name; take another [E-NAME-02]"
         )
     return name, steel.model_copy(update={"fy": fy})
 

@@ -66,20 +66,15 @@ def test_a_steep_line_between_others_is_the_step_that_it_nearly_is(theta: float)
 
 @pytest.mark.parametrize("top", [1.000001, 1.2])
 def test_a_steep_first_line_is_refused(top: float) -> None:
-    with pytest.raises(InputError, match="first line of the hazard curve, k = .*, is too steep"):
+    with pytest.raises(InputError, match="E-CURVE-06"):
         exceedance(fragility(0.8, 0.4), HazardCurve(np.array([0.1, 0.1 * top]), np.array([0.02, 1e-300])))
 
 
 @pytest.mark.parametrize(
-    ("intensity", "rate", "message"),
-    [
-        ([0.1], [0.01], "two points"),
-        ([0.2, 0.1], [0.01, 0.001], "ascend"),
-        ([0.1, 0.2], [0.01, 0.01], "the longer must be its return period"),
-    ],
+    ("intensity", "rate"), [([0.1], [0.01]), ([0.2, 0.1], [0.01, 0.001]), ([0.1, 0.2], [0.01, 0.01])]
 )
-def test_wrong_curves(intensity: list[float], rate: list[float], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_wrong_curves(intensity: list[float], rate: list[float]) -> None:
+    with pytest.raises(InputError, match="E-CURVE-06"):
         HazardCurve(np.array(intensity), np.array(rate))
 
 

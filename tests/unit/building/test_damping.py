@@ -29,7 +29,7 @@ def test_known_coefficients() -> None:
 
 @pytest.mark.parametrize("pair", [(0.0, 1.0), (1.0, -1.0), (math.nan, 1.0), (2.0, 2.0), (math.inf, 1.0)])
 def test_impossible_frequencies(pair: tuple[float, float]) -> None:
-    with pytest.raises(InputError, match="Rayleigh damping needs"):
+    with pytest.raises(InputError, match="E-VALUE-0[24]"):
         rayleigh_coefficients(*pair, 0.02)
 
 

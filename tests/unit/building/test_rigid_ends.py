@@ -42,10 +42,10 @@ def test_the_middle_of_a_beam_that_braces_meet_is_free() -> None:
 
 def test_what_cannot_be_is_refused_with_its_place() -> None:
     stiff = ("section: IPE360", "section: stiff")
-    with pytest.raises(InputError, match=r":\d+:\d+: elements.rigid_ends: the section `stiff` has area .* no depth"):
+    with pytest.raises(InputError, match=r":\d+:\d+: elements.rigid_ends: .*`stiff` .*E-HINGE-05"):
         asked("{columns: 1}", stiff)
     assert asked("{columns: 0.2 m}", stiff)["C_A_1"] == (0.0, 0.2)
-    with pytest.raises(InputError, match=r"ends of 2 m and 2 m leave nothing of C_A_2, which is 3 m"):
+    with pytest.raises(InputError, match=r"2 m and 2 m .* C_A_2, .* 3 m .*E-HINGE-05"):
         asked("{columns: 2 m}")
-    with pytest.raises(InputError, match=r"ends of 3 m and 3 m leave nothing of B_1_1, which is 6 m"):
+    with pytest.raises(InputError, match=r"3 m and 3 m .* B_1_1, .* 6 m .*E-HINGE-05"):
         asked("{beams: 3 m}")

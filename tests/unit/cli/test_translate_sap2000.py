@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -47,33 +48,33 @@ def test_a_building(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = with_table(text, "LINK PROPERTY DEFINITIONS 02 - LINEAR", "Link=L   DOF=U1   TransKE=900   TransCE=40")
     (folder / "linked.s2k").write_text(text)
     assert main(["translate", "linked.s2k", "linked.yaml"]) == 2
-    assert "CONNECTIVITY - LINK: link 1: buildings have no dampers and springs" in capsys.readouterr().err
+    assert re.search("CONNECTIVITY - LINK: link 1: .*E-SAP-13", capsys.readouterr().err)
     assert main(["translate", "building.yaml", "building.py"]) == 2
-    assert "edesign writes no buildings for OpenSeesPy" in capsys.readouterr().err
+    assert "E-OPS-06" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "said"),
     [
-        (["model.s2k", "model.s2k"], "has a name that ends in .yaml"),
-        (["model.s2k", "mine.yaml"], "edesign did not write this file"),
-        (["none.s2k", "x.yaml"], "none.s2k"),
-        (["mine.yaml", "x.s2k"], "mine.yaml"),
+        (["model.s2k", "model.s2k"], "E-FILE-08"),
+        (["model.s2k", "mine.yaml"], "mine.yaml: .*E-FILE-07"),
+        (["none.s2k", "x.yaml"], "none.s2k: "),
+        (["mine.yaml", "x.s2k"], "mine.yaml:1:1: "),
         (["model.s2k", "no_folder.yaml/x.yaml"], "no_folder.yaml"),
     ],
 )
-def test_what_is_refused(folder: Path, arguments: list[str], words: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_refused(folder: Path, arguments: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "mine.yaml").write_text("a: 1\n")
     (folder / "no_folder.yaml").write_text("a: 1\n")
     before = sorted(folder.iterdir())
     assert main(["translate", *arguments]) in (2, 4)
-    assert words in capsys.readouterr().err
+    assert re.search(said, capsys.readouterr().err)
     assert sorted(folder.iterdir()) == before
 
 
 def test_dampers_that_sap2000_lacks(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     project = str(PROJECTS / "thesis_one_storey" / "project.yaml")
     assert main(["translate", project, "x.s2k"]) == 2
-    assert "--without-dampers leaves all dampers out" in capsys.readouterr().err
+    assert "E-SAP-28" in capsys.readouterr().err
     assert main(["translate", project, "x.s2k", "--without-dampers"]) == 0
     assert "left out: dampers, isolators and tuned masses" in capsys.readouterr().out

@@ -20,7 +20,7 @@ G = 9.80665
 def test_table_3_1() -> None:
     assert all(ground_type(name).name == name for name in ("A", "B", "C", "D", "E", "S1", "S2"))
     assert ground_type("C").v_s30 == (180.0, 360.0)
-    with pytest.raises(InputError, match="there is no ground type `F`"):
+    with pytest.raises(InputError, match="`F`.*E-NAME-01"):
         ground_type("F")
 
 
@@ -50,7 +50,7 @@ def test_recommended_values() -> None:
     assert (recommended.country, recommended.beta, recommended.hazard_exponent) == (None, 0.2, 3.0)
     assert (recommended.reference_probability, recommended.reference_return_period) == (0.10, 475.0)
     assert not recommended.zones
-    with pytest.raises(InputError, match="name a country, or give a_gR"):
+    with pytest.raises(InputError, match="E-EC8-02"):
         recommended.a_gR("3")
 
 
@@ -75,36 +75,36 @@ def test_names_that_do_not_exist_are_told_with_those_that_do() -> None:
         national_parameters("grece")
     with pytest.raises(InputError, match=r"no zone in greece `4`.*`Z1`, `Z2`, `Z3`"):
         national_parameters("greece").a_gR("4")
-    with pytest.raises(InputError, match="no spectrum type `3`"):
+    with pytest.raises(InputError, match="`3`.*E-NAME-01"):
         national_parameters().horizontal(3, "A")
-    with pytest.raises(InputError, match="no spectrum type `0`"):
+    with pytest.raises(InputError, match="`0`.*E-NAME-01"):
         national_parameters().vertical(0)
-    with pytest.raises(InputError, match="no ground type `F`"):
+    with pytest.raises(InputError, match="`F`.*E-NAME-01"):
         national_parameters().horizontal(1, "F")
-    with pytest.raises(InputError, match="importance class `V`"):
+    with pytest.raises(InputError, match="`V`.*E-NAME-01"):
         national_parameters().gamma_I("V")
-    with pytest.raises(InputError, match=r"study of its own .*3\.1\.2\(4\)P"):
+    with pytest.raises(InputError, match="E-EC8-05"):
         national_parameters().horizontal(1, "S1")
 
 
 def test_parameters_must_fit_together() -> None:
-    with pytest.raises(InputError, match="T_B <= T_C <= T_D"):
+    with pytest.raises(InputError, match="E-VALUE-04"):
         HorizontalParameters("C", 1, 1.15, 0.7, 0.6, 2.0)
-    with pytest.raises(InputError, match="S must be greater than zero"):
+    with pytest.raises(InputError, match="^S .*E-VALUE-02"):
         HorizontalParameters("C", 1, 0.0, 0.2, 0.6, 2.0)
-    with pytest.raises(InputError, match="T_B must be greater than zero"):
+    with pytest.raises(InputError, match="T_B .*E-VALUE-02"):
         VerticalParameters(1, 0.9, 0.0, 0.15, 1.0)
 
 
 def test_actions_and_periods_that_make_no_sense_are_refused() -> None:
     C = national_parameters().horizontal(1, "C")
-    with pytest.raises(InputError, match="a_gR must be greater than zero"):
+    with pytest.raises(InputError, match="a_gR .*E-VALUE-02"):
         ElasticSpectrum(0.0, C)
-    with pytest.raises(InputError, match="gamma_I must be greater than zero"):
+    with pytest.raises(InputError, match="gamma_I .*E-VALUE-02"):
         ElasticSpectrum(1.0, C, gamma_I=-1.0)
-    with pytest.raises(InputError, match="not 5"):
+    with pytest.raises(InputError, match="not 5 .E-VALUE-02"):
         ElasticSpectrum(1.0, C, damping=5.0)
-    with pytest.raises(InputError, match="not -0.1 s"):
+    with pytest.raises(InputError, match="not -0.1 s .E-VALUE-02"):
         ElasticSpectrum(1.0, C).acceleration([0.1, -0.1])
     assert ElasticSpectrum(1.0, C).acceleration(0.3).shape == ()
     assert ElasticSpectrum(1.0, C).acceleration([[0.3, 1.0, 2.0]]).shape == (1, 3)
@@ -112,16 +112,16 @@ def test_actions_and_periods_that_make_no_sense_are_refused() -> None:
 
 @pytest.mark.parametrize("probability", [0.0, 1.0, 2.0, float("nan")])
 def test_a_probability_lies_between_0_and_1(probability: float) -> None:
-    with pytest.raises(InputError, match="between 0 and 1"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         factor_of_probability(probability)
-    with pytest.raises(InputError, match="between 0 and 1"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         return_period_of(probability)
 
 
 def test_times_and_exponents_are_positive() -> None:
-    with pytest.raises(InputError, match="more than zero years"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         factor_of_return_period(0.0)
-    with pytest.raises(InputError, match="exponent k"):
+    with pytest.raises(InputError, match="exponent k .*E-VALUE-02"):
         factor_of_probability(0.02, k=0.0)
 
 

@@ -146,15 +146,15 @@ def test_seismic_rows_by_srss_and_with_the_vertical_component() -> None:
 def test_bad_input_of_combinations() -> None:
     with pytest.raises(InputError, match=r"no category of the load case S, `snoww`; did you mean `snow`\?"):
         fundamental({"G": "permanent", "S": "snoww"}, PSI, FACTORS)
-    with pytest.raises(InputError, match="no load case is permanent"):
+    with pytest.raises(InputError, match="E-EN1990-01"):
         seismic({"Q": "B"}, PSI)
-    with pytest.raises(InputError, match=r"there is no expression of EN 1990 `6\.11`"):
+    with pytest.raises(InputError, match=r"`6\.11`.*E-NAME-01"):
         fundamental(OFFICE, PSI, FACTORS, "6.11")
-    with pytest.raises(InputError, match="rule of directions `40 %`"):
+    with pytest.raises(InputError, match="`40 %`.*E-NAME-01"):
         seismic(OFFICE, PSI, "40 %")
-    with pytest.raises(InputError, match="merge cases that act together"):  # and no long wait before it
+    with pytest.raises(InputError, match="E-EN1990-02"):  # and no long wait before it
         fundamental({"G": "permanent"} | {f"Q{i}": "B" for i in range(40)}, PSI, FACTORS, favourable=True)
-    with pytest.raises(InputError, match="more than 1000 combinations"):
+    with pytest.raises(InputError, match="1000 .*E-EN1990-02"):
         fundamental({"G": "permanent", **{f"Q{i}": "B" for i in range(9)}}, PSI, FACTORS, "6.10a/b", favourable=True)
 
 
@@ -182,9 +182,9 @@ def test_reduction_of_imposed_loads() -> None:
     assert alpha_n(10, "A", 0.7) == pytest.approx(0.76)  # (2 + 8 x 0.7) / 10
     assert alpha_n(2, "A", 0.7) == alpha_n(1, "A", 0.7) == 1.0
     assert alpha_n(10, "A", 0.7, leading=False) == 1.0  # psi reduces it already
-    with pytest.raises(InputError, match="category E .* are not reduced"):
+    with pytest.raises(InputError, match="E-EN1990-03"):
         alpha_n(5, "E", 1.0)
-    with pytest.raises(InputError, match="category of imposed load `Z`"):
+    with pytest.raises(InputError, match="`Z`.*E-NAME-01"):
         alpha_A(10.0, "Z", 0.7)
-    with pytest.raises(InputError, match="area must be greater than zero"):
+    with pytest.raises(InputError, match="area .*E-VALUE-02"):
         alpha_A(math.nan, "B", 0.7)

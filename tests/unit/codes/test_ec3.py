@@ -28,7 +28,7 @@ def test_table_5_2() -> None:
     assert classes.tubular_limits(2.0) == (200, 280, 360)
     assert [classes.class_of_part(x, (33, 38, 42)) for x in (33, 33.1, 38.1, 42.1)] == [1, 2, 3, 4]
     assert classes.epsilon(235e6) == 1.0
-    with pytest.raises(InputError, match="f_y: 0 Pa is not greater than zero"):
+    with pytest.raises(InputError, match="f_y: 0 Pa .*E-VALUE-02"):
         classes.epsilon(0.0)
 
 
@@ -65,9 +65,9 @@ def test_materials() -> None:
     assert materials.ultimate_strength("S355H", 0.05, "table-3.1") == 490e6
     with pytest.raises(InputError, match="no steel `S335`; did you mean `S355`"):
         materials.yield_stress("S335", 0.01)
-    with pytest.raises(InputError, match="S275 of 200 mm is thicker than 150 mm"):
+    with pytest.raises(InputError, match="S275 of 200 mm .* 150 mm.*E-EC3-02"):
         materials.yield_stress("S275", 0.2)
-    with pytest.raises(InputError, match="not greater than zero"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         materials.yield_stress("S275", 0.0)
 
 
@@ -184,7 +184,7 @@ def test_critical_moment_limits() -> None:
         lateral_torsional.critical_moment(210e9, 81e9, 1e-6, 1e-7, 1e-8, 5.0, 1.127, 0.454, z) for z in (0.1, -0.1)
     )
     assert above < below
-    with pytest.raises(InputError, match="L: 0 is not greater than zero"):
+    with pytest.raises(InputError, match="L: 0 .*E-VALUE-02"):
         lateral_torsional.critical_moment(210e9, 81e9, 1e-6, 1e-7, 0.0, 0.0)
 
 
@@ -201,7 +201,7 @@ def test_moment_diagram_factors() -> None:
             1.0 / (1.33 - 0.33 * psi),  # Table 6.6
             rel=0.02,  # two approximations of one curve
         )
-    with pytest.raises(InputError, match="psi: 1.5 is not between -1 and 1"):
+    with pytest.raises(InputError, match="psi: 1.5 .*E-VALUE-02"):
         lateral_torsional.end_moment_factor(1.5)
 
 
@@ -214,9 +214,9 @@ def test_reduction_factors_of_lateral_torsional_buckling() -> None:
     assert lateral_torsional.modified_reduction_factor(0.9, 0.8, 0.8) == pytest.approx(1.0)
     assert lateral_torsional.modified_reduction_factor(0.5, 1.6, 0.8) == pytest.approx(0.390625)
     assert lateral_torsional.modified_reduction_factor(1.0, 0.0, 0.9) == 1.0
-    with pytest.raises(InputError, match="no buckling curve `e`"):
+    with pytest.raises(InputError, match="`e`.*E-NAME-01"):
         lateral_torsional.reduction_factor(1.0, "e")
-    with pytest.raises(InputError, match="negative"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         lateral_torsional.reduction_factor_general(-1.0, "a")
 
 
@@ -243,7 +243,7 @@ def test_imperfections() -> None:
     assert imperfections.initial_sway(100.0, 1) == pytest.approx(1 / 300)
     assert imperfections.sway_amplification(10.0) == 1.0
     assert imperfections.sway_amplification(5.0) == pytest.approx(1.25)
-    with pytest.raises(InputError, match="below 3"):
+    with pytest.raises(InputError, match="E-EC3-01"):
         imperfections.sway_amplification(2.9)
-    with pytest.raises(InputError, match="0 columns"):
+    with pytest.raises(InputError, match="0 columns.*E-VALUE-02"):
         imperfections.initial_sway(3.0, 0)

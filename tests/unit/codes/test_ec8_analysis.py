@@ -98,7 +98,7 @@ def test_needed_modes_and_what_is_missing() -> None:
     assert few.detail == "2 modes have 75.0% of the mass in x, 15.0% are missing; 4 modes are needed"
     assert check_modes(x, 4, "x").passed
     assert "more modes than the 2 that are known" in check_modes([0.6, 0.2], 2).detail
-    with pytest.raises(InputError, match="5 modes cannot be taken of 4"):
+    with pytest.raises(InputError, match="5 modes .* 4 .*E-VALUE-02"):
         check_modes(x, 5)
 
 
@@ -171,7 +171,7 @@ def test_theta_of_one_degree_of_freedom(T: float) -> None:
 def test_second_order() -> None:
     """Storey by hand: 20 MN x 30 mm / (2 MN x 3 m) = 0.1."""
     assert drift_sensitivity(20e6, -0.03, 2e6, 3.0) == pytest.approx(0.1)
-    with pytest.raises(InputError, match="V_tot must be greater than zero"):
+    with pytest.raises(InputError, match="V_tot .*E-VALUE-02"):
         drift_sensitivity(20e6, 0.03, [1.0, 0.0], 3.0)
 
 

@@ -97,15 +97,15 @@ def test_table_6_3(ductility: str, q: float, section_class: int) -> None:
 def test_bad_input_of_behaviour_factors() -> None:
     with pytest.raises(InputError, match=r"`moment_frames`; did you mean `moment_frame`\?"):
         reference_q("moment_frames", "high")
-    with pytest.raises(InputError, match="ductility class `DCH`"):
+    with pytest.raises(InputError, match="`DCH`.*E-NAME-01"):
         reference_q("moment_frame", "DCH")
-    with pytest.raises(InputError, match=r"between 1 and 1\.6, not 1\.7"):
+    with pytest.raises(InputError, match=r"1\.6, not 1\.7 .*E-VALUE-02"):
         reference_q("moment_frame", "high", 1.7)
-    with pytest.raises(InputError, match="at most 2, not 3"):
+    with pytest.raises(InputError, match="at most 2, not 3 .E-VALUE-02"):
         reference_q("moment_frame", "low", low_ductility_q=3.0)
-    with pytest.raises(InputError, match="q = 5 is too large for ductility class medium"):
+    with pytest.raises(InputError, match="E-EC8-01"):
         largest_section_class("medium", 5.0)
-    with pytest.raises(InputError, match="at least one storey"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         alpha_ratio("moment_frame", 0, 1)
 
 
@@ -120,9 +120,9 @@ def test_beam_of_a_moment_frame() -> None:
 
 def test_a_member_without_effect_has_no_overstrength() -> None:
     assert overstrength([400.0, 300.0, 2.0], [300.0, -250.0, 0.0]).tolist() == [400.0 / 300.0, 1.2, math.inf]
-    with pytest.raises(InputError, match="demand must be at least zero, not nan"):
+    with pytest.raises(InputError, match="demand .* nan .E-VALUE-02"):
         overstrength([2.0, 2.0], [1.0, math.nan])
-    with pytest.raises(InputError, match="resistance must be greater than zero"):
+    with pytest.raises(InputError, match="resistance .*E-VALUE-02"):
         overstrength([2.0, 0.0], [1.0, 1.0])
 
 
@@ -157,7 +157,7 @@ def test_asymmetry_of_diagonals() -> None:
     assert one_frame.value == pytest.approx(1.0 / 3.0) and not one_frame.passed and one_frame.detail == "storey 4"
     assert asymmetry(3.0, 3.0, 1).passed
     assert asymmetry(1.05, 0.95, 1).passed  # 0.05 itself is allowed, up to rounding of the sum
-    with pytest.raises(InputError, match="must be greater than zero"):
+    with pytest.raises(InputError, match="E-VALUE-02"):
         asymmetry(0.0, 0.0, 1)
 
 
@@ -187,7 +187,7 @@ def test_homogeneity_of_diagonals() -> None:
 def test_v_bracing() -> None:
     """6.7.4(2): N_pl,Rd in tension, 0.3 N_pl,Rd in compression; the recommended gamma_pb."""
     assert post_buckling_forces([1000.0, 1000.0, 500.0], [True, False, False]).tolist() == [1000.0, -300.0, -150.0]
-    with pytest.raises(InputError, match="gamma_pb must be at least zero"):
+    with pytest.raises(InputError, match="gamma_pb .*E-VALUE-02"):
         post_buckling_forces([1.0], [True], -0.3)
 
 
@@ -198,5 +198,5 @@ def test_strong_columns() -> None:
     assert (ratios >= LEAST_RATIO).tolist() == [True, False, True]
     assert is_exempt(10, 10) and not is_exempt(9, 10)
     assert is_exempt(1, 1) and is_exempt(3, 10, frame_in_plane=False)
-    with pytest.raises(InputError, match="M_Rb must be at least zero"):
+    with pytest.raises(InputError, match="M_Rb .*E-VALUE-02"):
         strength_ratio([1.0], [-1.0])

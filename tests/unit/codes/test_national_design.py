@@ -46,7 +46,7 @@ def test_recommended_values_of_design() -> None:
     assert RECOMMENDED.phi == {"roof": 1.0, "correlated": 0.8, "independent": 0.5, "other": 1.0}
     assert RECOMMENDED.action_factors == ActionFactors() == ActionFactors(G_sup=1.35, G_inf=1.0, Q=1.5, xi=0.85)
     assert RECOMMENDED.gamma_M == {"M0": 1.0, "M1": 1.0, "M2": 1.25}
-    with pytest.raises(InputError, match="importance class `V`"):
+    with pytest.raises(InputError, match="`V`.*E-NAME-01"):
         RECOMMENDED.nu("V")
 
 
@@ -73,9 +73,9 @@ def test_a_zone_of_france_takes_one_type_of_spectrum() -> None:
     france = national_parameters("france")
     france.check_spectrum_type("3", 2)
     france.check_spectrum_type("5", 1)
-    with pytest.raises(InputError, match="zone 3 of france takes spectrum type 2, not 1"):
+    with pytest.raises(InputError, match="zone 3 of france .*E-EC8-02"):
         france.check_spectrum_type("3", 1)
-    with pytest.raises(InputError, match="no zone in france `6`"):
+    with pytest.raises(InputError, match="`6`.*E-NAME-01"):
         france.check_spectrum_type("6", 1)
     national_parameters("greece").check_spectrum_type("3", 2)  # no rule: any type
 
@@ -99,7 +99,7 @@ frame:
 materials: {steel: {law: elastic, E: 210 GPa}}
 analyses: [{name: gravity, kind: gravity}]
 """
-    with pytest.raises(InputError, match=r":8:.*hazard\.spectrum: zone 4 of france takes spectrum type 2"):
+    with pytest.raises(InputError, match=r":8:.*hazard\.spectrum: zone 4 of france .*E-EC8-02"):
         checked_hazard(parse_project(text))
     hazard = checked_hazard(parse_project(text.replace("spectrum: 1", "spectrum: 2")))
     # plateau of zone 4 on ground B: 1.6 x 1.35 x 2.5 / 4

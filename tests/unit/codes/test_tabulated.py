@@ -38,10 +38,10 @@ def test_displacement_and_peak() -> None:
 
 
 def test_nothing_beyond_the_table_and_no_other_damping() -> None:
-    with pytest.raises(InputError, match="UHS ends at 4 s; it has no ordinate at 4.5 s"):
+    with pytest.raises(InputError, match="4 s; .* 4.5 s .*E-CURVE-03"):
         table().acceleration([1.0, 4.5])
     assert table().with_damping(0.05) == table()
-    with pytest.raises(InputError, match="for 5 % damping; what it would be for 10 % is not known"):
+    with pytest.raises(InputError, match="5 % .* 10 % .*E-CURVE-04"):
         table().with_damping(0.10)
 
 
@@ -96,30 +96,28 @@ def test_the_end_of_the_constant_branch() -> None:
 
 @pytest.mark.parametrize("corner", [0.05, 4.5])
 def test_a_corner_period_outside_of_the_table(corner: float) -> None:
-    with pytest.raises(
-        InputError, match="corner_period: .* is not between the largest ordinate, at 0.1 s, and the las"
-    ):
+    with pytest.raises(InputError, match="corner_period: .* 0.1 s, .*E-CURVE-02"):
         TabulatedSpectrum((0.0, 0.1, 0.5, 4.0), (2.0, 5.0, 5.0, 0.625), 0.05, SET_RULES, corner_period=corner)
 
 
 def test_tables_that_no_correction_applies_to() -> None:
-    with pytest.raises(InputError, match="the largest ordinate is that at 0 s"):
+    with pytest.raises(InputError, match="E-CURVE-04"):
         TabulatedSpectrum((0.0, 1.0), (2.0, 1.0), 0.05, SET_RULES, correction="asce7")
-    with pytest.raises(InputError, match="is 0.55 for 30 % damping and for all above"):
+    with pytest.raises(InputError, match="0.55 for 30 % .*E-CURVE-04"):
         TabulatedSpectrum((0.0, 1.0), (1.0, 2.0), 0.30, SET_RULES, correction="ec8")
 
 
 @pytest.mark.parametrize(
-    ("periods", "ordinates", "message"),
+    ("periods", "ordinates"),
     [
-        ((0.1, 1.0), (1.0, 1.0), "begins at 0 s"),
-        ((0.0,), (1.0,), "two periods at least"),
-        ((0.0, 1.0), (1.0,), "2 periods and 1 ordinates"),
-        ((0.0, 1.0, 1.0), (1.0, 1.0, 1.0), "1 s stands after 1 s"),
-        ((0.0, 1.0), (1.0, 0.0), "at 1 s must be greater than zero"),
-        ((0.0, np.inf), (1.0, 1.0), "finite"),
+        ((0.1, 1.0), (1.0, 1.0)),
+        ((0.0,), (1.0,)),
+        ((0.0, 1.0), (1.0,)),
+        ((0.0, 1.0, 1.0), (1.0, 1.0, 1.0)),
+        ((0.0, 1.0), (1.0, 0.0)),
+        ((0.0, np.inf), (1.0, 1.0)),
     ],
 )
-def test_wrong_tables(periods: tuple[float, ...], ordinates: tuple[float, ...], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_wrong_tables(periods: tuple[float, ...], ordinates: tuple[float, ...]) -> None:
+    with pytest.raises(InputError, match="E-CURVE-01"):
         table(periods, ordinates)

@@ -136,57 +136,45 @@ def test_a_plane_frame_with_other_things_of_the_plane(take: Take) -> None:
 
 BEAM_LINE = "Frame=b1   JointI=3   JointJ=4   IsCurved=No"
 REFUSED = {
-    "no units": (
-        '   CurrUnits="KN, m, C"',
-        "",
-        "no units: the table PROGRAM CONTROL with the field `CurrUnits` is missing",
-    ),
-    "other units": ("KN, m, C", "KN, mile, C", '4: PROGRAM CONTROL: `CurrUnits="KN, mile, C"` are no units'),
-    "no number": ("XorR=6   Y=0   Z=4", "XorR=6   Y=0   Z=four", "JOINT COORDINATES: `Z=four` is no number"),
-    "too large": ("XorR=6", "XorR=6e99", "`XorR=6e99` is no number"),
-    "no such joint": ("JointJ=4 ", "JointJ=44 ", "CONNECTIVITY - FRAME: `JointJ=44`: there is no such joint"),
-    "twice": (BEAM_LINE, f"{BEAM_LINE}\n   {BEAM_LINE}", "Frame b1 is there twice"),
-    "inclined column": ("XorR=6   Y=0   Z=4", "XorR=6.2   Y=0   Z=4", "frame c2: it is inclined: its ends are 0.2 m"),
-    "sloping beam": ("XorR=6   Y=0   Z=4", "XorR=6   Y=0   Z=4.3", "frame b1: it slopes: its ends differ by 0.3 m"),
-    "curved": (BEAM_LINE, BEAM_LINE.replace("No", "Yes"), "frame b1 is curved; only straight members are taken"),
-    "horizontal": ("F1=0   F2=0   F3=-50", "F1=3   F2=0   F3=-50", "joint 3 has a horizontal force or a moment"),
-    "cut off": ("END TABLE DATA\n", "", "the last line `END TABLE DATA` is missing, so that the file may be cut off"),
-    "no field": (
-        "Frame=c2   JointI=4   JointJ=2   ",
-        "Frame=c2   JointI 4 ",
-        "`JointI 4 IsCurved=No` is no `Field=value`",
-    ),
-    "no section": (' AnalSect="IPE 400"', " AnalSect=IPE40", "`AnalSect=IPE40`: there is no such section"),
-    "modifier": ("AS2=0.0033", "AS2=0.0033   I3Mod=0.5", "section HEB300: the modifier `I3Mod` is not 1"),
+    "no units": ('   CurrUnits="KN, m, C"', "", "E-SAP-04"),
+    "other units": ("KN, m, C", "KN, mile, C", "4: PROGRAM CONTROL: .*E-SAP-04"),
+    "no number": ("XorR=6   Y=0   Z=4", "XorR=6   Y=0   Z=four", "JOINT COORDINATES: `Z=four`.*E-SAP-03"),
+    "too large": ("XorR=6", "XorR=6e99", "`XorR=6e99`.*E-SAP-03"),
+    "no such joint": ("JointJ=4 ", "JointJ=44 ", "CONNECTIVITY - FRAME: `JointJ=44`.*E-SAP-05"),
+    "twice": (BEAM_LINE, f"{BEAM_LINE}\n   {BEAM_LINE}", "Frame b1 .*E-SAP-06"),
+    "inclined column": ("XorR=6   Y=0   Z=4", "XorR=6.2   Y=0   Z=4", "frame c2: .* 0.2 m .*E-SAP-16"),
+    "sloping beam": ("XorR=6   Y=0   Z=4", "XorR=6   Y=0   Z=4.3", "frame b1: .* 0.3 m .*E-SAP-16"),
+    "curved": (BEAM_LINE, BEAM_LINE.replace("No", "Yes"), "frame b1 .*E-SAP-12"),
+    "horizontal": ("F1=0   F2=0   F3=-50", "F1=3   F2=0   F3=-50", "joint 3 .*E-SAP-25"),
+    "cut off": ("END TABLE DATA\n", "", "E-SAP-02"),
+    "no field": ("JointI=4   JointJ=2   ", "JointI 4 ", "`JointI 4 IsCurved=No` .*E-SAP-03"),
+    "no section": (' AnalSect="IPE 400"', " AnalSect=IPE40", "`AnalSect=IPE40`: .*E-SAP-05"),
+    "modifier": ("AS2=0.0033", "AS2=0.0033   I3Mod=0.5", "section HEB300: .*`I3Mod` .*E-SAP-12"),
 }
-
-
-@pytest.mark.parametrize(("old", "new", "words"), REFUSED.values(), ids=REFUSED)
-def test_what_is_refused_says_table_line_and_part(old: str, new: str, words: str, tmp_path: Path) -> None:
-    message = refusal(changed(FRAME, (old, new)), tmp_path)
-    assert message.startswith("model.s2k") and words in message
-
-
 TABLES = {
-    "CONNECTIVITY - AREA": ("Area=1   NumJoints=4   Joint1=1", "edesign takes no such table"),
-    "FRAME SPRING ASSIGNMENTS": ("Frame=b1   Type=Simple", "edesign takes no such table"),
-    "JOINT LOADS - GROUND DISPLACEMENT": ("Joint=1   LoadPat=DEAD   U3=0.01", "edesign takes no such table"),
-    "FRAME PROPERTY MODIFIERS": ("Frame=b1   AMod=1   I33Mod=0.35", "frame b1: the modifier `I33Mod` is not 1"),
-    "FRAME TENSION AND COMPRESSION LIMITS": ("Frame=b1   TensLimit=No   CompLimit=Yes", "limit of its axial force"),
-    "FRAME OFFSET ALONG LENGTH ASSIGNMENTS": ("Frame=b1   LengthI=0.2   RigidFact=1", "frame b1 has rigid ends"),
-    "FRAME RELEASE ASSIGNMENTS 1 - GENERAL": ("Frame=b1   PI=Yes", "an axial force or a shear force is released"),
-    "FRAME LOADS - POINT": (
-        "Frame=c1   LoadPat=DEAD   Dir=X   DistType=RelDist   RelDist=0.5   Force=1",
-        "column c1 has",
-    ),
-    "JOINT CONSTRAINT ASSIGNMENTS": ("Joint=3   Constraint=BODY1", "joint 3 has the constraint BODY1; only diaphragms"),
+    "CONNECTIVITY - AREA": ("Area=1   NumJoints=4   Joint1=1", "E-SAP-11"),
+    "FRAME SPRING ASSIGNMENTS": ("Frame=b1   Type=Simple", "E-SAP-11"),
+    "JOINT LOADS - GROUND DISPLACEMENT": ("Joint=1   LoadPat=DEAD   U3=0.01", "E-SAP-11"),
+    "FRAME PROPERTY MODIFIERS": ("Frame=b1   AMod=1   I33Mod=0.35", "frame b1: .*`I33Mod` .*E-SAP-12"),
+    "FRAME TENSION AND COMPRESSION LIMITS": ("Frame=b1   TensLimit=No   CompLimit=Yes", "frame b1 .*E-SAP-12"),
+    "FRAME OFFSET ALONG LENGTH ASSIGNMENTS": ("Frame=b1   LengthI=0.2   RigidFact=1", "frame b1 .*E-SAP-12"),
+    "FRAME RELEASE ASSIGNMENTS 1 - GENERAL": ("Frame=b1   PI=Yes", "E-SAP-21"),
+    "FRAME LOADS - POINT": ("Frame=c1   LoadPat=DEAD   Dir=X   RelDist=0.5   Force=1", "column c1 .*E-SAP-25"),
+    "JOINT CONSTRAINT ASSIGNMENTS": ("Joint=3   Constraint=BODY1", "joint 3 .* BODY1.*E-SAP-14"),
 }
+"""Tables that would change the structure: a record, and what its message has."""
 
 
-@pytest.mark.parametrize(("name", "row", "words"), [(name, *what) for name, what in TABLES.items()], ids=TABLES)
-def test_tables_that_would_change_the_structure_are_refused(name: str, row: str, words: str, tmp_path: Path) -> None:
-    message = refusal(with_table(FRAME, name, row), tmp_path)
-    assert words in message
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        *((changed(FRAME, (old, new)), said) for old, new, said in REFUSED.values()),
+        *((with_table(FRAME, name, row), said) for name, (row, said) in TABLES.items()),
+    ],
+    ids=[*REFUSED, *TABLES],
+)
+def test_what_is_refused_says_table_line_and_part(text: str, said: str, tmp_path: Path) -> None:
+    assert re.match(f"model.s2k:.*{said}]$", refusal(text, tmp_path))
 
 
 TWICE = {
@@ -204,7 +192,7 @@ def test_records_of_one_name_are_refused(name: str, row: str, tmp_path: Path) ->
     text = with_table(FRAME, name, row)
     line = 1 + text.split("\n").index(f"   {row}")
     key, part = next(field for field in row.split("   ") if not field.startswith("MassSource")).split("=")
-    assert refusal(text, tmp_path) == f"model.s2k:{line}: {name}: {key} {part} is there twice"
+    assert refusal(text, tmp_path) == f"model.s2k:{line}: {name}: {key} {part} is there twice [E-SAP-06]"
 
 
 def test_all_records_of_an_old_mass_source_count(take: Take) -> None:
@@ -304,11 +292,11 @@ def test_links_are_dampers_of_a_frame(take: Take, tmp_path: Path) -> None:
     for field, joints in (("Mass", "masses"), ("Weight", "loads")):
         heavy = changed(text, ("LinkType=Linear\n", f"LinkType=Linear   {field}=0.5\n"))
         told = refusal(heavy, tmp_path)
-        assert f"link property L has a `{field}`" in told and f"with the {joints} of joints" in told
+        assert f"link property L has a `{field}`" in told and f"{joints} of joints [E-SAP-13]" in told
     other = changed(
         text, ("LinkType=Linear\n", 'LinkType="Plastic (Wen)"\n'), ("DEFINITIONS 02 - LINEAR", "DEFINITIONS 10 - WEN")
     )
-    assert "link 1 has the property L of the type `Plastic (Wen)`" in refusal(other, tmp_path)
+    assert re.search(r"link 1 .*`Plastic \(Wen\)`.*E-SAP-13", refusal(other, tmp_path))
 
 
 def test_masses_at_joints_of_no_member_are_refused(tmp_path: Path) -> None:
@@ -319,7 +307,7 @@ def test_masses_at_joints_of_no_member_are_refused(tmp_path: Path) -> None:
         ("   Joint=1   Coord", "   Joint=9   XorR=3   Y=0   Z=4\n   Joint=1   Coord"),
     )
     text = with_table(text, "JOINT ADDED MASS ASSIGNMENTS", "Joint=9   CoordSys=GLOBAL   Mass1=50   Mass2=50   Mass3=0")
-    assert "joint 9: it has a mass, and no member ends there" in refusal(text, tmp_path)
+    assert re.search("joint 9: .* .E-SAP-26]", refusal(text, tmp_path))
 
 
 def without_table(name: str) -> str:
@@ -332,7 +320,7 @@ def test_missing_tables(tmp_path: Path) -> None:
     """Without supports nothing is written that `edesign check` would refuse; masses that nobody asked for are told."""
     file = tmp_path / "model.s2k"
     file.write_text(without_table("JOINT RESTRAINT ASSIGNMENTS"))
-    with pytest.raises(InputError, match="no joint has a support: the table JOINT RESTRAINT ASSIGNMENTS"):
+    with pytest.raises(InputError, match="E-SAP-07"):
         take_model(file, tmp_path / "model.yaml")
     file.write_text(without_table("MASS SOURCE"))
     assert any("no mass source" in line for line in take_model(file, tmp_path / "model.yaml").left_out)
