@@ -208,9 +208,6 @@ def _section_of(problems: Problems, keys: Keys, run: Run, profiles: Catalogue | 
 
 
 def _runs(building: Building) -> Iterable[tuple[Keys, Run]]:
-    for i, column in enumerate(building.columns):
-        yield ("columns", i), column
-    for i, beam in enumerate(building.beams):
-        yield ("beams", i), beam
-    for i, brace in enumerate(building.braces):
-        yield ("braces", i), brace
+    for kind in ("columns", "beams", "braces"):
+        for i, run in enumerate(getattr(building, kind)):
+            yield (kind, i), run

@@ -22,34 +22,34 @@ def check_loads(building: Building, problems: Problems) -> None:
     loads = building.loads
     for i, area in enumerate(loads.areas):
         keys: Keys = ("loads", "areas", i)
-        _category(problems, keys, area)
+        _variable(problems, keys, area.Q, area.category)
         if area.spans == "two_way" and area.secondary_beams:
             problems.at_key((*keys, "secondary_beams"), "a floor on secondary beams spans one way: along `x` or `y`")
         if check.floors(keys, area.floors) and check.bays((*keys, "bays"), area.bays):
             _area(building, problems, keys, area)
     for i, perimeter in enumerate(loads.perimeter):
         keys = ("loads", "perimeter", i)
-        _category(problems, keys, perimeter)
+        _variable(problems, keys, perimeter.Q, perimeter.category)
         if check.floors(keys, perimeter.floors):
             _perimeter(building, problems, keys, perimeter)
     for i, beam in enumerate(loads.beams):
         keys = ("loads", "beams", i)
-        _category(problems, keys, beam)
+        _variable(problems, keys, beam.Q, beam.category)
         if check.standing_beams(keys, beam):
             _points(building, problems, keys, beam)
     for i, node in enumerate(loads.nodes):
         keys = ("loads", "nodes", i)
-        _category(problems, keys, node)
+        _variable(problems, keys, node.Q, node.category)
         check.nodes(keys, node.at, node.floors)
     _masses(building, problems, check)
 
 
-def _category(problems: Problems, keys: Keys, load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> None:
-    if load.Q < 0.0:
-        problems.at_value(
-            (*keys, "Q"), "a variable load acts downwards, and is at least 0: uplift is not in the analysis"
-        )
-    if load.Q != 0.0 and load.category is None:
+def _variable(problems: Problems, keys: Keys, Q: float, category: str | None, at: Keys | None = None) -> None:
+    """A variable load, or a force `at` a point of it, acts downwards and has a category."""
+    if Q < 0.0:
+        message = "a variable load acts downwards, and is at least 0: uplift is not in the analysis"
+        problems.at_value((*(at or keys), "Q"), message)
+    if Q != 0.0 and category is None:
         message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
         problems.under(keys, "category", message)
 
@@ -63,12 +63,7 @@ def _points(building: Building, problems: Problems, keys: Keys, load: BeamLoad) 
         for i, at in enumerate(point.at):
             if not 0.0 < at.share(shortest) < 1.0:
                 problems.at_item((*at_point, "at"), i, f"{at} is not inside a beam of {shortest:g} m")
-        if point.Q < 0.0:
-            message = "a variable load acts downwards, and is at least 0: uplift is not in the analysis"
-            problems.at_value((*at_point, "Q"), message)
-        if point.Q != 0.0 and load.category is None:
-            message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
-            problems.under(keys, "category", message)
+        _variable(problems, keys, point.Q, load.category, at_point)
 
 
 def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> None:

@@ -12,6 +12,7 @@ from edesign.project.notation.names import line_index
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, items_of, selection
 from edesign.project.notation.written import Written
 from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.problems import as_seen
 
 _END = r"([A-Z]{0,2})([0-9]{0,3})"
 _LINES = re.compile(rf"\s*{_END}\s*(?:-\s*{_END}\s*)?")
@@ -180,7 +181,7 @@ def _within(number: int, span: Span | None) -> bool:
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
     match = None if isinstance(item, (bool, float)) or not str(item).strip() else _LINES.fullmatch(str(item))
     if not match or isinstance(item, (list, tuple, dict)):
-        raise refuse(f"{_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2`", *at)
+        raise refuse(f"{as_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2`", *at)
     letter, number, last_letter, last_number = match.groups()
     if last_letter is not None and (bool(letter), bool(number)) != (bool(last_letter), bool(last_number)):
         raise refuse(f"`{item}`: both ends of a range are written alike, as `A1-C2`, `A-C` or `1-2`", *at)
@@ -192,7 +193,7 @@ def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
 def _frames(item: Any, at: tuple[int, ...]) -> FrameItem:
     match = None if isinstance(item, (bool, float, list, tuple, dict)) else _FRAME.fullmatch(str(item))
     if not match:
-        raise refuse(f"{_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]`", *at)
+        raise refuse(f"{as_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]`", *at)
     said, first, said_last, last = match.groups()
     last = last or first
     if first.isdigit() != last.isdigit():
@@ -214,9 +215,3 @@ def _span(item: Any, first: int, last: int, at: tuple[int, ...]) -> Span:
     if first > last:
         raise refuse(f"the range `{item}` runs backwards", *at)
     return first, last
-
-
-def _seen(item: Any) -> str:
-    if isinstance(item, (list, tuple)):
-        return "a list"
-    return "a mapping" if isinstance(item, dict) else f"`{item}`"

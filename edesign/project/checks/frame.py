@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from edesign.project.checks.selections import Selections
 from edesign.project.dampers.isolation import BaseBeams
@@ -185,12 +185,7 @@ def _material_of(project: Project, problems: Problems, keys: Keys, run: Run) -> 
         problems.at_value((*keys, "material"), unknown_name("material", run.material, project.materials))
 
 
-def _runs(frame: Frame) -> Iterable[tuple[Keys, Run]]:
-    kinds: tuple[tuple[str, Sequence[Run]], ...] = (
-        ("columns", frame.columns),
-        ("beams", frame.beams),
-        ("braces", frame.braces),
-    )
-    for what, runs in kinds:
-        for i, run in enumerate(runs):
-            yield ("frame", what, i), run
+def _runs(frame: Frame) -> Iterable[tuple[Keys, ColumnRun | BeamRun | BraceRun]]:
+    for kind in ("columns", "beams", "braces"):
+        for i, run in enumerate(getattr(frame, kind)):
+            yield ("frame", kind, i), run
