@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import defaultdict
-from functools import cache, partial
+from collections.abc import Callable
 from typing import Literal
 
 from edesign.errors import EdesignError
@@ -13,7 +13,6 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records.records import Suite, record_of
 from edesign.study.analysis.intensity import first_period
-from edesign.study.analysis.modal import fundamental_period
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.motions.motions import Motion, match_options, project_motions
 from edesign.study.motions.record_groups import failed_criteria, project_record_groups
@@ -23,11 +22,12 @@ from edesign.study.run.state import Prepared, RunState
 MATCHING = "matching"  # what the progress of the fit of the records is called
 
 
-def prepare_records(run: RunState) -> dict[str, Motion]:
+def prepare_records(run: RunState, period: Callable[[], float | None]) -> dict[str, Motion]:
     """Fit the records to the spectrum where the project says so, and return them by reference.
 
     Args:
         run: tells the progress; a stop leaves out what is not fitted yet.
+        period: gives T1 of the bare frame, s.
     """
     started = time.monotonic()
     project, recordings = run.job.project, run.job.recordings
@@ -44,18 +44,18 @@ def prepare_records(run: RunState) -> dict[str, Motion]:
         tell("advance")
 
     tell("start")
-    period = cache(partial(fundamental_period, project))
     motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
     tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
     return motions
 
 
-def archive_records(run: RunState, prepared: Prepared) -> None:
+def archive_records(run: RunState, prepared: Prepared, period: Callable[[], float | None]) -> None:
     """Archive the records with the warnings about their use, which the periods of designed frames decide too.
 
     Args:
         run: with its motions and its archive.
         prepared: gives the frame of each task.
+        period: gives T1 of the bare frame, s.
 
     Raises:
         EdesignError: a period that a criterion of the code needs cannot be found.
@@ -67,7 +67,6 @@ def archive_records(run: RunState, prepared: Prepared) -> None:
     for name, texts in warnings.items():
         for text in texts:
             run.note(f"warning: records {name}: {text}")
-    period = cache(partial(fundamental_period, project))
     for place, group in project_record_groups(project, motions, period, _variant_periods(run, prepared), warnings):
         run.archive(place, group)
         for text in failed_criteria(group.attributes["name"], group):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
+from functools import cache, partial
 from pathlib import Path
 
 from edesign.archive.dataset import Group
@@ -13,6 +14,7 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import EdesignError, Interrupted
 from edesign.stopping import stoppable
+from edesign.study.analysis.modal import fundamental_period
 from edesign.study.plan.plan import Task, waves
 from edesign.study.results.hazard import hazard_groups
 from edesign.study.results.provenance import IDENTITY, circumstances, now
@@ -145,13 +147,14 @@ def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> 
 def _run_tasks(run: RunState) -> None:
     for place, group in hazard_groups(run.job.project.hazard):
         run.archive(place, group)
-    run.motions = prepare_records(run)
+    period = cache(partial(fundamental_period, run.job.project))
+    run.motions = prepare_records(run, period)
     if run.stopped():
         return
     prepared = run.job.prepare(run)
     if run.stopped():
         return
-    archive_records(run, prepared)
+    archive_records(run, prepared, period)
     fallen: dict[str, str] = {}  # why the rest of a chain is skipped
     for wave in waves(run.job.tasks):
         for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):
