@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from edesign.report.building.results import BuildingResults
-from edesign.report.tables.cell import Value, Verdict
+from edesign.report.building.results import MET, NOT_MET, BuildingResults
+from edesign.report.tables.cell import Value
 from edesign.report.tables.column import col, count, text, verdict
 from edesign.report.tables.number import finite
 from edesign.report.tables.table import Table, TableSpec
@@ -56,7 +56,7 @@ def group_checks_table(results: BuildingResults) -> Table:
             ratio = float(member["utilisation"][k])
             row: dict[str, Value] = {name: member[name] for name in ("group", "section", "member")}
             row |= {"check": check_words(str(check["check"])), "clause": check["clause"], "D/C": use(ratio)}
-            row["verdict"] = Verdict("met", "good") if ratio <= 1.0 else Verdict("not met", "bad")
+            row["verdict"] = MET if ratio <= 1.0 else NOT_MET
             row |= {"combination": member["combination"][k], "x / L": member["station"][k]}
             rows.append(row)
     return CHECKS.of(rows)

@@ -137,7 +137,7 @@ def worked_table(found: WorkedCheck) -> Table:
     """Return the worked calculation of a check as a table."""
     notes = ["the check does not apply"]
     if found.number:
-        met = "met" if found.utilisation <= 1.0 else "NOT MET"
+        met = "met" if found.utilisation <= 1.0 else "not met"
         notes = [f"combination {found.number}: {found.combination}"]
         notes += [] if found.steps else ["this version has no worked calculation of this check as it was made"]
         notes.append(f"utilisation {significant(finite(found.utilisation))}: {met} ({found.clause})")

@@ -28,7 +28,7 @@ UNITS = {
 """Unit of the archive: the one that is shown."""
 
 
-MET, NOT_MET = Verdict("met", "good"), Verdict("NOT MET", "bad")
+MET, NOT_MET = Verdict("met", "good"), Verdict("not met", "bad")
 """Of the rules for the building."""
 
 

@@ -60,7 +60,7 @@ def _whole(selection: Selection) -> list[str]:
     )
     price = [f"price, which was to be least: {significant(selection.cost)}"] if priced else []
     not_met = [
-        f"NOT MET, and not searched: {rule.text}: {significant(rule.value, 3)}, limit {significant(rule.required, 3)} "
+        f"not met, and not searched: {rule.text}: {significant(rule.value, 3)}, limit {significant(rule.required, 3)} "
         f"({rule.reference}) {rule.detail}"
         for rule in selection.not_met
     ]

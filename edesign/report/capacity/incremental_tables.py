@@ -10,7 +10,7 @@ from edesign.assess.incremental import FRACTILES, Stripes, fractile_curves
 from edesign.assess.limit_fragility import LimitFragility
 from edesign.report.assessment.measure_columns import measure_title
 from edesign.report.capacity.incremental_results import UNITS, IncrementalResults, LifeCycle, read_incremental
-from edesign.report.tables.cell import Marked, Value, Verdict
+from edesign.report.tables.cell import Marked, Value
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.number import significant
 from edesign.report.tables.table import Table, TableSpec
@@ -21,11 +21,6 @@ _FRACTIONS = [f"{100 * fraction:.0f} %" for fraction in FRACTILES]
 _Row = dict[str, Value]
 OUTSIDE = 0.2
 """Share of a rate that comes from outside of the points of a hazard curve, from which on a note tells it."""
-
-
-def _limit(name: str) -> Value:
-    """A limit; that of collapse stands out as a bad verdict does."""
-    return Verdict(name, "bad") if name == "collapse" else name
 
 
 def _fit(name: str) -> Callable[[LimitFragility], float | None]:
@@ -69,7 +64,7 @@ FRAGILITY = TableSpec[LimitFragility](
     "{title}",
     (
         text("variant"),
-        text("limit", lambda one: _limit(one.limit)),
+        text("limit"),
         text("fit to", "method"),
         count("records"),
         count("analyses", lambda one: one.analyses.sum()),
@@ -123,7 +118,7 @@ def exceedance_table(results: IncrementalResults) -> Table:
     for one in results.life_cycle:
         for limit, found in one.exceedances.items():
             values = {"rate": found.rate, "return period": found.return_period, "probability": found.probability(years)}
-            rows.append({"variant": one.variant, "limit": _limit(limit), **values})
+            rows.append({"variant": one.variant, "limit": limit, **values})
             outside = {"below the first": found.below, "beyond the last": found.beyond}
             for where, share in outside.items():
                 if share > OUTSIDE:
@@ -192,5 +187,5 @@ def fractile_table(stripes: Sequence[Stripes], limits: Mapping[str, float], unit
         curves = fractile_curves(one, list(limits.values()))
         for name, column in zip(limits, curves.T, strict=True):
             needed = (float(value) if value == value else "not reached" for value in column)
-            rows.append({"variant": one.variant, "limit": _limit(name), **dict(zip(_FRACTIONS, needed, strict=True))})
+            rows.append({"variant": one.variant, "limit": name, **dict(zip(_FRACTIONS, needed, strict=True))})
     return FRACTILES_NEEDED.of(rows, units={"intensity": Unit(*UNITS[unit])}, title=about)

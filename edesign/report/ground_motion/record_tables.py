@@ -31,7 +31,7 @@ _MEASURES = (
     ("Arias", M_S, "arias"),
     ("D5-95", S, "duration_5_95"),
 )
-_VERDICTS = {True: Verdict("met", "good"), False: Verdict("NOT MET", "bad"), None: None}
+_VERDICTS = {True: Verdict("met", "good"), False: Verdict("not met", "bad"), None: None}
 
 
 def _fact(*keys: str) -> Callable[[Analysis], Any]:

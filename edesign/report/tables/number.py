@@ -20,7 +20,7 @@ def significant(value: float | None, digits: int = 4) -> str:
         return "-"
     if abs(value) >= SCIENTIFIC:
         return f"{value:.{digits - 1}e}"
-    return f"{value:.0f}" if abs(value) >= 10**digits else f"{value:#.{digits}g}".rstrip(".")
+    return f"{value:.0f}" if abs(value) >= 10**digits - 0.5 else f"{value:#.{digits}g}".rstrip(".")
 
 
 def finite(value: Any) -> Any:

@@ -26,6 +26,7 @@ from edesign.report.tables.unit import ONE
         (0.012345, "0.01235"),
         (123.456, "123.5"),
         (-12345.6, "-12346"),
+        (9999.7, "10000"),  # rounds up to a number of five digits
         (9.9e6, "9900000"),
         (5.35835968e17, "5.358e+17"),  # of a run that went astray: no wall of digits
     ],

@@ -138,7 +138,7 @@ def _action(source: Source, results: BuildingResults) -> Iterable[Part]:
 def _worked(source: Source, results: BuildingResults) -> Iterable[Part]:
     """The governing check of each group; nothing of those to which no check applies."""
     for worst, found in worked_worst(results):
-        state = "" if worst.utilisation <= 1.0 else ", NOT MET"
+        state = "" if worst.utilisation <= 1.0 else ", not met"
         name = check_words(worst.name)
         summary = f"{worst.group} {worst.section}: {name} {worst.utilisation:.3f}{state} ({worst.member})"
         yield Folded(summary, (effects_table(results, worst.number, worst.check), worked_table(found)))
