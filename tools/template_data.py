@@ -40,7 +40,7 @@ def at2_text(record: Record) -> str:
     """Return a record as a file in the format of the PEER data base, samples in g."""
     samples = [f"{value:15.7E}" for value in record.acceleration / STANDARD_GRAVITY]
     head = [
-        f"{SIMULATED}: STAND-IN FOR A RECORDING, NO EVIDENCE FOR A DESIGN",
+        f"{SIMULATED}: NO EVIDENCE FOR A DESIGN",
         record.source,
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {len(samples):6d}, DT= {record.time_step:7.4f} SEC",

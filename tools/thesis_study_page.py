@@ -23,6 +23,7 @@ from edesign.archive.files import write_text
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.errors import EdesignError, InputError
+from edesign.ground_motion.sources import is_simulated
 from edesign.project.study.reference_loader import load_reference
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.archive_view import all_results, planned, record_entries
@@ -118,9 +119,10 @@ def about(archive: Archive) -> str:
     for entry in record_entries(archive, RECORDS):
         origins = Counter(str(record.get("origin")) for record in entry.get("records", [entry]))
         simulated = [
-            str(record.get("name")) for record in entry.get("records", []) if record.get("origin") == "stand-in"
+            str(record.get("name")) for record in entry.get("records", []) if is_simulated(record.get("origin"))
         ]
-        lines.append(f"- {entry.get('name')}: {', '.join(f'{count} from {name}' for name, count in origins.items())}")
+        counts = (f"{count} {name if is_simulated(name) else f'from {name}'}" for name, count in origins.items())
+        lines.append(f"- {entry.get('name')}: {', '.join(counts)}")
         if simulated:
             lines.append(f"- simulated in place of recordings: {', '.join(simulated)}")
     return "\n".join(lines)

@@ -16,10 +16,11 @@ import typer
 from edesign._version import __version__
 from edesign.cli.shared.lazy import LazyGroup
 from edesign.cli.shared.stages import end_with
-from edesign.cli.shared.streams import visible_streams
+from edesign.cli.shared.streams import progress_line, visible_streams
 from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted, StageFailed
 from edesign.input_files import noting_inputs
 from edesign.optional_stages import noting_failures, told, words_of_mistake
+from edesign.renamed_names import current_option, noting_renamed
 
 EPILOG = (
     "Exit codes: 0 done; 2 something in the input is wrong; 3 an analysis failed (the others are archived); "
@@ -191,8 +192,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(words: list[str], debug: bool) -> int:
     """Return the exit code of a command, and tell of stages that failed after its results."""
-    with noting_failures() as failures:
-        code = _called(words, debug)
+    with noting_failures() as failures, noting_renamed() as renamed:
+        code = _called([current_option(word) for word in words], debug)
+    for note in renamed:
+        progress_line(f"edesign: note: {note}")
     if not failures:
         return code
     if debug:

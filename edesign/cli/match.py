@@ -57,7 +57,7 @@ def match(
         int | None, typer.Option("--max-per-event", metavar="N", min=1, help="Of --select: so many of one earthquake.")
     ] = None,
     folder: source.Folder = None,
-    no_stand_ins: source.NoStandIns = False,
+    no_simulated_records: source.NoSimulatedRecords = False,
     unit: source.Unit = None,
     time_step: source.TimeStep = None,
     layout: source.Layout = None,
@@ -96,7 +96,7 @@ def match(
     band = (action.quantity(periods[0], TIME, "--periods"), action.quantity(periods[1], TIME, "--periods"))
     settings = MatchOptions(method=method, periods=band, scale_bounds=scale_bounds, damping=hazard.damping)  # type: ignore[arg-type]
     reading = source.Reading.of(unit, time_step, layout, component, column, time_column)
-    name, found = source.read_inputs(inputs, folder or [], not no_stand_ins, reading)
+    name, found = source.read_inputs(inputs, folder or [], not no_simulated_records, reading)
     period = action.fundamental_period(loaded, t1)
     tables = []
     if select is not None:
@@ -104,7 +104,7 @@ def match(
             raise InputError("--select: the criteria need the fundamental period; give --t1, or --project [E-CLI-03]")
         choice = choose_recordings(found, target, settings, period, select, max_per_event)
         found = choice.recordings
-        simulated = [name for name, item in found.items() if item.origin == "stand-in"]
+        simulated = [name for name, item in found.items() if item.origin == "simulated"]
         tables = [choice_table(choice.facts, simulated)]
     if csv is not None:
         spare_inputs(*(csv / f"{name}.csv" for name in found))

@@ -48,7 +48,7 @@ def spectrum(
         int, typer.Option("--points", min=2, max=100_000, help="Periods of the table, evenly in log T.")
     ] = 24,
     folder: source.Folder = None,
-    no_stand_ins: source.NoStandIns = False,
+    no_simulated_records: source.NoSimulatedRecords = False,
     unit: source.Unit = None,
     time_step: source.TimeStep = None,
     layout: source.Layout = None,
@@ -79,7 +79,7 @@ def spectrum(
     reading = source.Reading.of(unit, time_step, layout, component, column, time_column)
     found: dict[str, Found] = {}
     if inputs:
-        _, found = source.read_inputs(inputs, folder or [], not no_stand_ins, reading)
+        _, found = source.read_inputs(inputs, folder or [], not no_simulated_records, reading)
     records = {name: item.record for name, item in found.items()}
     elastic, design = code_spectra(hazard, level, vertical, q)
     grid = np.geomspace(first, last, points)

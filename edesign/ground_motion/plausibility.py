@@ -62,19 +62,18 @@ def record_warnings(record: Record) -> tuple[str, ...]:
     return tuple(found)
 
 
-def unusual_scales(factors: Mapping[str, float], stand_ins: Collection[str] = ()) -> tuple[str, ...]:
+def unusual_scales(factors: Mapping[str, float], simulated: Collection[str] = ()) -> tuple[str, ...]:
     """Return a sentence if records are scaled by more, or less, than practice takes for modest; nothing otherwise.
 
     Args:
         factors: on each record, by its name.
-        stand_ins: names of those that are simulated.
     """
     low, high = USUAL_SCALES
     beyond = {name: f for name, f in factors.items() if not low * (1.0 - _ROUNDING) <= f <= high * (1.0 + _ROUNDING)}
     if not beyond:
         return ()
     worst = sorted(beyond, key=lambda name: -abs(math.log(beyond[name])))
-    named = [f"{name} by {beyond[name]:.3g}{' (a stand-in)' if name in stand_ins else ''}" for name in worst[:_NAMED]]
+    named = [f"{name} by {beyond[name]:.3g}{' (simulated)' if name in simulated else ''}" for name in worst[:_NAMED]]
     more = [f"{len(beyond) - _NAMED} more"] if len(beyond) > _NAMED else []
     which = f"{len(beyond)} of {len(factors)} records are scaled" if len(factors) > 1 else "the record is scaled"
     return (

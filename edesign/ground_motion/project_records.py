@@ -80,7 +80,7 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
                 suite = _suite(project, name, spec)
                 entries = tuple(entry for entry in suite.records if f"{name}/{entry.id}" in wanted)
                 part = suite.model_copy(update={"records": entries})
-                recordings = find_suite(part, project.suite_folders(name), spec.stand_ins)
+                recordings = find_suite(part, project.suite_folders(name), spec.simulated_records)
                 done = [replace(item, record=processed(item.record, spec.processing)) for item in recordings]
                 found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, done, strict=True)}
             elif isinstance(spec, PairRecord):

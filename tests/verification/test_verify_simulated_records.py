@@ -87,7 +87,7 @@ def test_seeds() -> None:
     one, again, other = (simulate(6.5, 12e3, 360.0, seed) for seed in (123, 123, 124))
     assert one.checksum == again.checksum and np.array_equal(one.acceleration, again.acceleration)
     assert abs(np.corrcoef(one.acceleration, other.acceleration)[0, 1]) < 0.15
-    expected = "simulated stand-in: Boore (2003) stochastic point source, M 6.5, R 12 km, v_S30 360 m/s, seed 123"
+    expected = "simulated record: Boore (2003) stochastic point source, M 6.5, R 12 km, v_S30 360 m/s, seed 123"
     assert one.source == expected and one.name == "simulated M 6.5, R 12 km, v_S30 360 m/s, seed 123"
     assert simulate(6.5, 12e3, None, 1, name="station").name == "station"
 
@@ -137,11 +137,11 @@ def test_real_records_as_a_set() -> None:
     for name, magnitude, distance, v_s30 in REAL:
         unit = "g" if name.endswith(".csv") else None
         record = read_record_file(SHARED / name, acceleration_unit=unit)
-        stand_ins = [simulate(magnitude, 1e3 * distance, v_s30, seed) for seed in range(12)]
-        middle = np.median([psa(s.acceleration, s.time_step, period) for s in stand_ins], axis=0)
+        simulated = [simulate(magnitude, 1e3 * distance, v_s30, seed) for seed in range(12)]
+        middle = np.median([psa(s.acceleration, s.time_step, period) for s in simulated], axis=0)
         spectra.append(psa(record.acceleration, record.time_step, period) / middle)
-        durations.append(measures(record).duration_5_95 / np.median([measures(s).duration_5_95 for s in stand_ins]))
-        peaks.append(record.pga / np.median([s.pga for s in stand_ins]))
+        durations.append(measures(record).duration_5_95 / np.median([measures(s).duration_5_95 for s in simulated]))
+        peaks.append(record.pga / np.median([s.pga for s in simulated]))
     ratio = np.median(spectra, axis=0)
     print("\nperiod (s)", period.round(2), "\nrecord / simulation, median", ratio.round(2))
     print(f"all {np.median(spectra):.2f}, scatter {np.std(np.log(spectra)):.2f}, peak {np.median(peaks):.2f}, ", end="")

@@ -48,8 +48,8 @@ Column = Annotated[
 TimeColumn = Annotated[
     str | None, typer.Option("--time-column", help="Beside --column: that of the times in s, header or number.")
 ]
-NoStandIns = Annotated[
-    bool, typer.Option("--no-stand-ins", help="Refuse simulated motions in place of missing recordings.")
+NoSimulatedRecords = Annotated[
+    bool, typer.Option("--no-simulated-records", help="Refuse simulated motions in place of missing recordings.")
 ]
 
 
@@ -86,7 +86,7 @@ class Reading:
 
 
 def read_inputs(
-    inputs: Sequence[Path], folders: Sequence[Path], stand_ins: bool, reading: Reading
+    inputs: Sequence[Path], folders: Sequence[Path], simulated_records: bool, reading: Reading
 ) -> tuple[str, dict[str, Found]]:
     """Return the name of the whole, and its recordings by name.
 
@@ -110,12 +110,12 @@ def read_inputs(
             )
         name = _name(inputs[0])
         suite = load_suite(inputs[0])
-        found = find_suite(suite, folders, stand_ins)
+        found = find_suite(suite, folders, simulated_records)
         return name, {entry.id: item for entry, item in zip(suite.records, found, strict=True)}
     if folders:
         raise InputError("--folder: only with a suite file, whose recordings are looked for there [E-CLI-01]")
-    if not stand_ins:
-        raise InputError("--no-stand-ins: only with a suite file [E-CLI-01]")
+    if not simulated_records:
+        raise InputError("--no-simulated-records: only with a suite file [E-CLI-01]")
     return "records", _files(inputs, reading)
 
 

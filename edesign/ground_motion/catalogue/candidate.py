@@ -27,14 +27,14 @@ class Candidate:
         entry: what is known of it, and where it is; its `id` is its name.
         suite: that it is found by; paths are relative to its file.
         folders: in which it is looked for.
-        stand_ins: whether it may be simulated.
+        simulated_records: whether it may be simulated.
         pulse: whether its velocity has a pulse; None where that is not known.
     """
 
     entry: SuiteEntry
     suite: Suite
     folders: tuple[Path, ...] = ()
-    stand_ins: bool = False
+    simulated_records: bool = False
     pulse: bool | None = None
 
     @property
@@ -62,7 +62,7 @@ class Candidate:
         Raises:
             InputError: it cannot be found or read.
         """
-        return find_recording(self.entry, self.suite, self.folders, self.stand_ins)
+        return find_recording(self.entry, self.suite, self.folders, self.simulated_records)
 
 
 @dataclass(frozen=True)

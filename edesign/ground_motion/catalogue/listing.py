@@ -37,7 +37,7 @@ class Listed:
 
     Attributes:
         candidate: what is known of it.
-        origin: a file of the user, a package, or a simulated stand-in.
+        origin: a file of the user, a package, or a simulated record.
         place: the file, relative to the working directory, or package/recording.
         file_format: of a file; the origin of others.
         time_step, duration: s.
@@ -103,7 +103,7 @@ def source_of(where: str, tables: FolderSource | None = None, folders: tuple[str
             return chosen
         raise InputError(f"{where}: {package} has no such set{did_you_mean(where, known)} (sets: {', '.join(known)})")
     if where in suite_names() or Path(where).suffix.lower() in (".yaml", ".yml"):
-        return SuiteSource(suite=where, folders=folders, stand_ins=True)
+        return SuiteSource(suite=where, folders=folders, simulated_records=True)
     if Path(where).exists():
         raise InputError(
             f"{where}: a folder, a package or a suite is needed; `edesign check {where}` tells of one file"

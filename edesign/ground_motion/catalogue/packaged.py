@@ -76,6 +76,6 @@ def suite_candidates(source: SuiteSource, project: Path, names: Names) -> Iterat
     suite = load_suite(suite_file(project.parent, source.suite))
     folders = tuple(project.parent / folder for folder in source.folders)
     for entry in suite.records:
-        candidate = Candidate(entry, suite, folders, source.stand_ins)
+        candidate = Candidate(entry, suite, folders, source.simulated_records)
         name = names.free(entry.id, f"{project.stem}_{entry.id}")
         yield candidate if name == entry.id else replace(candidate, entry=entry.model_copy(update={"id": name}))

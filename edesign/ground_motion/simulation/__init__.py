@@ -1,4 +1,4 @@
-"""Simulated stand-ins for recordings that a user does not have: Boore's stochastic point-source method."""
+"""Simulated records in place of recordings that a user does not have: Boore's stochastic point-source method."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Simulated stand-in for a recording: noise of the right length with the right spectrum."""
+"""Simulated record in place of a recording: noise of the right length with the right spectrum."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def simulate(
         name or f"simulated {event}",
         acceleration,
         time_step,
-        f"simulated stand-in: Boore (2003) stochastic point source, {event}",
+        f"simulated record: Boore (2003) stochastic point source, {event}",
     )
 
 

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import yaml
 
 from edesign.project.reading.limits import YAML_ADVICE, YAML_BYTES, YAML_DEPTH, YAML_VALUES, megabytes
+from edesign.renamed_names import current_name
 from edesign.yaml_parser import quick_parser
 
 _INTEGER = re.compile(r"[-+]?[0-9]+")
@@ -78,8 +79,8 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
     """Read YAML text.
 
     Returns:
-        The tree (of duplicated keys the first), and all faults found; after a syntax fault, and of text beyond the
-        limits of `edesign.project.reading.limits`, the tree is empty.
+        The tree (of duplicated keys the first, of renamed ones the new name), and all faults found; after a syntax
+        fault, and of text beyond the limits of `edesign.project.reading.limits`, the tree is empty.
     """
     if message := _too_large(text):
         return Node(Mark(1, 1), entries={}), [Fault(Mark(1, 1), (), message)]
@@ -171,7 +172,7 @@ class _Reader:
             if not isinstance(event, (yaml.ScalarEvent, yaml.AliasEvent)):
                 raise yaml.MarkedYAMLError(problem="a list or mapping is used as a key", problem_mark=event.start_mark)
             self._plain_only(event, keys, _mark(event))
-            key = event.value if isinstance(event, yaml.ScalarEvent) else f"*{event.anchor}"
+            key = current_name(keys, event.value) if isinstance(event, yaml.ScalarEvent) else f"*{event.anchor}"
             place = _mark(event)
             child = self.node(next(self.events), (*keys, key))
             last = [child]

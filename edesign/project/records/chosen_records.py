@@ -123,12 +123,12 @@ class SuiteSource(Model):
     Attributes:
         suite: suite file, relative to the project file, or the name of one that comes with edesign.
         folders: folders with your copies of the recordings, relative to the project file.
-        stand_ins: whether a simulated motion may stand for a recording that is found nowhere.
+        simulated_records: whether a simulated motion may stand for a recording that is found nowhere.
     """
 
     suite: Annotated[str, Field(min_length=1)]
     folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
-    stand_ins: bool = False
+    simulated_records: bool = False
 
 
 Source = Annotated[

@@ -166,14 +166,14 @@ class SuiteRecords(_Record):
     Attributes:
         suite: suite file, relative to the project file, or the name of one that comes with edesign.
         folders: folders with your copies of the recordings, relative to the project file.
-        stand_ins: whether a simulated motion may stand for a recording that is found nowhere.
+        simulated_records: whether a simulated motion may stand for a recording that is found nowhere.
         only: the recordings that are taken, by their `id`; without the key all.
         processing: steps that are done to each recording before it is scaled or fitted.
     """
 
     suite: Annotated[str, Field(min_length=1)]
     folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
-    stand_ins: bool = True
+    simulated_records: bool = True
     only: Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_names)] | None = None
     processing: tuple[Step, ...] = ()
 

@@ -30,7 +30,7 @@ def suite_summary(path: Path) -> dict[str, str]:
     pgas = sorted(item.record.pga / STANDARD_GRAVITY for item in found)
     warnings = [f"{item.record.name}: {text}" for item in found for text in record_warnings(item.record)]
     peer = sum(entry.peer is not None for entry in suite.records)
-    missing = sum(item.origin == "stand-in" and item.entry is not None and item.entry.file is None for item in found)
+    missing = sum(item.origin == "simulated" and item.entry is not None and item.entry.file is None for item in found)
     if missing:
         where = "; `folders` of the project, or `--folder`, tells where yours are" if peer else ""
         warnings.append(f"{missing} of {len(found)} recordings are simulated here{where}")

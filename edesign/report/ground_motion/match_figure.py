@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.ground_motion.intensity import displacement, husid, velocity
+from edesign.ground_motion.sources import is_simulated
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.drawing.captions import record_label
 from edesign.report.drawing.style import AFTER, BEFORE, TARGET, logarithmic, new_figure, styled
@@ -37,7 +38,7 @@ def match_figure(group: Group) -> Figure:
     _series(axes[1], (before, after), "velocity (m/s)", velocity)
     _series(axes[2], (before, after), "displacement (m)", displacement)
     name, method = group.attributes["name"], group.attributes["match_method"]
-    kind = "simulated" if group.attributes["origin"] == "stand-in" else "recorded"
+    kind = "simulated" if is_simulated(group.attributes["origin"]) else "recorded"
     axes[0][0].set_title(f"{record_label(str(name))}: {kind}, times {scale:.3g}", loc="left")
     axes[0][1].set_title(f"matched ({method})", loc="left")
     for axis in axes[2]:

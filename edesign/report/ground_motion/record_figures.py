@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.ground_motion.component_pairs import NAMES
+from edesign.ground_motion.sources import is_simulated
 from edesign.report.drawing.captions import file_name, record_label
 from edesign.report.ground_motion.match_figure import match_figure
 from edesign.report.ground_motion.spectra_figure import spectra_figure
@@ -82,13 +83,13 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
 
 def _match_caption(group: Group) -> str:
     name, method, scale = (group.attributes[key] for key in ("name", "match_method", "match_scale"))
-    kind = "simulated" if group.attributes["origin"] == "stand-in" else "recorded"
+    kind = "simulated" if is_simulated(group.attributes["origin"]) else "recorded"
     return f"{record_label(str(name))}, {kind}, times {float(scale):.3g}, before and after matching ({method})."
 
 
 def _origins(members: dict[str, Group]) -> str:
     """How many are recordings, and how many simulated in their place."""
-    simulated = sum(group.attributes["origin"] == "stand-in" for group in members.values())
+    simulated = sum(is_simulated(group.attributes["origin"]) for group in members.values())
     texts = [f"{len(members) - simulated} recorded", f"{simulated} simulated"]
     return ", ".join(text for text in texts if not text.startswith("0 "))
 

@@ -14,6 +14,7 @@ from edesign.codes.ec8 import SET_RULES
 from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
+from edesign.ground_motion.sources import is_simulated
 from edesign.report.tables.cell import Listed, Quantity, Verdict
 from edesign.report.tables.column import Column, col, text, verdict
 from edesign.report.tables.number import significant
@@ -180,7 +181,7 @@ def tables_of(archive: Archive) -> list[Table]:
             if "choice" in suite.attributes:
                 choice = suite.attributes["choice"]
                 members = {member: groups[f"{prefix}{member}"] for member in archive.names(place)}
-                simulated = [key for key, group in members.items() if group.attributes["origin"] == "stand-in"]
+                simulated = [key for key, group in members.items() if is_simulated(group.attributes["origin"])]
                 choices.append(choice_table(choice, simulated, name))
                 choices += [REFUSED.of(choice["refused"], whose=name)] if choice["refused"] else []
             if "pair" in suite.attributes:
@@ -199,17 +200,16 @@ def tables_of(archive: Archive) -> list[Table]:
     return [origins_table(groups, warnings), *choices, *of_fit, *tables]
 
 
-def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str = "") -> Table:
+def choice_table(facts: Mapping[str, Any], simulated: Collection[str], name: str = "") -> Table:
     """Return the chosen recordings with their factors, the misfit of their mean, and the candidates left out.
 
     Args:
         facts: from `choice_facts`, and of a project's choice what the archive has beside them.
-        stand_ins: names of those that are simulated.
         name: of the record in the project.
     """
     factors = facts["factors"]
     title = f"{name}: the best" if name else "The best"
-    notes = [*choice_lines(facts), *unusual_scales(factors, set(stand_ins))]
+    notes = [*choice_lines(facts), *unusual_scales(factors, set(simulated))]
     return CHOICE.of(factors.items(), title=f"{title} {len(factors)} of {facts['compared']}", notes=notes)
 
 

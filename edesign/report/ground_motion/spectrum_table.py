@@ -60,7 +60,7 @@ def spectrum_table(
 
 def record_notes(recordings: Mapping[str, Found]) -> list[str]:
     """Return a line on each recording that is simulated, or has warnings."""
-    notes = [f"{name}: simulated, {found.detail}" for name, found in recordings.items() if found.origin == "stand-in"]
+    notes = [f"{name}: simulated, {found.detail}" for name, found in recordings.items() if found.origin == "simulated"]
     return notes + [
         f"{name}: {warning}" for name, found in recordings.items() for warning in record_warnings(found.record)
     ]

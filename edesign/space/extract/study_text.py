@@ -28,9 +28,9 @@ LAW = "elastomer"
 N_MOTIONS = 7
 """As many as let the mean of their results count. Source: EN 1998-1:2004, 4.3.3.4.3(3)."""
 MAGNITUDES = {1: 6.5, 2: 5.5}
-"""Of the stand-ins, by the type of spectrum. Source: EN 1998-1:2004, 3.2.2.2(2)P, Note 1: type 2 up to M_s = 5.5."""
+"""Of simulated records, by the type of spectrum. Source: EN 1998-1:2004, 3.2.2.2(2)P, Note 1: type 2 to M_s = 5.5."""
 DISTANCES = (5e3, 10e3, 15e3, 20e3, 30e3, 40e3, 60e3, 80e3)
-"""Of the stand-ins, m: that whose motion has the peak nearest to a_g S is taken, so that scaling stays modest."""
+"""Of simulated records, m: that whose motion has the peak nearest to a_g S is taken, so that scaling stays modest."""
 _SURFACE_OF_E = "C"  # ground E has the velocity of C or D near the surface
 
 RESIDUAL_DRIFT = 0.005
@@ -171,7 +171,7 @@ records:
   - id: motion_{seed}
     magnitude: {magnitude:g}
     distance: {value(distance / 1e3, "km")}
-    stand_in: {{seed: {seed}, v_s30: {value(v_s30, "m/s")}}}
+    simulated: {{seed: {seed}, v_s30: {value(v_s30, "m/s")}}}
 """
     return text
 

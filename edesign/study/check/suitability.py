@@ -47,9 +47,9 @@ def scale_warnings(
             factors[name, ""][member or name] = scales[reference]
     found: dict[str, list[str]] = defaultdict(list)
     for (name, label), of in factors.items():
-        stand_ins = {key for key in of if _motion(motions, name, key).found.origin == "stand-in"}
+        simulated = {key for key in of if _motion(motions, name, key).found.origin == "simulated"}
         prefix = "" if label in ("", name) else f"{label}: "
-        found[name] += [f"{prefix}{text}" for text in unusual_scales(of, stand_ins)]
+        found[name] += [f"{prefix}{text}" for text in unusual_scales(of, simulated)]
     return {name: list(dict.fromkeys(texts)) for name, texts in found.items() if texts}
 
 

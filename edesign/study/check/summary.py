@@ -31,7 +31,7 @@ from edesign.study.plan.choosing import study_with_choices, with_choices
 from edesign.study.plan.plan import Task, make_plan
 from edesign.study.plan.study_plan import make_study_plan, wanted_designs
 
-ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
+ORIGINS = {"file": "from files", "package": "from packages", "simulated": "simulated"}
 
 
 @one_thread()

@@ -141,10 +141,10 @@ def match_records(
                 raise AnalysisError(f"none of the recordings can be fitted:{reasons} [E-RUN-01]")
             verdicts: tuple[RuleCheck, ...] = ()
             factors = {motion.name: motion.scale for motion in fitted}
-            stand_ins = {motion.name for motion in fitted if motion.found.origin == "stand-in"}
+            simulated = {motion.name for motion in fitted if motion.found.origin == "simulated"}
             warnings: list[str] = []
             with optional("the warnings about the factors") as warned:
-                warnings += unusual_scales(factors, stand_ins)
+                warnings += unusual_scales(factors, simulated)
             with optional("the criteria of the code") as judged:
                 verdicts = criteria(fitted, target, fundamental_period)
             warnings += [str(one.failure) for one in (warned, judged) if one.failure is not None]

@@ -1,4 +1,4 @@
-"""A project that needs no file, and a stand-in for the numerical core, for tests of the run and the command line."""
+"""A project that needs no file, and a fake of the numerical core, for tests of the run and the command line."""
 
 from __future__ import annotations
 

@@ -28,13 +28,13 @@ from edesign.study.run import analyses, run
 
 @pytest.fixture
 def core(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Core:
-    """The stand-in core, and a loader that gives the small project for any file."""
-    stand_in = Core()
-    monkeypatch.setattr(analyses, "run_analysis", stand_in)
+    """The fake core, and a loader that gives the small project for any file."""
+    core = Core()
+    monkeypatch.setattr(analyses, "run_analysis", core)
     monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
     monkeypatch.setattr(run, "project_warnings", lambda *_: [])
     monkeypatch.setattr(loader, "load_project", lambda path, *_, **__: project(tmp_path, "ab"))
-    return stand_in
+    return core
 
 
 @pytest.fixture

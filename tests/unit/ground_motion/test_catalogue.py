@@ -228,10 +228,10 @@ def test_recordings_of_a_suite_that_are_found_nowhere_are_left_out(tmp_path: Pat
     (tmp_path / "set.yaml").write_text(
         "edesign_suite: 1\ntitle: Two\nrecords:\n"
         "  - {id: here, file: here.AT2}\n"
-        "  - {id: there, magnitude: 6.5, distance: 20 km, v_s30: 500 m/s, stand_in: {seed: 3}}\n"
+        "  - {id: there, magnitude: 6.5, distance: 20 km, v_s30: 500 m/s, simulated: {seed: 3}}\n"
     )
     write_at2(tmp_path / "here.AT2", motion(1))
     found = gathered(tmp_path, {"suite": "set.yaml"})
     assert names(found) == ["here"]
     assert reasons(found)["there"].startswith("this recording was not found")
-    assert names(gathered(tmp_path, {"suite": "set.yaml", "stand_ins": True})) == ["here", "there"]
+    assert names(gathered(tmp_path, {"suite": "set.yaml", "simulated_records": True})) == ["here", "there"]

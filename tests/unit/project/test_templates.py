@@ -132,7 +132,7 @@ def test_records_are_those_that_the_simulation_makes() -> None:
 def test_every_record_says_that_it_is_simulated() -> None:
     for path in (FOLDER / "records").iterdir():
         head = path.read_text(encoding="utf-8").splitlines()[:2]
-        assert "NOT RECORDED" in head[0] and "simulated stand-in" in head[1]
+        assert "NOT RECORDED" in head[0] and "simulated record" in head[1]
 
 
 @pytest.mark.parametrize("name", template_data.PROGRAMMES)

@@ -57,9 +57,9 @@ def test_motions_are_simulated_for_the_ground_until_recordings_are_named(tmp_pat
     study_of(tmp_path, SMALL)
     suite = load_suite(tmp_path / "study_records.yaml")
     found = find_suite(suite, [])
-    assert [one.origin for one in found] == ["stand-in"] * 7
+    assert [one.origin for one in found] == ["simulated"] * 7
     low, high = ground_type("B").v_s30 or (0.0, 0.0)
-    assert all(low < (entry.stand_in.v_s30 if entry.stand_in else 0.0) < high for entry in suite.records)
+    assert all(low < (entry.simulated.v_s30 if entry.simulated else 0.0) < high for entry in suite.records)
     peaks = [float(abs(one.record.acceleration).max()) for one in found]
     assert all(1 / 3 < 0.24 * 9.81 * 1.2 / peak < 3 for peak in peaks)
 

@@ -41,7 +41,7 @@ def test_levels_and_fits_multiply(project: Project) -> None:
     assert (
         said.startswith("MCE: 3 of 3 records are scaled")
         and "first by 3.08" in said
-        and "third by 3.08 (a stand-in)" in said
+        and "third by 3.08 (simulated)" in said
     )
     assert scale_warnings(project, make_plan(project), motions_of(project), dict.fromkeys(scales, 1.0)) == {}
 
