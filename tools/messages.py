@@ -16,7 +16,6 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import cast
 
 ROOT = Path(__file__).resolve().parent.parent
 SENTENCES = ROOT / "tests" / "unit" / "messages" / "sentences.txt"
@@ -105,10 +104,11 @@ def _passed_on(tree: ast.Module) -> Iterator[ast.AST]:
     for handler in ast.walk(tree):
         if isinstance(handler, ast.ExceptHandler) and handler.name and handler.type is not None:
             kinds = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
-            if all(isinstance(kind, ast.Name) and kind.id in CODED for kind in kinds):
-                for node in ast.walk(handler):
-                    if is_text(node) and f"{{{handler.name}}}" in text_of(cast(ast.expr, node)):
-                        yield node
+            names = {kind.id for kind in kinds if isinstance(kind, ast.Name)}
+            for node in ast.walk(handler):
+                text = text_of(node) if isinstance(node, ast.expr) and is_text(node) else ""
+                if names <= CODED and f"{{{handler.name}}}" in text or text.startswith(f"{{{handler.name}}}"):
+                    yield node
 
 
 def _calls(scope: ast.AST) -> Iterator[ast.Call]:
@@ -136,12 +136,26 @@ def _sources(
     elif isinstance(node, ast.Name) and deep:
         for place in (scope, tree):
             for one in tree.body if place is tree else ast.walk(place):
-                if isinstance(one, ast.Assign) and any(getattr(target, "id", "") == node.id for target in one.targets):
+                named = isinstance(one, ast.Assign) and any(
+                    getattr(target, "id", "") == node.id for target in one.targets
+                )
+                if isinstance(one, ast.Assign) and named and not _goes_on(one, node.id, place):
                     yield from _sources(one.value, scope, tree, functions, False)
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in functions and deep:
         for one in ast.walk(functions[node.func.id]):
             if isinstance(one, ast.Return) and one.value is not None:
                 yield from _sources(one.value, functions[node.func.id], tree, functions, False)
+
+
+def _goes_on(assignment: ast.Assign, name: str, scope: ast.AST) -> bool:
+    """Return whether a variable is the first part of a longer sentence, which has the code at its end."""
+    uses = [node for node in ast.walk(scope) if isinstance(node, ast.Name) and node.id == name]
+    after = [node for node in uses if node.lineno > assignment.lineno]
+    if not after:
+        return False
+    first = min(after, key=lambda node: (node.lineno, node.col_offset))
+    longer = (node for node in ast.walk(scope) if isinstance(node, ast.JoinedStr) and CODE.search(text_of(node)))
+    return any(first is part for node in longer for part in ast.walk(node))
 
 
 def main() -> int:

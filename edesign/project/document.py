@@ -16,9 +16,9 @@ LONGEST = 200
 
 def _one_line(value: str) -> str:
     if not value.strip():
-        raise refuse("the text is empty")
+        raise refuse("the text is empty [E-VALUE-01]")
     if len(value.splitlines()) > 1:
-        raise refuse("the text has several lines; this key takes one, `notes` takes more")
+        raise refuse("the text has several lines; this key takes one, `notes` takes more [E-VALUE-01]")
     return value
 
 
@@ -28,7 +28,7 @@ def _calendar_date(value: str) -> str:
     except ValueError:
         written = False
     if not written:
-        raise refuse(f"`{value}` is no date; write year, month and day, such as 2026-03-31")
+        raise refuse(f"`{value}` is no date; write year, month and day, such as 2026-03-31 [E-VALUE-01]")
     return value
 
 

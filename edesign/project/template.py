@@ -98,12 +98,12 @@ def new_project(folder: Path | str, name: str | None = None, kind: str = DEFAULT
     if name is None:
         name = os.path.basename(os.path.realpath(folder)) or "New project"
     if not name.strip() or not name.isprintable():
-        raise InputError("the name of a project is one line of text")
+        raise InputError("the name of a project is one line of text [E-VALUE-01]")
     texts = _texts(chosen, name.strip())
     folder = Path(folder)
     taken = next((folder / place for place in texts if os.path.lexists(folder / place)), None)
     if taken is not None:
-        raise InputError(f"{taken}: exists already and is left as it is; choose another folder")
+        raise InputError(f"{taken}: exists already and is left as it is; choose another folder [E-FILE-07]")
     made: list[Path] = []
     try:
         for place, text in texts.items():
@@ -117,8 +117,10 @@ def new_project(folder: Path | str, name: str | None = None, kind: str = DEFAULT
             path.unlink(missing_ok=True)
         where = error.filename or folder
         if isinstance(error, FileExistsError | NotADirectoryError):  # a file where a folder is needed
-            raise InputError(f"{where}: exists already and is left as it is; choose another folder") from None
-        raise InputError(f"{where}: the file cannot be written: {error.strerror}") from None
+            raise InputError(
+                f"{where}: exists already and is left as it is; choose another folder [E-FILE-07]"
+            ) from None
+        raise InputError(f"{where}: the file cannot be written: {error.strerror} [E-FILE-06]") from None
     return folder / chosen.file
 
 

@@ -26,13 +26,13 @@ from edesign.project.reading.problems import Keys
 
 def _zone(value: Any) -> str:
     if isinstance(value, bool) or not isinstance(value, (int, str)) or not str(value).strip():
-        raise refuse("a zone of the country is needed: its number or name, for example `3` or `Z3`")
+        raise refuse("a zone of the country is needed: its number or name, for example `3` or `Z3` [E-VALUE-01]")
     return str(value).strip()
 
 
 def _spectrum_type(value: Any) -> int:
     if type(value) is not int or value not in (1, 2):  # `true` is equal to 1
-        raise refuse("the type of spectrum is 1 or 2")
+        raise refuse("the type of spectrum is 1 or 2 [E-VALUE-03]")
     return value
 
 
@@ -287,6 +287,7 @@ def _building_code(value: Any) -> Any:
         message = (
             f"a building is checked by EN 1993-1-1 and EN 1998-1, whose behaviour factors, importance classes and "
             f"limits of drift belong to the action of `ec8-2004`, not of `{value['code']}`; a project file takes it"
+            " [E-HAZ-03]"
         )
         raise refuse(message, "code")
     return value

@@ -32,7 +32,7 @@ _RETURN_PERIOD = replace(TIME, name="number of years", example="475 years")
 def _years(value: Any) -> float:
     seconds = parse_quantity(value, _RETURN_PERIOD, "positive")
     if seconds < YEAR * (1.0 - 1e-9):
-        raise refuse(f"`{value}` is shorter than a year; it is written like `{_RETURN_PERIOD.example}`")
+        raise refuse(f"`{value}` is shorter than a year; it is written like `{_RETURN_PERIOD.example}` [E-VALUE-01]")
     return seconds
 
 
@@ -117,4 +117,4 @@ def level_of(hazard: Hazard, level: str | None) -> str:
     if len(hazard.levels) == 1:
         return next(iter(hazard.levels))
     names = ", ".join(f"`{name}`" for name in hazard.levels)
-    raise InputError(f"hazard.levels: each has a spectrum of its own; name one of {names}")
+    raise InputError(f"hazard.levels: each has a spectrum of its own; name one of {names} [E-HAZ-04]")

@@ -27,7 +27,7 @@ def _line_load(value: Any) -> float:
         else:
             raise refuse(
                 f"`{value}` is an area load, which needs a tributary width: give it under `loads.floors` with its "
-                f"`width`; a force per length is written like `{LINE_LOAD.example}`"
+                f"`width`; a force per length is written like `{LINE_LOAD.example}` [E-VALUE-01]"
             ) from None
         raise
 
@@ -38,7 +38,7 @@ def _line_loads(value: Any) -> tuple[float, float]:
         load = _line_load(value)
         return load, load
     if len(value) != 2:
-        raise refuse(f"{len(value)} values, but two are needed: at the start and at the end")
+        raise refuse(f"{len(value)} values, but two are needed: at the start and at the end [E-VALUE-04]")
     found = []
     for i, item in enumerate(value):
         try:

@@ -17,11 +17,12 @@ Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow", "snow_above_1
 
 def _psi(value: Any) -> tuple[float, float, float]:
     if not isinstance(value, (list, tuple)) or len(value) != 3:
-        raise refuse("psi_0, psi_1 and psi_2 are needed, for example `[0.7, 0.5, 0.3]`")
+        raise refuse("psi_0, psi_1 and psi_2 are needed, for example `[0.7, 0.5, 0.3]` [E-VALUE-01]")
     psi_0, psi_1, psi_2 = (parse_ratio(of, 0.0, 1.0) for of in value)
     if psi_1 < psi_2:
         raise refuse(
             f"psi_1 = {psi_1:g} is less than psi_2 = {psi_2:g}: frequent values are at least quasi-permanent ones"
+            " [E-VALUE-04]"
         )
     return psi_0, psi_1, psi_2
 
@@ -33,7 +34,7 @@ def by_importance(value: Any) -> Any:
         PydanticCustomError: the factor of class II is another one.
     """
     if isinstance(value, dict) and "II" in value and value["II"] != 1.0:
-        raise refuse("gamma_I of class II is 1.0 by definition (EN 1998-1, 4.2.5(5)P)", "II")
+        raise refuse("gamma_I of class II is 1.0 by definition (EN 1998-1, 4.2.5(5)P) [E-VALUE-02]", "II")
     return value
 
 

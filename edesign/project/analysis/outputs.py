@@ -18,7 +18,9 @@ def _layers(value: object) -> object:
     if value in ("top", "bottom"):
         return value
     if isinstance(value, str) and value.isalpha() and value != "all":
-        raise refuse(f"`{value}` is no selection of layers; write `top`, `bottom`, `all`, `3`, `1-4` or `[1, 24]`")
+        raise refuse(
+            f"`{value}` is no selection of layers; write `top`, `bottom`, `all`, `3`, `1-4` or `[1, 24]` [E-VALUE-01]"
+        )
     return parse_numbers(value)
 
 

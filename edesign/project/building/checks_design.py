@@ -20,21 +20,23 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
     check_hazard(building.hazard, building, problems, files)
     hazard, design = building.hazard, building.design
     if hazard is not None and hazard.behaviour_factor is not None:
-        message = "a building has a behaviour factor in each direction; give `q` under design.systems"
+        message = "a building has a behaviour factor in each direction; give `q` under design.systems [E-BLDG-01]"
         problems.at_key(("hazard", "behaviour_factor"), message)
     if design is None:
         return
     if hazard is None:
-        problems.at_key(("design",), "a design needs the seismic action, and the file has no `hazard`")
+        problems.at_key(("design",), "a design needs the seismic action, and the file has no `hazard` [E-KEY-02]")
     elif not hazard.levels:
-        problems.under(("hazard",), "levels", "this key is missing; the design is for one level of the hazard")
+        problems.under(
+            ("hazard",), "levels", "this key is missing; the design is for one level of the hazard [E-KEY-02]"
+        )
     elif design.level is None and len(hazard.levels) > 1:
-        message = f"this key is missing; the hazard has the levels {listed(hazard.levels)}"
+        message = f"this key is missing; the hazard has the levels {listed(hazard.levels)} [E-KEY-02]"
         problems.under(("design",), "level", message)
     elif design.level is not None and design.level not in hazard.levels:
         problems.at_value(("design", "level"), unknown_name("level", design.level, hazard.levels))
     if building.masses is None:
-        problems.at_key(("design",), "a design needs `masses`, and the file has none")
+        problems.at_key(("design",), "a design needs `masses`, and the file has none [E-MODAL-02]")
     for along, system in (("x", design.systems.x), ("y", design.systems.y)):
         braced = any(place.along == along for place in building.layout.brace_at)
         if braced != (system.type != "moment_frame"):
@@ -47,13 +49,19 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
         if system.type == "concentric_diagonal" and chevrons:
             message = (
                 f"there are braces of kind `{chevrons[0]}` along {along}; with any of them the type is `concentric_v`"
+                " [E-BLDG-01]"
             )
             problems.at_value(("design", "systems", along, "type"), message)
         if braced and system.alpha_u_over_alpha_1 is not None:
-            message = f"Table 6.2 has alpha_u / alpha_1 for moment frames alone, and along {along} is `{system.type}`"
+            message = (
+                f"Table 6.2 has alpha_u / alpha_1 for moment frames alone, and along {along} is `{system.type}`"
+                " [E-BLDG-01]"
+            )
             problems.at_key(("design", "systems", along, "alpha_u_over_alpha_1"), message)
         if system.type == "concentric_v" and not chevrons:
-            message = f"no brace along {along} is a `chevron` or `v`; the type of others is `concentric_diagonal`"
+            message = (
+                f"no brace along {along} is a `chevron` or `v`; the type of others is `concentric_diagonal` [E-BLDG-01]"
+            )
             problems.at_value(("design", "systems", along, "type"), message)
     _select(building, design.select, problems)
 
@@ -65,9 +73,11 @@ def _select(building: Building, select: Select, problems: Problems) -> None:
         named |= dict.fromkeys(run.group or "" for run in runs)
     keys: Keys = ("design", "select")
     if select.objective == "cost" and not select.prices:
-        problems.at_value((*keys, "objective"), "`cost` needs the prices of a kilogram; give `prices` by family")
+        problems.at_value(
+            (*keys, "objective"), "`cost` needs the prices of a kilogram; give `prices` by family [E-KEY-03]"
+        )
     if select.objective == "mass" and select.prices:
-        problems.at_key((*keys, "prices"), "prices count where the objective is `cost`; it is `mass`")
+        problems.at_key((*keys, "prices"), "prices count where the objective is `cost`; it is `mass` [E-KEY-03]")
     for group in select.lists.groups:
         if group not in named:
             problems.at_key((*keys, "lists", "groups", group), unknown_name("group", group, named))

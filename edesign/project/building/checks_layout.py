@@ -30,7 +30,8 @@ def check_layout(building: Building, problems: Problems, profiles: Catalogue | N
     columns = (building.n_bays("x") + 1) * (building.n_bays("y") + 1) * building.n_storeys
     if columns > MOST_COLUMNS:
         problems.at_key(
-            ("plan",), f"plan and storeys have {columns} places of columns; at most {MOST_COLUMNS} are read"
+            ("plan",),
+            f"plan and storeys have {columns} places of columns; at most {MOST_COLUMNS} are read [E-VALUE-02]",
         )
         return
     for keys, run in _runs(building):
@@ -65,7 +66,9 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
         check.numbers((*keys, "bays"), brace.bays, "bay", building.n_bays(brace.along), f" along {brace.along}")
         check.storeys(keys, brace.storeys)
         if brace.kind in CHEVRONS and brace.compression is False:
-            message = f"both braces of a {brace.kind} count, in tension and compression (EN 1998-1, 6.7.2(2)P)"
+            message = (
+                f"both braces of a {brace.kind} count, in tension and compression (EN 1998-1, 6.7.2(2)P) [E-BLDG-01]"
+            )
             problems.at_value((*keys, "compression"), message)
     for i, gap in enumerate(building.missing.columns):
         check.column_places(("missing", "columns", i), gap)
@@ -94,11 +97,11 @@ def _floors(building: Building, problems: Problems) -> bool:
     layout = building.layout
     bare = [floor for floor, panels in layout.floors.items() if not panels]
     for floor in bare:
-        problems.at_key(("setbacks",), f"floor {floor} covers no bay")
+        problems.at_key(("setbacks",), f"floor {floor} covers no bay [E-NAME-01]")
     for floor in building.diaphragms.numbers(1, building.n_storeys):
         if not _connected(layout.floors[floor]):
             parts = f"floor {floor} is in parts that do not touch, which one diaphragm would tie"
-            message = f"{parts}; leave it out of `diaphragms`"
+            message = f"{parts}; leave it out of `diaphragms` [E-KEY-03]"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
 
@@ -129,7 +132,9 @@ def _stand(building: Building, problems: Problems) -> None:
     layout = building.layout
     for storey in range(1, building.n_storeys + 1):
         if all(at != storey for _, at in layout.column_at):
-            problems.at_key(("missing", "columns"), f"storey {storey} has no column: nothing carries floor {storey}")
+            problems.at_key(
+                ("missing", "columns"), f"storey {storey} has no column: nothing carries floor {storey} [E-BLDG-02]"
+            )
     beam_ends = {(line, place.floor) for place in layout.beam_at for line in place.lines}
     loose = [
         column_name(line, storey)
@@ -137,7 +142,7 @@ def _stand(building: Building, problems: Problems) -> None:
         if storey > 1 and (line, storey - 1) not in layout.column_at and (line, storey - 1) not in beam_ends
     ]
     if loose:
-        message = f"nothing is below {listed(loose)}: no column and no beam"
+        message = f"nothing is below {listed(loose)}: no column and no beam [E-BLDG-02]"
         problems.at_key(("missing",) if building.missing.columns else ("setbacks",), message)
 
 
@@ -184,7 +189,7 @@ def _resisting(building: Building, problems: Problems) -> None:
             storeys = f"storey {loose[0]}" if len(loose) == 1 else f"storeys {', '.join(map(str, loose))}"
             message = (
                 f"nothing resists along {along} in {storeys}: all beams above and below are pinned and no bay of "
-                f"{frame_name(along, 0)} to {frame_name(along, building.n_frames(along) - 1)} is braced"
+                f"{frame_name(along, 0)} to {frame_name(along, building.n_frames(along) - 1)} is braced [E-BLDG-02]"
             )
             problems.at_value(("beams", first, "ends"), message)
 
@@ -198,6 +203,7 @@ def _groups(building: Building, problems: Problems) -> None:
             message = (
                 f"the group `{run.group}` has {run.section} of {run.material} here, and {other.section} of "
                 f"{other.material} in {other_keys[0]}[{other_keys[1]}]; a group is of one kind, section and material"
+                " [E-BLDG-03]"
             )
             problems.at_value((*keys, "group"), message)
 

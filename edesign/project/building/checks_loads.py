@@ -24,7 +24,9 @@ def check_loads(building: Building, problems: Problems) -> None:
         keys: Keys = ("loads", "areas", i)
         _variable(problems, keys, area.Q, area.category)
         if area.spans == "two_way" and area.secondary_beams:
-            problems.at_key((*keys, "secondary_beams"), "a floor on secondary beams spans one way: along `x` or `y`")
+            problems.at_key(
+                (*keys, "secondary_beams"), "a floor on secondary beams spans one way: along `x` or `y` [E-LOAD-02]"
+            )
         if check.floors(keys, area.floors) and check.bays((*keys, "bays"), area.bays):
             _area(building, problems, keys, area)
     for i, perimeter in enumerate(loads.perimeter):
@@ -47,10 +49,10 @@ def check_loads(building: Building, problems: Problems) -> None:
 def _variable(problems: Problems, keys: Keys, Q: float, category: str | None, at: Keys | None = None) -> None:
     """A variable load, or a force `at` a point of it, acts downwards and has a category."""
     if Q < 0.0:
-        message = "a variable load acts downwards, and is at least 0: uplift is not in the analysis"
+        message = "a variable load acts downwards, and is at least 0: uplift is not in the analysis [E-LOAD-01]"
         problems.at_value((*(at or keys), "Q"), message)
     if Q != 0.0 and category is None:
-        message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
+        message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow` [E-KEY-02]"
         problems.under(keys, "category", message)
 
 
@@ -62,7 +64,7 @@ def _points(building: Building, problems: Problems, keys: Keys, load: BeamLoad) 
         at_point = (*keys, "points", k)
         for i, at in enumerate(point.at):
             if not 0.0 < at.share(shortest) < 1.0:
-                problems.at_item((*at_point, "at"), i, f"{at} is not inside a beam of {shortest:g} m")
+                problems.at_item((*at_point, "at"), i, f"{at} is not inside a beam of {shortest:g} m [E-LOAD-02]")
         _variable(problems, keys, point.Q, load.category, at_point)
 
 
@@ -73,11 +75,11 @@ def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> No
     for floor in area.floors.numbers(1, building.n_storeys):
         for block in () if area.floors.is_all else area.bays:
             if uncovered := _uncovered(building, floor, block):
-                problems.at_value((*keys, "bays"), f"floor {floor} does not cover {uncovered}")
+                problems.at_value((*keys, "bays"), f"floor {floor} does not cover {uncovered} [E-BLDG-02]")
         for panel in sorted(wanted & layout.floors[floor]):
             bare |= {beam for beam in _carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
     if bare:
-        message = f"the floor rests on beams that are missing: {listed(_by_floor(bare))}"
+        message = f"the floor rests on beams that are missing: {listed(_by_floor(bare))} [E-BLDG-02]"
         problems.at_value(keys, message)
 
 
@@ -117,7 +119,9 @@ def _perimeter(building: Building, problems: Problems, keys: Keys, load: Perimet
         if count == 1 and place not in layout.beam_at
     ]
     if bare:
-        problems.at_value(keys, f"at the perimeter beams are missing: {listed(bare)}; give the others by `beams`")
+        problems.at_value(
+            keys, f"at the perimeter beams are missing: {listed(bare)}; give the others by `beams` [E-BLDG-02]"
+        )
 
 
 def has_variable_points(load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> bool:
@@ -130,14 +134,14 @@ def _masses(building: Building, problems: Problems, check: Selections) -> None:
     if masses is None:
         return
     if (masses.from_loads is None) == (masses.given is None):
-        problems.at_key(("masses",), "give either `from_loads` or `given`, one of them")
+        problems.at_key(("masses",), "give either `from_loads` or `given`, one of them [E-KEY-03]")
     if masses.given is not None and "phi" in masses.model_fields_set:
-        problems.at_key(("masses", "phi"), "phi reduces variable loads, which given masses do not come from")
+        problems.at_key(("masses", "phi"), "phi reduces variable loads, which given masses do not come from [E-KEY-03]")
     if masses.from_loads is not None and isinstance(masses.from_loads.Q, dict):
         used = {item.category for item in building.loads.items if item.Q != 0.0 or has_variable_points(item)}
         absent = sorted(category for category in used if category and category not in masses.from_loads.Q)
         if absent:
-            message = f"no factor for the category {listed(absent)} of the loads"
+            message = f"no factor for the category {listed(absent)} of the loads [E-KEY-02]"
             problems.at_value(("masses", "from_loads", "Q"), message)
     seen: dict[str, int] = {}
     for i, given in enumerate(masses.given or ()):
@@ -149,7 +153,7 @@ def _masses(building: Building, problems: Problems, check: Selections) -> None:
             names = [node_name(line, floor) for line in building.lines_of(given.at) if line in there]
             twice = [name for name in names if name in seen]
             if twice:
-                message = f"{listed(twice)} got a mass in masses.given[{seen[twice[0]]}] already"
+                message = f"{listed(twice)} got a mass in masses.given[{seen[twice[0]]}] already [E-NAME-02]"
                 problems.at_value(keys, message)
                 return
             seen |= dict.fromkeys(names, i)

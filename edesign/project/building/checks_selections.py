@@ -67,7 +67,9 @@ class Selections(GridSelections):
         names = f"{line_label(along, 0)} to {line_label(along, last)}"
         for i, item in enumerate(chosen.items):
             if item.along != along or item.span[1] > last:
-                self.problems.at_item(keys, i, f"there is no frame `{item.text}` along {along}; they are {names}")
+                self.problems.at_item(
+                    keys, i, f"there is no frame `{item.text}` along {along}; they are {names} [E-NAME-01]"
+                )
                 good = False
         return good
 

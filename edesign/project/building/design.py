@@ -42,7 +42,7 @@ LeftOut = Literal[
 
 def _q(value: Any) -> Any:
     if isinstance(value, str) and not value[:1].isdigit() and value != "table":
-        raise refuse(f"`{value}`: a behaviour factor of at least 1 is needed, or `table`")
+        raise refuse(f"`{value}`: a behaviour factor of at least 1 is needed, or `table` [E-VALUE-01]")
     return "table" if value == "table" else parse_ratio(value, 1.0, math.inf)
 
 
@@ -58,7 +58,7 @@ def _modes(value: Any) -> Any:
     if value == "auto":
         return value
     if type(value) is not int or not 1 <= value <= 10_000:
-        raise refuse("a number of modes from 1 to 10000 is needed, or `auto`")
+        raise refuse("a number of modes from 1 to 10000 is needed, or `auto` [E-VALUE-01]")
     return value
 
 
@@ -68,7 +68,9 @@ def _share_of_span(value: Any) -> Any:
     if isinstance(value, str) and (match := re.fullmatch(r"1 ?/ ?([0-9]{1,6}(?:\.[0-9]+)?)", value)):
         value = 1.0 / float(match[1]) if float(match[1]) else "1/0"
     if isinstance(value, str) and ("/" in value or not value[:1].isdigit()):
-        raise refuse(f"`{value}`: a share of the span is needed: `1/250`, a ratio such as `0.4 %`, or `none`")
+        raise refuse(
+            f"`{value}`: a share of the span is needed: `1/250`, a ratio such as `0.4 %`, or `none` [E-VALUE-01]"
+        )
     return parse_ratio(value, 0.0, 1.0, False, False)
 
 
@@ -79,7 +81,7 @@ def _by_thickness(value: Any) -> Any:
 def _drift(value: Any) -> Any:
     """`none` is a limit of its own."""
     if isinstance(value, str) and value != "none":
-        raise refuse(f"`{value}`: give `none`, or `{{limit: brittle}}`, `ductile` or `none_attached`")
+        raise refuse(f"`{value}`: give `none`, or `{{limit: brittle}}`, `ductile` or `none_attached` [E-VALUE-01]")
     return {"limit": "none"} if value == "none" else value
 
 

@@ -181,10 +181,12 @@ def _within(number: int, span: Span | None) -> bool:
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
     match = None if isinstance(item, (bool, float)) or not str(item).strip() else _LINES.fullmatch(str(item))
     if not match or isinstance(item, (list, tuple, dict)):
-        raise refuse(f"{as_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2`", *at)
+        raise refuse(
+            f"{as_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2` [E-VALUE-01]", *at
+        )
     letter, number, last_letter, last_number = match.groups()
     if last_letter is not None and (bool(letter), bool(number)) != (bool(last_letter), bool(last_number)):
-        raise refuse(f"`{item}`: both ends of a range are written alike, as `A1-C2`, `A-C` or `1-2`", *at)
+        raise refuse(f"`{item}`: both ends of a range are written alike, as `A1-C2`, `A-C` or `1-2` [E-VALUE-01]", *at)
     x = _span(item, line_index(letter), line_index(last_letter or letter), at) if letter else None
     y = _span(item, _number(number, item, at), _number(last_number or number, item, at), at) if number else None
     return ColumnLineItem(str(item).strip(), x, y)
@@ -193,25 +195,29 @@ def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
 def _frames(item: Any, at: tuple[int, ...]) -> FrameItem:
     match = None if isinstance(item, (bool, float, list, tuple, dict)) else _FRAME.fullmatch(str(item))
     if not match:
-        raise refuse(f"{as_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]`", *at)
+        raise refuse(
+            f"{as_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]` [E-VALUE-01]", *at
+        )
     said, first, said_last, last = match.groups()
     last = last or first
     if first.isdigit() != last.isdigit():
-        raise refuse(f"`{item}`: both ends of a range are written alike, as `A-C` or `1-2`", *at)
+        raise refuse(f"`{item}`: both ends of a range are written alike, as `A-C` or `1-2` [E-VALUE-01]", *at)
     along: Direction = "x" if first.isdigit() else "y"
     if any(letter not in (None, along.upper()) for letter in (said, said_last)):
-        raise refuse(f"`{item}`: frames along x have numbers (`X2`), frames along y have letters (`YA`)", *at)
+        raise refuse(
+            f"`{item}`: frames along x have numbers (`X2`), frames along y have letters (`YA`) [E-VALUE-01]", *at
+        )
     numbers = [_number(end, item, at) if along == "x" else line_index(end) for end in (first, last)]
     return FrameItem(str(item).strip(), along, _span(item, numbers[0], numbers[1], at))
 
 
 def _number(text: str, item: Any, at: tuple[int, ...]) -> int:
     if int(text) < 1:
-        raise refuse(f"`{item}`: lines across y are numbered from 1", *at)
+        raise refuse(f"`{item}`: lines across y are numbered from 1 [E-VALUE-01]", *at)
     return int(text) - 1
 
 
 def _span(item: Any, first: int, last: int, at: tuple[int, ...]) -> Span:
     if first > last:
-        raise refuse(f"the range `{item}` runs backwards", *at)
+        raise refuse(f"the range `{item}` runs backwards [E-VALUE-04]", *at)
     return first, last

@@ -147,6 +147,7 @@ def check_given_masses(building: Building, problems: Problems) -> None:
             message = (
                 f"floor {floor} has {by_area:.4g} kg/m^2, which no floor has: {FLOOR_MASS.possible[0]:.4g} to "
                 f"{FLOOR_MASS.possible[1]:.4g} kg/m^2 is allowed ({FLOOR_MASS.why}); `mass` is that of each node"
+                " [E-UNIT-03]"
             )
             problems.at_value(("masses", "given", _entry_of(building, floor)), message)
 

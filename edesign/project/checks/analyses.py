@@ -39,10 +39,10 @@ def _masses(project: Project, problems: Problems, check: Selections) -> None:
     if masses is None:
         return
     if (masses.given is None) == (masses.from_loads is None):
-        problems.at_key(("masses",), "give either `given` or `from_loads`, one of them")
+        problems.at_key(("masses",), "give either `given` or `from_loads`, one of them [E-KEY-03]")
         return
     if masses.from_loads is not None and not (project.loads.are_vertical or project.frame.leaning_column):
-        problems.at_key(("masses", "from_loads"), "there are no loads that masses could come from")
+        problems.at_key(("masses", "from_loads"), "there are no loads that masses could come from [E-MODAL-02]")
     first: dict[str, int] = {}
     for i, given in enumerate(masses.given or ()):
         keys: Keys = ("masses", "given", i)
@@ -51,7 +51,7 @@ def _masses(project: Project, problems: Problems, check: Selections) -> None:
         for place in project.frame.node_places(given.lines, given.floors):
             node = names.node_name(*place)
             if node in first:
-                message = f"node {node} already has a mass from masses.given[{first[node]}]; give it once"
+                message = f"node {node} already has a mass from masses.given[{first[node]}]; give it once [E-NAME-02]"
                 problems.at_value(keys, message)
                 break
             first[node] = i
@@ -62,7 +62,7 @@ def _validity(project: Project, problems: Problems) -> None:
     if "energy_error_warning" in validity.model_fields_set and validity.energy_error_warning > validity.energy_error:
         message = (
             f"{validity.energy_error_warning:g} is greater than `energy_error` ({validity.energy_error:g}), "
-            "beyond which an analysis has failed"
+            "beyond which an analysis has failed [E-VALUE-04]"
         )
         problems.at_value(("validity", "energy_error_warning"), message)
 
@@ -80,7 +80,7 @@ def check_drift(project: Project, problems: Problems, keys: Keys, drift: float |
         problems.at_value(
             keys,
             f"{100.0 * drift:g} % is beyond {100.0 * largest:.3g} %, where the geometry of the model no longer holds; "
-            "corotational columns (`elements.geometry`) have no such limit, `validity.drift` is another",
+            "corotational columns (`elements.geometry`) have no such limit, `validity.drift` is another [E-VALUE-02]",
         )
 
 
@@ -89,7 +89,9 @@ def _analyses(project: Project, problems: Problems) -> None:
     for i, analysis in enumerate(project.analyses):
         keys: Keys = ("analyses", i)
         if analysis.name in first:
-            message = f"`{analysis.name}` is already the name of analyses[{first[analysis.name]}]; choose another"
+            message = (
+                f"`{analysis.name}` is already the name of analyses[{first[analysis.name]}]; choose another [E-NAME-02]"
+            )
             problems.at_value((*keys, "name"), message)
         first.setdefault(analysis.name, i)
         if isinstance(analysis, HistoryAnalysis):
@@ -103,7 +105,9 @@ def _analyses(project: Project, problems: Problems) -> None:
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
             check_pushover(project, problems, keys, analysis)
         if not isinstance(analysis, GravityAnalysis) and project.masses is None:
-            message = f"the {analysis.kind} analysis `{analysis.name}` needs `masses`, and the file has none"
+            message = (
+                f"the {analysis.kind} analysis `{analysis.name}` needs `masses`, and the file has none [E-MODAL-02]"
+            )
             problems.at_value(keys, message)
 
 
@@ -113,18 +117,21 @@ def _history(project: Project, problems: Problems, keys: Keys, analysis: History
     else:
         _level(project, problems, keys, analysis)
     if analysis.pga is not None and isinstance(project.records.get(analysis.record), PairRecord):
-        message = "each component would have a factor of its own; give the `scale` of both"
+        message = "each component would have a factor of its own; give the `scale` of both [E-KEY-03]"
         problems.at_key((*keys, "pga"), f"`{analysis.record}` is a pair: {message}")
     if analysis.pga is not None and analysis.scale is not None:
-        problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them")
+        problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them [E-KEY-03]")
     if project.damping is None:
         message = (
             "a history needs `damping`, and the file has none; for an undamped frame write `damping: {kind: none}`"
+            " [E-KEY-02]"
         )
         problems.at_value(keys, message)
     if project.integration is None:
         example = "integration: {method: newmark, time_step: 0.01 s}"
-        problems.at_value(keys, f"a history needs `integration`, and the file has none; for example `{example}`")
+        problems.at_value(
+            keys, f"a history needs `integration`, and the file has none; for example `{example}` [E-KEY-02]"
+        )
 
 
 def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
@@ -138,11 +145,11 @@ def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAn
         return
     fitted = f"`{analysis.record}` is fitted to the spectrum of the hazard"
     if not levels:
-        problems.under(("hazard",), "levels", f"this key is missing; {fitted} and scaled to a level of it")
+        problems.under(("hazard",), "levels", f"this key is missing; {fitted} and scaled to a level of it [E-KEY-02]")
     elif not analysis.level:
-        message = f"this key is missing; {fitted} and scaled to a level of it: {listed(levels)}"
+        message = f"this key is missing; {fitted} and scaled to a level of it: {listed(levels)} [E-KEY-02]"
         problems.under(keys, "level", message)
     check_fitted_levels((*keys, "level"), (analysis.record,), (analysis.level,), project, problems)
     for key in ("pga", "scale"):
         if getattr(analysis, key) is not None:
-            problems.at_key((*keys, key), f"{fitted}; its `level` says the scale")
+            problems.at_key((*keys, key), f"{fitted}; its `level` says the scale [E-KEY-03]")

@@ -57,12 +57,14 @@ def check_criteria(
     for i, criterion in enumerate(criteria):
         at: Keys = (*keys, "criteria", i)
         if criterion.name in (earlier.name for earlier in criteria[:i]):
-            problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already")
+            problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already [E-NAME-02]")
         check_names(problems, (*at, "variants"), "variant", criterion.variants, variants)
         check_names(problems, (*at, "levels"), "level", criterion.levels, levels)
         Selections(project.frame, problems).storeys(at, criterion.storeys)
         if criterion.share is not None and "statistic" in criterion.model_fields_set:
-            problems.at_key((*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both")
+            problems.at_key(
+                (*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both [E-KEY-03]"
+            )
         if isinstance(criterion, LimitCriterion):
             _limits(problems, at, criterion)
         if isinstance(criterion, QuantityCriterion):
@@ -77,14 +79,17 @@ def check_criteria(
     for i, letter in enumerate(objectives):
         at = (*keys, "objectives", i)
         if letter in objectives[:i]:
-            problems.at_value(at, f"`{letter}` comes twice")
+            problems.at_value(at, f"`{letter}` comes twice [E-NAME-02]")
 
 
 def _limits(problems: Problems, at: Keys, criterion: LimitCriterion) -> None:
     if criterion.most is None and criterion.least is None:
-        problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit")
+        problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit [E-KEY-02]")
     elif criterion.most is not None and criterion.least is not None and criterion.least > criterion.most:
-        message = f"`least` ({criterion.least:g}) is greater than `most` ({criterion.most:g}); nothing is in between"
+        message = (
+            f"`least` ({criterion.least:g}) is greater than `most` ({criterion.most:g}); nothing is in between"
+            " [E-VALUE-04]"
+        )
         problems.at_value((*at, "least"), message)
 
 
@@ -93,11 +98,11 @@ def _measured(problems: Problems, at: Keys, criterion: MeasureCriterion, project
     place = MEASURES[criterion.measure].place
     if place is None or place == "storey":
         if criterion.members:
-            problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from")
+            problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from [E-CRIT-04]")
         if not criterion.storeys.is_all and place is None:
-            problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame")
+            problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame [E-CRIT-04]")
     elif place == "brace" and all(run.buckling is None for run in project.frame.braces):
-        message = f"`{criterion.measure}` is one of braces with `buckling`, and this frame has none"
+        message = f"`{criterion.measure}` is one of braces with `buckling`, and this frame has none [E-CRIT-04]"
         problems.at_value((*at, "measure"), message)
         return False
     return True

@@ -44,14 +44,14 @@ def check_quantity(
     quantity, own = QUANTITIES[name], keys_of(name)
     for key in _CHOOSING:
         if key in criterion.model_fields_set and key not in own:
-            problems.at_key((*keys, key), f"`{name}` has no `{key}`; {_allowed(own)}")
+            problems.at_key((*keys, key), f"`{name}` has no `{key}`; {_allowed(own)} [E-CRIT-04]")
     for key in quantity.own:
         if getattr(criterion, key) is None:
-            problems.under(keys, key, f"this key is missing; `{name}` is not known without it")
+            problems.under(keys, key, f"this key is missing; `{name}` is not known without it [E-KEY-02]")
     if quantity.kept is not None and kept is not None and quantity.kept not in kept:
         message = (
             f"`{name}` is computed from the histories of {quantity.kept}, which are not kept; "
-            f"add `{quantity.kept}` to `outputs: histories`"
+            f"add `{quantity.kept}` to `outputs: histories` [E-CRIT-05]"
         )
         problems.at_value((*keys, "quantity"), message)
     check = Selections(project.frame, problems)
@@ -93,6 +93,6 @@ def check_members(keys: Keys, given: Sequence[str], allowed: Sequence[str], what
         if name not in allowed:
             hint = did_you_mean(name, allowed)
             named = f"they are named `{allowed[0]}` to `{allowed[-1]}`"
-            problems.at_item(keys, i, f"there is no {what} `{name}` in this frame{hint} ({named})")
+            problems.at_item(keys, i, f"there is no {what} `{name}` in this frame{hint} ({named}) [E-NAME-01]")
         elif name in given[:i]:
-            problems.at_item(keys, i, f"`{name}` comes twice")
+            problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")

@@ -37,7 +37,7 @@ def check_dampers(project: Project, problems: Problems) -> None:
         return
     for name, law in project.dampers.laws.items():
         if law.temperature_law is not None and law.temperature is None:
-            message = "a temperature law needs the `temperature` of the dampers"
+            message = "a temperature law needs the `temperature` of the dampers [E-KEY-02]"
             problems.at_key(("dampers", "laws", name, "temperature_law"), message)
     for name, law in project.dampers.laws.items():
         check_law(problems, ("dampers", "laws", name), law)
@@ -46,7 +46,7 @@ def check_dampers(project: Project, problems: Problems) -> None:
     for i, item in enumerate(project.dampers.attachments):
         last = project.frame.n_storeys
         if item.floor > last:
-            message = f"there is no floor {item.floor}; floors are numbered 1 to {last}"
+            message = f"there is no floor {item.floor}; floors are numbered 1 to {last} [E-NAME-01]"
             problems.at_value(("dampers", "attachments", i, "floor"), message)
 
 
@@ -54,19 +54,19 @@ def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: Modal
     """An amplitude of the dampers is one that they can have."""
     given = [key for key in ("damper_strain", "damper_deformation") if getattr(analysis, key) is not None]
     if len(given) == 2:
-        problems.at_key((*keys, given[1]), f"give either `{given[0]}` or `{given[1]}`, one of them")
+        problems.at_key((*keys, given[1]), f"give either `{given[0]}` or `{given[1]}`, one of them [E-KEY-03]")
         return
     devices = project.dampers.devices if project.dampers is not None and analysis.dampers else ()
     if given == ["damper_strain"] and project.isolation is not None and analysis.dampers:
-        problems.at_key((*keys, given[0]), "isolators count at a deformation; give `damper_deformation`")
+        problems.at_key((*keys, given[0]), "isolators count at a deformation; give `damper_deformation` [E-DAMPER-01]")
     elif given and not devices and (project.isolation is None or not analysis.dampers):
-        problems.at_key((*keys, given[0]), "this analysis has no dampers")
+        problems.at_key((*keys, given[0]), "this analysis has no dampers [E-DAMPER-04]")
     elif given == ["damper_strain"] and project.dampers is not None:
         laws = project.dampers.laws
         bare = sorted({d.law for d in devices if d.law in laws and laws[d.law].prototype is None})
         if bare:
             subject = f"the law {listed(bare)} has" if len(bare) == 1 else f"the laws {listed(bare)} have"
-            message = f"{subject} no `prototype`, so no layers; give `damper_deformation`"
+            message = f"{subject} no `prototype`, so no layers; give `damper_deformation` [E-DAMPER-01]"
             problems.at_key((*keys, "damper_strain"), message)
 
 
@@ -80,11 +80,11 @@ def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
     if law.file is None:
         for key in ("type", "parameters"):
             if getattr(law, key) is None:
-                problems.under(keys, key, "this key is missing (or `file`, a law file)")
+                problems.under(keys, key, "this key is missing (or `file`, a law file) [E-KEY-02]")
         return
     for key in ("type", "parameters", "temperature_law", "effects", "standard_errors", "tested"):
         if getattr(law, key) not in (None, ()):
-            problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out")
+            problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out [E-KEY-02]")
 
 
 def _device(project: Project, problems: Problems, keys: Keys, device: Device) -> None:
@@ -96,7 +96,7 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
         check_size(problems, keys, device, laws)
     if isinstance(device.brace, BraceSection):
         if device.kind == "storey":
-            message = "a damper between floors has no brace geometry; give the `stiffness` of its brace"
+            message = "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
             problems.at_value((*keys, "brace"), message)
         if device.brace.material not in project.materials:
             message = unknown_name("material", device.brace.material, project.materials)
@@ -118,14 +118,17 @@ def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, l
     law = laws[device.law]
     restrained = law.type == "buckling_restrained"  # a prototype of it is refused itself
     if restrained or (law.prototype is None and law.file is None):
-        message = f"the law `{device.law}` has no `prototype` whose size could be changed"
+        message = f"the law `{device.law}` has no `prototype` whose size could be changed [E-DAMPER-03]"
         if restrained:
-            message = f"the law `{device.law}` is of a buckling-restrained brace without layers; `scale` is its size"
+            message = (
+                f"the law `{device.law}` is of a buckling-restrained brace without layers; `scale` is its size"
+                " [E-DAMPER-01]"
+            )
         for key in ("layers", "layer_area", "layer_thickness"):
             if getattr(device, key) is not None:
                 problems.at_key((*keys, key), message)
         if getattr(device, "strain_limit", None) is not None:  # an item of a catalogue has none
-            message = f"the law `{device.law}` has no `prototype`, and so no layers that could strain"
+            message = f"the law `{device.law}` has no `prototype`, and so no layers that could strain [E-DAMPER-01]"
             problems.at_key((*keys, "strain_limit"), message)
     elif law.prototype is not None and device.scale is not None:
         problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
@@ -137,10 +140,10 @@ def _nodes(project: Project, problems: Problems, keys: Keys, device: DamperBetwe
         if name not in known:
             every = list(known)
             hint = f"{did_you_mean(name, known)} (nodes are named by line and floor: `{every[0]}` to `{every[-1]}`)"
-            message = f"there is no node `{name}` in this frame{hint}"
+            message = f"there is no node `{name}` in this frame{hint} [E-NAME-01]"
             problems.at_value((*keys, "nodes", i), message)
     if device.nodes[0] == device.nodes[1]:
-        problems.at_value((*keys, "nodes"), f"a damper from `{device.nodes[0]}` to itself")
+        problems.at_value((*keys, "nodes"), f"a damper from `{device.nodes[0]}` to itself [E-DAMPER-05]")
     _lists(problems, keys, device, 1)
 
 
@@ -170,7 +173,9 @@ def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, 
         if run.kind == "chevron_braces" and (bay, storey) not in grid.beam_at
     ]
     if absent:
-        problems.at_value(keys, f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing")
+        problems.at_value(
+            keys, f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing [E-DAMPER-05]"
+        )
 
 
 def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:
@@ -180,5 +185,7 @@ def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None
     given[("brace", "stiffness")] = stiffness
     for at, values in given.items():
         if isinstance(values, tuple) and len(values) != storeys:
-            message = f"{counted(len(values), 'value')} for {counted(storeys, 'storey')}; one for each is needed"
+            message = (
+                f"{counted(len(values), 'value')} for {counted(storeys, 'storey')}; one for each is needed [E-VALUE-04]"
+            )
             problems.at_value((*keys, *at), message)

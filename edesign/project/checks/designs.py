@@ -33,7 +33,7 @@ _TYPES = {"viscous": VISCOUS_LAWS, "hysteretic": HYSTERETIC_LAWS}
 """Types of laws that a method can size; the other methods size layers."""
 _LEAST = {"least_area": ("area", "`area` or `thickness`"), "least_coefficient": ("coefficients", "`coefficient`")}
 """What distributions that meet a drift sum up, and what rounds of histories may change in them."""
-_FIXED = "fixed properties do not change with temperature; give a table or `law`"
+_FIXED = "fixed properties do not change with temperature; give a table or `law` [E-DESIGN-03]"
 _UNCHANGED = {
     "viscous": "a viscous law changes with its coefficient alone; give factors that hold for the temperatures",
     "hysteretic": "a hysteretic law changes with its force alone; give factors that hold for the temperatures",
@@ -51,10 +51,14 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
         problems: of the study file; collects what is wrong.
     """
     if project.isolation is not None:
-        message = f"{project.path} has an isolated base; a design sizes dampers of a frame on its supports"
+        message = (
+            f"{project.path} has an isolated base; a design sizes dampers of a frame on its supports [E-DESIGN-07]"
+        )
         problems.at_key(keys, message)
     if project.masses is None:
-        problems.at_key(keys, "the project has no `masses`: its frame has no periods to design dampers for")
+        problems.at_key(
+            keys, "the project has no `masses`: its frame has no periods to design dampers for [E-MODAL-02]"
+        )
     if isinstance(spec, PlacementDesign):
         check_placement_design(keys, spec, project, problems)
         return
@@ -93,14 +97,22 @@ def _law(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) ->
     types = _TYPES.get(spec.method)
     if types is None:
         if law.prototype is None and law.file is None:
-            message = f"the law `{spec.law}` of the project has no `prototype`: it has no layers that could be sized"
+            message = (
+                f"the law `{spec.law}` of the project has no `prototype`: it has no layers that could be sized"
+                " [E-DESIGN-03]"
+            )
             problems.at_value(keys, message)
         return
     if law.prototype is not None:
-        message = f"the law `{spec.law}` of the project has a `prototype`; {spec.method} dampers have no layers"
+        message = (
+            f"the law `{spec.law}` of the project has a `prototype`; {spec.method} dampers have no layers [E-DESIGN-03]"
+        )
         problems.at_value(keys, message)
     if law.file is None and law.type is not None and law.type not in types:  # those of law files are known later
-        message = f"the law `{spec.law}` is of type `{law.type}`; {spec.method} dampers are of type {listed(types)}"
+        message = (
+            f"the law `{spec.law}` is of type `{law.type}`; {spec.method} dampers are of type {listed(types)}"
+            " [E-DESIGN-03]"
+        )
         problems.at_value(keys, message)
 
 
@@ -112,10 +124,13 @@ def _least(keys: Keys, spec: StrainEnergyDesign | ViscousDesign, problems: Probl
     _needed(keys, spec, f"`distribution: {spec.distribution}` needs it", problems)
     for key in ("target_in", "damping"):
         if getattr(spec, key, None) is not None:
-            message = f"`distribution: {spec.distribution}` meets a drift with the least {summed}, whatever the damping"
+            message = (
+                f"`distribution: {spec.distribution}` meets a drift with the least {summed}, whatever the damping"
+                " [E-DESIGN-06]"
+            )
             problems.at_key((*keys, key), message)
     if spec.verify is not None and spec.verify.change == "target":
-        message = f"this distribution has no target damping to change; choose {changes}"
+        message = f"this distribution has no target damping to change; choose {changes} [E-DESIGN-06]"
         problems.at_value((*keys, "verify", "change"), message)
     return True
 
@@ -124,18 +139,25 @@ def _needed(keys: Keys, spec: SizedDesign, why: str, problems: Problems) -> None
     """Check that a design that meets a drift in the estimate has it, and the level of the estimate."""
     for key in ("level", "drift"):
         if getattr(spec, key) is None and not (key == "level" and _has_level(spec)):
-            problems.under(keys, key, f"this key is missing; {why}")
+            problems.under(keys, key, f"this key is missing; {why} [E-KEY-02]")
 
 
 def _viscous(keys: Keys, spec: ViscousDesign, problems: Problems) -> None:
     if spec.amplitude == "spectrum" and spec.level is None:
-        problems.under(keys, "level", "this key is missing; `amplitude: spectrum` needs the spectrum of a hazard level")
+        problems.under(
+            keys, "level", "this key is missing; `amplitude: spectrum` needs the spectrum of a hazard level [E-KEY-02]"
+        )
     if _least(keys, spec, problems):
         return
     if spec.damping is None:
-        problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `15 %`")
+        problems.under(
+            keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `15 %` [E-KEY-02]"
+        )
     if spec.drift is not None:
-        message = "a drift has no part in the sizing for a damping; meet one by `verify`, or by `least_coefficient`"
+        message = (
+            "a drift has no part in the sizing for a damping; meet one by `verify`, or by `least_coefficient`"
+            " [E-DESIGN-06]"
+        )
         problems.at_key((*keys, "drift"), message)
 
 
@@ -148,7 +170,7 @@ def _elastomer(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
     if isinstance(spec.strain, str):
         _followed_strain(keys, spec, problems)
     if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
-        problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first")
+        problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first [E-VALUE-04]")
 
 
 def _has_level(spec: SizedDesign) -> bool:
@@ -159,12 +181,14 @@ def _has_level(spec: SizedDesign) -> bool:
 
 def _followed_strain(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
     if not _has_level(spec):
-        message = f"this key is missing; `strain: {spec.strain}` begins with the spectrum of a hazard level"
+        message = f"this key is missing; `strain: {spec.strain}` begins with the spectrum of a hazard level [E-KEY-02]"
         problems.under(keys, "level", message)
     if spec.strain == "histories" and spec.verify is None:
-        problems.at_value((*keys, "strain"), "there are no histories without `verify`; give it, or take `spectrum`")
+        problems.at_value(
+            (*keys, "strain"), "there are no histories without `verify`; give it, or take `spectrum` [E-KEY-03]"
+        )
     if isinstance(spec.properties, FixedProperties):
-        message = "fixed properties do not change with the strain; give the strain, or a table or `law`"
+        message = "fixed properties do not change with the strain; give the strain, or a table or `law` [E-DESIGN-03]"
         problems.at_value((*keys, "strain"), message)
 
 
@@ -172,15 +196,18 @@ def _of_storeys(keys: Keys, spec: SizedDesign, project: Project, problems: Probl
     for key in ("storey_stiffness", "shear"):
         given = getattr(spec, key, None)
         if isinstance(given, tuple) and len(given) != project.frame.n_storeys:
-            message = f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
+            message = (
+                f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
+                " [E-VALUE-04]"
+            )
             problems.at_value((*keys, key), message)
 
 
 def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
     if spec.layer_thickness is None and (spec.drift is None or spec.strain_limit is None):
-        problems.under(keys, "layer_thickness", "this key is missing (or both `drift` and `strain_limit`)")
+        problems.under(keys, "layer_thickness", "this key is missing (or both `drift` and `strain_limit`) [E-KEY-02]")
     if spec.layer_thickness is not None and spec.strain_limit is not None:
-        message = "`layer_thickness` is given; a thickness from drift and strain limit needs it left out"
+        message = "`layer_thickness` is given; a thickness from drift and strain limit needs it left out [E-KEY-03]"
         problems.at_key((*keys, "strain_limit"), message)
 
 
@@ -188,30 +215,32 @@ def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> 
     if _least(keys, spec, problems):
         return
     if spec.damping is None:
-        problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `10 %`")
+        problems.under(
+            keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `10 %` [E-KEY-02]"
+        )
     if spec.target_in == "storeys" and spec.distribution != "storey_stiffness":
-        message = "Eq. 5.9 storey by storey goes with `distribution: storey_stiffness` alone"
+        message = "Eq. 5.9 storey by storey goes with `distribution: storey_stiffness` alone [E-DESIGN-06]"
         problems.at_value((*keys, "target_in"), message)
     if spec.braces_in_target and spec.brace == "rigid":
-        problems.at_value((*keys, "braces_in_target"), "the braces are rigid; give `brace: {ratio: ...}`")
+        problems.at_value((*keys, "braces_in_target"), "the braces are rigid; give `brace: {ratio: ...}` [E-DAMPER-02]")
 
 
 def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
     _needed(keys, spec, "the simplified method needs it", problems)
     if spec.beta[0] > spec.beta[1]:
-        problems.at_value((*keys, "beta"), "the range runs backwards; write the lower value first")
+        problems.at_value((*keys, "beta"), "the range runs backwards; write the lower value first [E-VALUE-04]")
     if spec.low_temperature is not None:
         if isinstance(spec.properties, FixedProperties):
             problems.at_key((*keys, "low_temperature"), _FIXED)
         if spec.temperature is None:
-            problems.under(keys, "temperature", "this key is missing; a low end needs a design temperature")
+            problems.under(keys, "temperature", "this key is missing; a low end needs a design temperature [E-KEY-02]")
         elif spec.low_temperature > spec.temperature:
-            problems.at_value((*keys, "low_temperature"), "it is above the design `temperature`")
+            problems.at_value((*keys, "low_temperature"), "it is above the design `temperature` [E-VALUE-04]")
 
 
 def _bounds(keys: Keys, spec: SizedDesign, bounds: Bounds, problems: Problems) -> None:
     if not _has_level(spec):
-        problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level")
+        problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level [E-KEY-02]")
     fixed = _FIXED if isinstance(getattr(spec, "properties", None), FixedProperties) else None
     message = _UNCHANGED.get(spec.method, fixed)
     if bounds.temperatures is not None and message is not None:
@@ -227,7 +256,7 @@ def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
     """
     for side in ("upper", "lower"):
         if getattr(bounds, side) is not None and getattr(bounds, f"{side}_factors") is not None:
-            problems.at_key((*keys, f"{side}_factors"), f"`{side}` is given; keep one of them")
+            problems.at_key((*keys, f"{side}_factors"), f"`{side}` is given; keep one of them [E-KEY-03]")
     for side, wrong in (("upper", lambda value: value < 1.0), ("lower", lambda value: value > 1.0)):
         values: dict[Keys, float | None] = {(side,): getattr(bounds, side)}
         factors = getattr(bounds, f"{side}_factors")
@@ -236,6 +265,10 @@ def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
         for at, value in values.items():
             if value is not None and wrong(value):
                 allowed = "at least" if side == "upper" else "at most"
-                problems.at_value((*keys, *at), f"a factor of the {side} bound must be {allowed} 1, not {value:g}")
+                problems.at_value(
+                    (*keys, *at), f"a factor of the {side} bound must be {allowed} 1, not {value:g} [E-VALUE-02]"
+                )
     if bounds.temperatures is not None and bounds.temperatures[0] > bounds.temperatures[1]:
-        problems.at_value((*keys, "temperatures"), "the range runs backwards; write the lower temperature first")
+        problems.at_value(
+            (*keys, "temperatures"), "the range runs backwards; write the lower temperature first [E-VALUE-04]"
+        )

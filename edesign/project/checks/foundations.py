@@ -24,25 +24,34 @@ def check_foundations(project: Project, problems: Problems) -> None:
 
 def _soil(problems: Problems, keys: Keys, soil: Soil) -> None:
     if (soil.shear_wave_velocity is None) == (soil.shear_modulus is None):
-        problems.at_value(keys, "give either `shear_wave_velocity` or `shear_modulus`, one of them")
+        problems.at_value(keys, "give either `shear_wave_velocity` or `shear_modulus`, one of them [E-KEY-03]")
     if soil.damping is None and (soil.strain is None or isinstance(soil.strain, GivenStrain)):
-        message = "`damping` is missing, the hysteretic damping of the soil as a share of critical, for example `3 %`"
+        message = (
+            "`damping` is missing, the hysteretic damping of the soil as a share of critical, for example `3 %`"
+            " [E-KEY-02]"
+        )
         problems.at_value(keys, message)
     if soil.damping == 1.0:
-        problems.at_value((*keys, "damping"), "a soil of critical damping does not vibrate; less than 1 is allowed")
+        problems.at_value(
+            (*keys, "damping"), "a soil of critical damping does not vibrate; less than 1 is allowed [E-VALUE-02]"
+        )
 
 
 def _footing(project: Project, problems: Problems, keys: Keys, footing: Footing) -> None:
     if footing.soil not in project.soils:
         problems.at_value((*keys, "soil"), unknown_name("soil", footing.soil, project.soils))
     if footing.wall_contact is not None and footing.wall_contact > footing.embedment:
-        message = f"the walls are {footing.embedment:g} m below ground, less than {footing.wall_contact:g} m"
+        message = (
+            f"the walls are {footing.embedment:g} m below ground, less than {footing.wall_contact:g} m [E-VALUE-04]"
+        )
         problems.at_value((*keys, "wall_contact"), message)
     if footing.bearing_resistance is not None and not footing.uplift:
-        message = "soil that gives way under pressure carries no tension either; give `uplift: true` with it"
+        message = (
+            "soil that gives way under pressure carries no tension either; give `uplift: true` with it [E-FRAME-06]"
+        )
         problems.at_key((*keys, "bearing_resistance"), message)
     if "density" in footing.model_fields_set and footing.thickness is None:
-        problems.at_key((*keys, "density"), "without `thickness` the footing has no mass")
+        problems.at_key((*keys, "density"), "without `thickness` the footing has no mass [E-MODAL-02]")
     if footing.period is None and project.masses is None:
-        message = "without `masses` the frame has no first period; give the `period` of the footing"
+        message = "without `masses` the frame has no first period; give the `period` of the footing [E-MODAL-02]"
         problems.at_key(keys, message)

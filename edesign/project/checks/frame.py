@@ -63,7 +63,10 @@ def _supports(frame: Frame, problems: Problems) -> None:
         for line in frame.supports:
             if line != "default" and line not in frame.lines:
                 allowed = ["default", *frame.lines]
-                message = f"there is no line `{line}`{did_you_mean(line, allowed)} (allowed here: {listed(allowed)})"
+                message = (
+                    f"there is no line `{line}`{did_you_mean(line, allowed)} (allowed here: {listed(allowed)})"
+                    " [E-NAME-01]"
+                )
                 problems.at_key(("frame", "supports", line), message)
 
 
@@ -74,18 +77,22 @@ def _buckling(project: Project, problems: Problems, keys: Keys, brace: BraceRun)
     where = (*keys, "buckling")
     if not brace.compression:
         problems.at_value(
-            (*keys, "compression"), "a brace with `buckling` counts in compression; leave one of them out"
+            (*keys, "compression"), "a brace with `buckling` counts in compression; leave one of them out [E-KEY-03]"
         )
     if isinstance(project.sections.get(brace.section), ElasticSection):
         message = (
             f"the section `{brace.section}` is elastic; a brace that buckles needs plates, `rectangles` or a profile"
+            " [E-FRAME-02]"
         )
         problems.at_value((*keys, "section"), message)
     if project.elements.integration_points < 3:
         message = "a brace that buckles needs at least 3 `integration_points`, `elements` has "
-        problems.at_key(where, f"{message}{project.elements.integration_points}")
+        problems.at_key(where, f"{message}{project.elements.integration_points} [E-FRAME-02]")
     if brace.buckling.fracture is not None and isinstance(project.materials.get(brace.material), ElasticMaterial):
-        message = f"the material `{brace.material}` is elastic; only a steel that yields breaks by low-cycle fatigue"
+        message = (
+            f"the material `{brace.material}` is elastic; only a steel that yields breaks by low-cycle fatigue"
+            " [E-FRAME-02]"
+        )
         problems.at_key((*where, "fracture"), message)
 
 
@@ -106,7 +113,7 @@ def _floors(frame: Frame, problems: Problems) -> None:
     """Every floor has a node."""
     for floor in range(1, frame.n_storeys + 1):
         if not any(names.node_name(line, floor) in frame.nodes for line in frame.lines):
-            message = f"floor {floor} has no node: all columns and beams that end there are missing"
+            message = f"floor {floor} has no node: all columns and beams that end there are missing [E-FRAME-03]"
             problems.at_key(("frame", "missing"), message)
 
 
@@ -115,7 +122,7 @@ def _met_beams(frame: Frame, problems: Problems) -> None:
     for (bay, floor), run in frame.met_beams.items():
         if run is not None and (bay, floor) not in frame.beam_at:
             beam = f"{names.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
-            message = f"a `{run.kind}` meets a beam in the middle, and {beam}"
+            message = f"a `{run.kind}` meets a beam in the middle, and {beam} [E-DAMPER-05]"
             problems.at_value(("frame", "braces", frame.braces.index(run), "kind"), message)
 
 
@@ -123,7 +130,7 @@ def _releases(frame: Frame, problems: Problems, check: Selections) -> None:
     for i, release in enumerate(frame.releases):
         keys: Keys = ("frame", "releases", i)
         if (release.beams is None) == (release.columns is None):
-            problems.at_value(keys, "give either `beams` or `columns`, one of them")
+            problems.at_value(keys, "give either `beams` or `columns`, one of them [E-KEY-03]")
         if release.beams is not None:
             check.standing_beams((*keys, "beams"), release.beams)
         if release.columns is not None:
@@ -139,31 +146,42 @@ def _leaning_column(project: Project, problems: Problems) -> None:
     for key in ("G", "Q", "mass"):
         values = getattr(column, key)
         if isinstance(values, tuple) and len(values) != floors:
-            message = f"{len(values)} values, but the frame has {floors} floors; give one value, or one for each floor"
+            message = (
+                f"{len(values)} values, but the frame has {floors} floors; give one value, or one for each floor"
+                " [E-VALUE-04]"
+            )
             problems.at_value((*keys, key), message)
     loads = [value for values in (column.G, column.Q) for value in (values if isinstance(values, tuple) else (values,))]
     if not any(loads):
-        problems.at_key(keys, "the leaning column has no load; give `G` or `Q`, a force at each floor")
+        problems.at_key(keys, "the leaning column has no load; give `G` or `Q`, a force at each floor [E-LOAD-02]")
     if project.elements.geometry.columns == "linear":
         message = (
             "the second-order forces of a leaning column need the geometry `p_delta` or `corotational` of "
-            "`elements.geometry.columns`, and they are `linear`"
+            "`elements.geometry.columns`, and they are `linear` [E-FRAME-04]"
         )
         problems.at_key(keys, message)
     if column.mass is not None and project.masses is None:
-        problems.at_key((*keys, "mass"), "the frame itself has no `masses`, which analyses with masses need")
+        problems.at_key(
+            (*keys, "mass"), "the frame itself has no `masses`, which analyses with masses need [E-MODAL-02]"
+        )
 
 
 def _sections(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
     for name, section in project.sections.items():
         if profiles is not None and name in profiles:
-            problems.at_key(("sections", name), "this is the name of a catalogue profile; choose another name")
+            problems.at_key(
+                ("sections", name), "this is the name of a catalogue profile; choose another name [E-NAME-03]"
+            )
         if isinstance(section, PlateSection):
             if 2 * section.flange >= section.height:
-                message = f"two flanges of {section.flange:g} m leave no web in a height of {section.height:g} m"
+                message = (
+                    f"two flanges of {section.flange:g} m leave no web in a height of {section.height:g} m [E-FRAME-01]"
+                )
                 problems.at_value(("sections", name, "flange"), message)
             if section.web > section.width:
-                message = f"the web ({section.web:g} m) is thicker than the flange is wide ({section.width:g} m)"
+                message = (
+                    f"the web ({section.web:g} m) is thicker than the flange is wide ({section.width:g} m) [E-FRAME-01]"
+                )
                 problems.at_value(("sections", name, "web"), message)
 
 
@@ -171,12 +189,14 @@ def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, prof
     own = project.sections.get(run.section)
     weak = not isinstance(run, BraceRun) and run.axis == "weak"
     if weak and own is not None and not isinstance(own, PlateSection):
-        message = f"the own section `{run.section}` has one axis; only I and hollow sections have a weak one"
+        message = (
+            f"the own section `{run.section}` has one axis; only I and hollow sections have a weak one [E-FRAME-02]"
+        )
         problems.at_value((*keys, "axis"), message)
     if own is None and profiles is not None and profiles.canonical(run.section) is None:
         problems.at_value((*keys, "section"), no_section(run.section, project.sections, profiles))
     if isinstance(own, ElasticSection) and own.inertia is None and not isinstance(run, BraceRun):
-        message = f"the section `{run.section}` has no `inertia`; only a brace can do without"
+        message = f"the section `{run.section}` has no `inertia`; only a brace can do without [E-FRAME-02]"
         problems.at_value((*keys, "section"), message)
 
 

@@ -32,9 +32,9 @@ def check_hazard(hazard: Hazard | None, holder: FileModel, problems: Problems, f
         for name, level in hazard.levels.items():
             given = [way for way in _WAYS if getattr(level, way) is not None]
             if not given:
-                problems.at_key(("hazard", "levels", name), f"give one of {listed(_WAYS)}")
+                problems.at_key(("hazard", "levels", name), f"give one of {listed(_WAYS)} [E-KEY-02]")
             for way in given[1:]:
-                message = f"`{given[0]}` and `{way}` exclude each other; keep one of them"
+                message = f"`{given[0]}` and `{way}` exclude each other; keep one of them [E-KEY-03]"
                 problems.at_key(("hazard", "levels", name, way), message)
     if isinstance(hazard, UserHazard):
         _tables(hazard, problems)
@@ -43,12 +43,12 @@ def check_hazard(hazard: Hazard | None, holder: FileModel, problems: Problems, f
 def _reference(hazard: EC8Hazard, problems: Problems) -> None:
     """Zone or acceleration, one of them; a zone belongs to a country."""
     if hazard.zone is None and hazard.a_gR is None:
-        message = "give either `country` and `zone`, or the reference ground acceleration `a_gR`"
+        message = "give either `country` and `zone`, or the reference ground acceleration `a_gR` [E-KEY-03]"
         problems.at_key(("hazard",), message)
     if hazard.zone is not None and hazard.a_gR is not None:
-        problems.at_key(("hazard", "a_gR"), "`zone` and `a_gR` exclude each other; keep one of them")
+        problems.at_key(("hazard", "a_gR"), "`zone` and `a_gR` exclude each other; keep one of them [E-KEY-03]")
     if hazard.zone is not None and hazard.country is None:
-        problems.under(("hazard",), "country", "this key is missing; a zone belongs to a country")
+        problems.under(("hazard",), "country", "this key is missing; a zone belongs to a country [E-KEY-02]")
 
 
 def _corners(hazard: EC8Hazard, problems: Problems) -> None:
@@ -57,7 +57,9 @@ def _corners(hazard: EC8Hazard, problems: Problems) -> None:
     known = [(name, value) for name, value in given if value is not None]
     for (low, first), (high, second) in zip(known, known[1:], strict=False):
         if first > second:
-            message = f"{high} = {second:g} s is less than {low} = {first:g} s; T_B <= T_C <= T_D is needed"
+            message = (
+                f"{high} = {second:g} s is less than {low} = {first:g} s; T_B <= T_C <= T_D is needed [E-VALUE-04]"
+            )
             problems.at_value(("hazard", "parameters", high), message)
 
 
@@ -65,23 +67,35 @@ def _tables(hazard: UserHazard, problems: Problems) -> None:
     """One table with factors on it, or a table for each level; as many ordinates as periods."""
     for keys, table in hazard.tables():
         if isinstance(table, SpectrumValues) and len(table.periods) != len(table.accelerations):
-            message = f"{len(table.accelerations)} ordinates for {len(table.periods)} periods; each period has one"
+            message = (
+                f"{len(table.accelerations)} ordinates for {len(table.periods)} periods; each period has one"
+                " [E-VALUE-04]"
+            )
             problems.at_value(("hazard", *keys, "accelerations"), message)
     for name, level in hazard.levels.items():
         at: Keys = ("hazard", "levels", name)
         if level.probability is not None and level.return_period is not None:
-            message = "`probability` and `return_period` exclude each other; keep one of them"
+            message = "`probability` and `return_period` exclude each other; keep one of them [E-KEY-03]"
             problems.at_key((*at, "return_period"), message)
         if hazard.spectrum is not None and level.spectrum is not None:
-            problems.at_key((*at, "spectrum"), "the levels are factors on `hazard.spectrum`; give a `factor` here")
+            problems.at_key(
+                (*at, "spectrum"), "the levels are factors on `hazard.spectrum`; give a `factor` here [E-HAZ-04]"
+            )
         elif hazard.spectrum is not None and level.factor is None:
-            problems.under(at, "factor", "this key is missing; the level is a factor on `hazard.spectrum`")
+            problems.under(at, "factor", "this key is missing; the level is a factor on `hazard.spectrum` [E-KEY-02]")
         elif hazard.spectrum is None and level.factor is not None:
-            message = "a factor needs a spectrum; give `hazard.spectrum`, or a `spectrum` here in place of the factor"
+            message = (
+                "a factor needs a spectrum; give `hazard.spectrum`, or a `spectrum` here in place of the factor"
+                " [E-HAZ-04]"
+            )
             problems.at_key((*at, "factor"), message)
         elif hazard.spectrum is None and level.spectrum is None:
             problems.under(
-                at, "spectrum", "this key is missing; there is no `hazard.spectrum` that a factor could be on"
+                at,
+                "spectrum",
+                "this key is missing; there is no `hazard.spectrum` that a factor could be on [E-KEY-02]",
             )
     if hazard.spectrum is None and not hazard.levels:
-        problems.under(("hazard",), "spectrum", "this key is missing; or give `levels`, each with a `spectrum`")
+        problems.under(
+            ("hazard",), "spectrum", "this key is missing; or give `levels`, each with a `spectrum` [E-KEY-02]"
+        )

@@ -27,21 +27,23 @@ def check_hinges(project: Project, problems: Problems) -> None:
         else:
             _regression(problems, keys, hinges)
         if hinges.reduced_section is not None and hinges.columns is not None:
-            problems.at_key((*keys, "reduced_section"), "only beams have a reduced section")
+            problems.at_key((*keys, "reduced_section"), "only beams have a reduced section [E-FRAME-05]")
     for i, joints in enumerate(project.joints):
         keys = ("joints", i)
         if _places(problems, check, keys, joints):
             _released(project, problems, keys, joints, "joint")
             _rigid(project, problems, keys, joints, "joints")
         if joints.hardening and joints.resistance is None:
-            problems.at_key((*keys, "hardening"), "a joint without `resistance` stays elastic and has no hardening")
+            problems.at_key(
+                (*keys, "hardening"), "a joint without `resistance` stays elastic and has no hardening [E-KEY-03]"
+            )
     for i, zones in enumerate(project.panel_zones):
         check.nodes(("panel_zones", i), zones.lines, zones.floors)
         rigid = project.elements.rigid_ends
         if rigid.beams.value or rigid.columns.value:
             message = (
                 "members begin to bend at the edges of panel zones and have no rigid ends beside them; leave out "
-                "`elements: rigid_ends`"
+                "`elements: rigid_ends` [E-KEY-03]"
             )
             problems.at_value(("panel_zones", i), message)
     _supports(project, problems)
@@ -50,7 +52,7 @@ def check_hinges(project: Project, problems: Problems) -> None:
 def _places(problems: Problems, check: Selections, keys: Keys, chosen: Hinges | Joints) -> bool:
     """Whether beams or columns are named, one of them; those named one by one stand."""
     if (chosen.beams is None) == (chosen.columns is None):
-        problems.at_value(keys, "give either `beams` or `columns`, one of them")
+        problems.at_value(keys, "give either `beams` or `columns`, one of them [E-KEY-03]")
         return False
     before = len(problems.found)
     if chosen.beams is not None:
@@ -65,7 +67,10 @@ def _released(project: Project, problems: Problems, keys: Keys, chosen: Hinges |
     for first, last in frame.members_in(chosen.beams, chosen.columns):
         for name, end, word in ((first, 0, "start"), (last, 1, "end")):
             if chosen.ends in ("both", word) and frame.released.get(name, (False, False))[end]:
-                message = f"the {word} of {name} is released, so it has no {what}; choose other members or `ends`"
+                message = (
+                    f"the {word} of {name} is released, so it has no {what}; choose other members or `ends`"
+                    " [E-FRAME-05]"
+                )
                 problems.at_value(keys, message)
                 return
 
@@ -73,25 +78,29 @@ def _released(project: Project, problems: Problems, keys: Keys, chosen: Hinges |
 def _rigid(project: Project, problems: Problems, keys: Keys, chosen: Hinges | Joints, what: str) -> None:
     kind = "columns" if chosen.beams is None else "beams"
     if getattr(project.elements.rigid_ends, kind).value:
-        message = f"{kind} with rigid ends have no {what}; leave out `elements: rigid_ends: {kind}`"
+        message = f"{kind} with rigid ends have no {what}; leave out `elements: rigid_ends: {kind}` [E-KEY-03]"
         problems.at_key((*keys, kind), message)
 
 
 def _values(problems: Problems, keys: Keys, hinges: Hinges, values: HingeValues) -> None:
     at: Keys = (*keys, "parameters")
     if hinges.columns is not None and values.hogging.model_fields_set:
-        problems.at_key((*at, "hogging"), "only beams have other values under hogging moments")
+        problems.at_key((*at, "hogging"), "only beams have other values under hogging moments [E-FRAME-05]")
     for place, ratio in (
         ((*at, "M_c_ratio"), values.M_c_ratio),
         ((*at, "hogging", "M_c_ratio"), values.hogging.M_c_ratio),
     ):
         if ratio is not None and ratio < 1.0:
-            problems.at_value(place, f"the moment at capping, {ratio:g} M_y, is below M_y; at least 1 is allowed")
+            problems.at_value(
+                place, f"the moment at capping, {ratio:g} M_y, is below M_y; at least 1 is allowed [E-VALUE-02]"
+            )
     _side(problems, at, values, values)
     if hinges.columns is None:
         _side(problems, (*at, "hogging"), values, values.hogging)
     if hinges.unbraced_length is not None:
-        problems.at_key((*keys, "unbraced_length"), "it is for the regression; here the parameters are given")
+        problems.at_key(
+            (*keys, "unbraced_length"), "it is for the regression; here the parameters are given [E-KEY-03]"
+        )
 
 
 def _side(problems: Problems, at: Keys, values: HingeValues, own: HingeValues | HingeSide) -> None:
@@ -108,17 +117,22 @@ def _side(problems: Problems, at: Keys, values: HingeValues, own: HingeValues | 
 
     where = place("theta_u", "theta_p")
     if where is not None and of("theta_u") <= of("theta_p"):
-        message = f"the ultimate rotation {of('theta_u'):g} rad is not beyond theta_p, {of('theta_p'):g} rad"
+        message = (
+            f"the ultimate rotation {of('theta_u'):g} rad is not beyond theta_p, {of('theta_p'):g} rad [E-VALUE-04]"
+        )
         problems.at_value(where, message)
     where = place("M_r_ratio", "M_c_ratio")
     if where is not None and of("M_c_ratio") >= 1.0 and of("M_r_ratio") >= of("M_c_ratio"):
-        message = f"the residual moment, {of('M_r_ratio'):g} M_y, is not below that at capping, {of('M_c_ratio'):g} M_y"
+        message = (
+            f"the residual moment, {of('M_r_ratio'):g} M_y, is not below that at capping, {of('M_c_ratio'):g} M_y"
+            " [E-VALUE-04]"
+        )
         problems.at_value(where, message)
 
 
 def _regression(problems: Problems, keys: Keys, hinges: Hinges) -> None:
     if hinges.columns is not None:
-        message = "the regression is for beams; give the parameters of columns one by one"
+        message = "the regression is for beams; give the parameters of columns one by one [E-KEY-03]"
         problems.at_value((*keys, "parameters"), message)
 
 
@@ -130,10 +144,10 @@ def _supports(project: Project, problems: Problems) -> None:
         at: Keys = ("frame", "supports", line)
         vertical = support.vertical
         if isinstance(vertical, VerticalSpring) and vertical.uplift and vertical.hardening:
-            message = "a spring with `uplift` gives way at its resistance and has no hardening"
+            message = "a spring with `uplift` gives way at its resistance and has no hardening [E-FRAME-06]"
             problems.at_key((*at, "vertical", "hardening"), message)
         for direction in ("horizontal", "vertical", "rotation"):
             spring = getattr(support, direction)
             if getattr(spring, "hardening", 0.0) and spring.resistance is None:
-                message = "a spring without `resistance` stays elastic and has no hardening"
+                message = "a spring without `resistance` stays elastic and has no hardening [E-KEY-03]"
                 problems.at_key((*at, direction, "hardening"), message)

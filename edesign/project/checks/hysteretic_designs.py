@@ -29,11 +29,14 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
     targets = listed(HYSTERETIC_TARGETS)
     given = [key for key in HYSTERETIC_TARGETS if getattr(spec, key) is not None]
     if not given:
-        problems.under(keys, "shear_share", f"this key is missing; one target of {targets} is needed")
+        problems.under(keys, "shear_share", f"this key is missing; one target of {targets} is needed [E-KEY-02]")
     for key in given[1:]:
-        problems.at_key((*keys, key), f"`{given[0]}` is given; a design has one target of {targets}")
+        problems.at_key((*keys, key), f"`{given[0]}` is given; a design has one target of {targets} [E-KEY-03]")
     if spec.drift is not None:
-        message = "a drift has no part in the sizing of hysteretic dampers; meet one by `verify` and its criteria"
+        message = (
+            "a drift has no part in the sizing of hysteretic dampers; meet one by `verify` and its criteria"
+            " [E-DESIGN-06]"
+        )
         problems.at_key((*keys, "drift"), message)
     if spec.level is None:
         _level(keys, spec, problems)
@@ -50,16 +53,22 @@ def _level(keys: Keys, spec: HystereticDesign, problems: Problems) -> None:
     }
     for key, needed in needs.items():
         if needed:
-            problems.under(keys, "level", f"this key is missing; `{key}` needs the spectrum of a hazard level")
+            problems.under(
+                keys, "level", f"this key is missing; `{key}` needs the spectrum of a hazard level [E-KEY-02]"
+            )
             return
 
 
 def _optimum(keys: Keys, spec: HystereticDesign, optimum: Optimum, problems: Problems) -> None:
     low, high = optimum.range
     if low >= high:
-        message = f"the range from {low:g} to {high:g} is empty; write the lower share first"
+        message = f"the range from {low:g} to {high:g} is empty; write the lower share first [E-VALUE-04]"
         problems.at_value((*keys, "optimum", "range"), message)
     if spec.verify is None:
-        problems.under(keys, "verify", "this key is missing; an `optimum` is found by its histories and criteria")
+        problems.under(
+            keys, "verify", "this key is missing; an `optimum` is found by its histories and criteria [E-KEY-02]"
+        )
     elif spec.verify.change != "target":
-        problems.at_value((*keys, "verify", "change"), "an `optimum` changes its share of the storey shears: `target`")
+        problems.at_value(
+            (*keys, "verify", "change"), "an `optimum` changes its share of the storey shears: `target` [E-KEY-03]"
+        )

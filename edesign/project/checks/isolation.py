@@ -32,11 +32,13 @@ def check_isolation(project: Project, problems: Problems) -> None:
         inside &= _device(project, problems, keys, isolator)
         _weight(project, problems, keys, isolator)
         if isolator.vertical == "free":
-            problems.at_value((*keys, "vertical"), "an isolator carries the column; it is `fixed` or has a stiffness")
+            problems.at_value(
+                (*keys, "vertical"), "an isolator carries the column; it is `fixed` or has a stiffness [E-KEY-03]"
+            )
         for line in isolator.lines.names(project.frame.lines):
             if line in taken:
                 message = f"line {line} has an isolator already, isolators[{taken[line]}]; one carries the column"
-                problems.at_value((*keys, "lines"), f"{message} (give what acts beside it under `beside`)")
+                problems.at_value((*keys, "lines"), f"{message} (give what acts beside it under `beside`) [E-ISOL-04]")
                 break
             taken[line] = i
     for i, item in enumerate(isolation.beside):
@@ -45,7 +47,10 @@ def check_isolation(project: Project, problems: Problems) -> None:
         _other_feet(project, problems, isolation, taken)
     _base(project, problems, isolation)
     if project.frame.leaning_column is not None:
-        message = "a leaning column stands on the ground; with an isolated base give its loads at nodes of the frame"
+        message = (
+            "a leaning column stands on the ground; with an isolated base give its loads at nodes of the frame"
+            " [E-FRAME-04]"
+        )
         problems.at_key(("frame", "leaning_column"), message)
     for i, analysis in enumerate(project.analyses):
         if isinstance(analysis, PushoverAnalysis) and analysis.dampers:
@@ -55,11 +60,11 @@ def check_isolation(project: Project, problems: Problems) -> None:
 
 
 NO_WAVE_PASSAGE = (
-    "the ground under isolators moves as one; feet that it reaches one after the other need fixed supports"
+    "the ground under isolators moves as one; feet that it reaches one after the other need fixed supports [E-ISOL-03]"
 )
 NO_PUSHOVER = (
     "a pushover of an isolated building is not offered: its roof moves with its base, which the targets do not know; "
-    "with `dampers: false` the frame is pushed on the supports that it has without isolators"
+    "with `dampers: false` the frame is pushed on the supports that it has without isolators [E-ISOL-03]"
 )
 
 
@@ -73,12 +78,14 @@ def _device(project: Project, problems: Problems, keys: Keys, item: BaseDevice) 
         return inside
     law = laws[item.law]
     if law.type == "buckling_restrained":
-        message = f"the law `{item.law}` is of a buckling-restrained brace, which acts along its own length"
+        message = f"the law `{item.law}` is of a buckling-restrained brace, which acts along its own length [E-ISOL-03]"
         problems.at_value((*keys, "law"), message)
     if law.prototype is None and law.file is None:
         for key in ("layers", "layer_area", "layer_thickness"):
             if getattr(item, key) is not None:
-                problems.at_key((*keys, key), f"the law `{item.law}` has no `prototype` whose size could be changed")
+                problems.at_key(
+                    (*keys, key), f"the law `{item.law}` has no `prototype` whose size could be changed [E-DAMPER-03]"
+                )
     elif law.prototype is not None and item.scale is not None:
         problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(item.law))
     return inside
@@ -92,12 +99,17 @@ def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator
         return
     if law.type != WEIGHED:
         if isolator.weight is not None:
-            message = f"the forces of the law `{isolator.law}` ({law.type}) do not go with a weight; leave it out"
+            message = (
+                f"the forces of the law `{isolator.law}` ({law.type}) do not go with a weight; leave it out [E-KEY-03]"
+            )
             problems.at_key((*keys, "weight"), message)
     elif isolator.weight == "varying" and isolator.vertical == "fixed":
         problems.at_value((*keys, "weight"), NEEDS_STIFFNESS)
     if law.type == WEIGHED and isolator.weight != "law" and isolator.scale is not None:
-        message = "the forces of this isolator follow from the weight on it; leave `scale` out, or say `weight: law`"
+        message = (
+            "the forces of this isolator follow from the weight on it; leave `scale` out, or say `weight: law`"
+            " [E-KEY-03]"
+        )
         problems.at_key((*keys, "scale"), message)
 
 
@@ -110,11 +122,13 @@ def _other_feet(project: Project, problems: Problems, isolation: Isolation, take
         one = len(held) == 1
         kinds = ", ".join(f"{line} {support_name(frame.support(line))}" for line in held)
         message = f"line{'s' * (not one)} {listed(held)} {'has' if one else 'have'} no isolator and would hold the base"
-        problems.at_key((*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller`")
+        problems.at_key(
+            (*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller` [E-ISOL-01]"
+        )
     for i, isolator in enumerate(isolation.isolators):
         bare = [line for line in isolator.lines.names(frame.lines) if line not in feet]
         if bare and not isolator.lines.is_all:
-            message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one"
+            message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one [E-NAME-01]"
             problems.at_value((*_AT, "isolators", i, "lines"), message)
 
 
@@ -128,18 +142,24 @@ def _base(project: Project, problems: Problems, isolation: Isolation) -> None:
     base, masses = isolation.base, project.masses
     feet = [line for line in project.frame.lines if names.node_name(line, 0) in project.frame.nodes]
     if base.beams is not None and base.rotation is not None:
-        message = "the feet of the columns turn with the `beams` of the base; leave `rotation` out, or the beams"
+        message = (
+            "the feet of the columns turn with the `beams` of the base; leave `rotation` out, or the beams [E-KEY-03]"
+        )
         problems.at_key((*_AT, "base", "rotation"), message)
     if base.beams is None and base.rotation is None:
         message = "how do the feet of the columns turn? with `beams`, which bring their moments to the isolators"
-        problems.at_key((*_AT, "base"), f"{message}, or held by `rotation`, which lets these into the ground")
+        problems.at_key(
+            (*_AT, "base"), f"{message}, or held by `rotation`, which lets these into the ground [E-ISOL-02]"
+        )
     if base.beams is not None and len(feet) == 1:
-        problems.at_key((*_AT, "base", "beams"), "the frame has one foot, which no beam of the base leads from")
+        problems.at_key(
+            (*_AT, "base", "beams"), "the frame has one foot, which no beam of the base leads from [E-ISOL-02]"
+        )
     if base.mass is not None and masses is None:
-        message = "the frame itself has no `masses`, which analyses with masses need"
+        message = "the frame itself has no `masses`, which analyses with masses need [E-MODAL-02]"
         problems.at_key((*_AT, "base", "mass"), message)
     if base.mass is None and masses is not None:
         factors = masses.from_loads
         if factors is None or not factors.G * base.G + factors.Q * base.Q > 0.0:
-            message = "the base has no mass; give `mass`, or loads `G` and `Q` with `masses.from_loads`"
+            message = "the base has no mass; give `mass`, or loads `G` and `Q` with `masses.from_loads` [E-MODAL-02]"
             problems.at_key((*_AT, "base"), message)

@@ -51,7 +51,7 @@ def _positions(project: Project, problems: Problems, keys: Keys, load: BeamLoad)
         for k, position in enumerate(point.at):
             message = beyond(position)
             if not message and not 0.0 < position.share(shortest) < 1.0:
-                message = f"{position} is an end of beam {name}; give a load on a node under `loads.nodes`"
+                message = f"{position} is an end of beam {name}; give a load on a node under `loads.nodes` [E-LOAD-02]"
             if message:
                 problems.at_item((*keys, "points", i, "at"), k, message)
     for i, part in enumerate(load.partial):
@@ -65,7 +65,7 @@ def _positions(project: Project, problems: Problems, keys: Keys, load: BeamLoad)
             width = frame.bay_widths[bay - 1]
             if part.start.share(width) >= part.end.share(width):
                 message = f"on beam {names.beam_name(bay, floor)} the load ends at {part.end}, not after its `start`"
-                problems.at_value((*keys, "partial", i, "end"), f"{message} at {part.start}")
+                problems.at_value((*keys, "partial", i, "end"), f"{message} at {part.start} [E-VALUE-04]")
                 break
 
 
@@ -78,7 +78,7 @@ def _room(project: Project, problems: Problems) -> None:
             message = (
                 f"loads begin, end or stand at {len(breaks)} places inside {name}; with "
                 f"{project.elements.integration_points} integration points (`elements`) between two of them a member "
-                f"has room for {most} places"
+                f"has room for {most} places [E-LOAD-02]"
             )
             problems.at_key(("loads", "beams"), message)
             return

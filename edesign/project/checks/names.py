@@ -25,7 +25,7 @@ def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str],
         if name not in known:
             problems.at_item(keys, i, unknown_name(what, name, known))
         elif name in given[:i]:
-            problems.at_item(keys, i, f"`{name}` comes twice")
+            problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
 
 
 def check_records(problems: Problems, keys: Keys, given: Sequence[str], project: Project) -> None:
@@ -39,4 +39,4 @@ def check_records(problems: Problems, keys: Keys, given: Sequence[str], project:
         if record_of(reference) not in project.records:
             problems.at_item(keys, i, unknown_name("record", record_of(reference), project.records))
         elif reference in given[:i]:
-            problems.at_item(keys, i, f"`{reference}` comes twice")
+            problems.at_item(keys, i, f"`{reference}` comes twice [E-NAME-02]")

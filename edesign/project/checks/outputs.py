@@ -22,11 +22,11 @@ def check_outputs(project: Project, problems: Problems) -> None:
     outputs = project.outputs
     for i, kind in enumerate(outputs.histories):
         if kind in outputs.histories[:i]:
-            problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice")
+            problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice [E-NAME-02]")
     for i, member in enumerate(outputs.members):
         keys: Keys = ("outputs", "members", i)
         if check_member(project, problems, keys, member) and member in outputs.members[:i]:
-            problems.at_value(keys, f"`{member}` comes twice")
+            problems.at_value(keys, f"`{member}` comes twice [E-NAME-02]")
     for i, section in enumerate(outputs.sections):
         _points(project, problems, ("outputs", "sections", i), section)
     for i, fibre in enumerate(outputs.fibres):
@@ -36,7 +36,7 @@ def check_outputs(project: Project, problems: Problems) -> None:
             if last is not None:
                 Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
     if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
-        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
+        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc [E-FILE-08]")
 
 
 def _layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
@@ -69,7 +69,7 @@ def check_member(project: Project, problems: Problems, keys: Keys, member: str) 
         return True
     hint = did_you_mean(member, known)
     kinds = "columns are named C_line_storey, beams B_bay_floor, braces D_bay_storey_r or _f"
-    problems.at_value(keys, f"there is no member `{member}` in this frame{hint} ({kinds})")
+    problems.at_value(keys, f"there is no member `{member}` in this frame{hint} ({kinds}) [E-NAME-01]")
     return False
 
 
@@ -79,11 +79,13 @@ def _points(project: Project, problems: Problems, keys: Keys, asked: SectionOutp
         return False
     run = project.frame.members[asked.member]
     if isinstance(run, BraceRun):
-        message = f"`{asked.member}` is a brace; a brace has no section points, only an axial force"
+        message = f"`{asked.member}` is a brace; a brace has no section points, only an axial force [E-HIST-04]"
         problems.at_value((*keys, "member"), message)
         return False
     if isinstance(project.sections.get(run.section), ElasticSection):
-        message = f"`{asked.member}` has the elastic section `{run.section}`, which has no integration points"
+        message = (
+            f"`{asked.member}` has the elastic section `{run.section}`, which has no integration points [E-HIST-04]"
+        )
         problems.at_value((*keys, "member"), message)
         return False
     breaks = breaks_of_members(project.frame, project.loads).get(asked.member, ())

@@ -78,11 +78,15 @@ def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Pr
             check_size(problems, where, item, laws)
         brace = item.brace
         if isinstance(brace, BraceStiffness) and isinstance(brace.stiffness, tuple):
-            message = "an item may stand in any place; give one stiffness, and others in items of their own"
+            message = (
+                "an item may stand in any place; give one stiffness, and others in items of their own [E-VALUE-01]"
+            )
             problems.at_value((*where, "brace", "stiffness"), message)
         if isinstance(brace, BraceSection):
             if (item.kind or spec.kind) == "storey":
-                message = "a damper between floors has no brace geometry; give the `stiffness` of its brace"
+                message = (
+                    "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
+                )
                 problems.at_value((*where, "brace"), message)
             if brace.material not in project.materials:
                 message = unknown_name("material", brace.material, project.materials)
@@ -91,7 +95,7 @@ def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Pr
         alike = {"cost": 1.0, "design_deformation": None, "kind": item.kind or spec.kind, "scale": item.scale or 1.0}
         content = item.model_copy(update=alike).model_dump_json()
         if content in same:
-            problems.at_key(where, f"the dampers are those of `{same[content]}`; one of them is enough")
+            problems.at_key(where, f"the dampers are those of `{same[content]}`; one of them is enough [E-NAME-02]")
         same.setdefault(content, name)
 
 
@@ -101,15 +105,20 @@ def _limits(keys: Keys, spec: PlacementDesign, project: Project, problems: Probl
     if limits.mirrored:
         alone = [bay for bay in bays if frame.n_bays + 1 - bay not in bays]
         if alone:
-            message = f"bay {alone[0]} has its mirror image in bay {frame.n_bays + 1 - alone[0]}, which is no candidate"
+            message = (
+                f"bay {alone[0]} has its mirror image in bay {frame.n_bays + 1 - alone[0]}, which is no candidate"
+                " [E-NAME-01]"
+            )
             problems.at_value((*keys, "mirrored"), message)
         elif all(2 * bay == frame.n_bays + 1 for bay in bays) and all(
             (item.kind or spec.kind) in ("rising", "falling") for item in spec.catalogue.values()
         ):
-            problems.at_value((*keys, "mirrored"), "a diagonal in the middle bay has no mirror image of its own")
+            problems.at_value(
+                (*keys, "mirrored"), "a diagonal in the middle bay has no mirror image of its own [E-PLACE-03]"
+            )
     fewest = min(item.number for item in spec.catalogue.values())
     if limits.most_dampers is not None and limits.most_dampers < fewest:
-        message = f"{limits.most_dampers} are fewer than one place takes, {fewest}"
+        message = f"{limits.most_dampers} are fewer than one place takes, {fewest} [E-VALUE-02]"
         problems.at_value((*keys, "most_dampers"), message)
     check = Selections(frame, problems)
     taken: set[int] = set()
@@ -120,12 +129,12 @@ def _limits(keys: Keys, spec: PlacementDesign, project: Project, problems: Probl
         numbers = group.numbers(1, frame.n_storeys)
         outside = [storey for storey in numbers if storey not in storeys]
         if outside:
-            problems.at_value(where, f"storey {outside[0]} is no candidate")
+            problems.at_value(where, f"storey {outside[0]} is no candidate [E-NAME-01]")
         twice = sorted(taken & set(numbers))
         if twice:
-            problems.at_value(where, f"storey {twice[0]} is in two groups")
+            problems.at_value(where, f"storey {twice[0]} is in two groups [E-NAME-02]")
         taken |= set(numbers)
         between = [storey for storey in storeys if numbers[0] < storey < numbers[-1] and storey not in numbers]
         if limits.continuous and between:
-            message = f"with `continuous` a group has no gap, and storey {between[0]} is between"
+            message = f"with `continuous` a group has no gap, and storey {between[0]} is between [E-PLACE-03]"
             problems.at_value(where, message)

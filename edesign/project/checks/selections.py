@@ -37,7 +37,7 @@ class GridSelections:
         for i, (low, high) in enumerate(chosen.ranges):
             if low < 1 or high > last:
                 outside = low if low < 1 else high
-                message = f"there is no {what} {outside}{of}; {what}s are numbered 1 to {last}"
+                message = f"there is no {what} {outside}{of}; {what}s are numbered 1 to {last} [E-NAME-01]"
                 self.problems.at_item(keys, i, message)
                 good = False
         return good
@@ -70,7 +70,7 @@ class GridSelections:
         found = list(missing)
         if found:
             message = f"{counted_are(len(found), what)} missing in this {self._what}: {listed(found)}"
-            self.problems.at_value(keys, f"{message} (`all` takes those that exist)")
+            self.problems.at_value(keys, f"{message} (`all` takes those that exist) [E-NAME-01]")
         return not found
 
     def without_section(self, keys: Keys, what: str, bare: Iterable[str]) -> bool:
@@ -83,7 +83,7 @@ class GridSelections:
         found = list(bare)
         if found:
             message = f"{counted_are(len(found), what)} without a section: {listed(found)}"
-            self.problems.at_key(keys, f"{message}; add an entry, or list under `missing`")
+            self.problems.at_key(keys, f"{message}; add an entry, or list under `missing` [E-NAME-01]")
         return not found
 
 
@@ -119,7 +119,7 @@ class Selections(GridSelections):
             outside = next((line for line in reversed(span) if line not in self.frame.lines), None)
             if outside is not None:
                 last = self.frame.lines[-1]
-                self.problems.at_item(keys, i, f"there is no line {outside}; lines are named A to {last}")
+                self.problems.at_item(keys, i, f"there is no line {outside}; lines are named A to {last} [E-NAME-01]")
                 good = False
         return good
 

@@ -32,20 +32,21 @@ def check_vertical(
     if motion is None:
         return
     if (motion.ratio is None) == (motion.record is None):
-        problems.at_key(keys, "give either `ratio` (times the horizontal record) or `record`, one of them")
+        problems.at_key(keys, "give either `ratio` (times the horizontal record) or `record`, one of them [E-KEY-03]")
         return
     if project.masses is not None and project.masses.directions == "horizontal":
         message = (
             "the masses resist horizontal motion alone (`masses.directions`), so that vertical motion would do nothing"
+            " [E-VERT-01]"
         )
         problems.at_key(keys, message)
     for key in ("pga", "scale"):
         if motion.record is None and getattr(motion, key) is not None:
-            problems.at_key((*keys, key), "the `ratio` says the scale; leave this key out")
+            problems.at_key((*keys, key), "the `ratio` says the scale; leave this key out [E-KEY-03]")
     if motion.record is None:
         return
     if motion.pga is not None and motion.scale is not None:
-        problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them")
+        problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them [E-KEY-03]")
     if motion.record not in project.records:
         problems.at_value((*keys, "record"), unknown_name("record", motion.record, project.records))
         return
@@ -53,6 +54,7 @@ def check_vertical(
     if isinstance(record, RecordSet):
         message = (
             f"`{motion.record}` has several motions; vertical motion is one record, or a `ratio` of each horizontal one"
+            " [E-SCALE-01]"
         )
         problems.at_value((*keys, "record"), message)
     elif record.match is not None:
@@ -72,7 +74,9 @@ def check_horizontal(project: Project, problems: Problems, keys: Keys, records: 
     for i, name in enumerate(map(record_of, records)):
         match = project.records[name].match if name in project.records else None
         if match is not None and match.component == "vertical":
-            message = f"`{name}` is fitted to the vertical spectrum; it is the `record` of a `vertical` motion"
+            message = (
+                f"`{name}` is fitted to the vertical spectrum; it is the `record` of a `vertical` motion [E-SCALE-02]"
+            )
             problems.at_item(keys, i, message)
 
 
@@ -84,18 +88,19 @@ def _fitted(
     assert match is not None
     if match.component != "vertical":
         message = f"`{name}` is fitted to the horizontal spectrum; a vertical one is as recorded, or has"
-        problems.at_value((*keys, "record"), f"{message} `match: {{component: vertical}}`")
+        problems.at_value((*keys, "record"), f"{message} `match: {{component: vertical}}` [E-SCALE-02]")
         return
     for key in ("pga", "scale"):
         if getattr(motion, key) is not None:
             message = (
                 f"`{name}` is fitted to the vertical spectrum of the hazard; the level of the history says the scale"
+                " [E-KEY-03]"
             )
             problems.at_key((*keys, key), message)
     if not levels:
-        known = listed(project.hazard_levels) if project.hazard_levels else "the hazard has none"
+        known = listed(project.hazard_levels) if project.hazard_levels else "the hazard has none [E-HAZ-05]"
         message = f"`{name}` is fitted to the vertical spectrum and scaled to the level of the history, which has none"
-        problems.at_value((*keys, "record"), f"{message} ({known})")
+        problems.at_value((*keys, "record"), f"{message} ({known}) [E-HAZ-05]")
     check_fitted_levels((*keys, "record"), (name,), levels, project, problems)
 
 
@@ -105,5 +110,5 @@ def _shared_factor(project: Project, problems: Problems, keys: Keys, records: Se
         horizontal = project.records.get(record_of(reference))
         if horizontal is not None and horizontal.fitted:
             message = f"`{reference}` is fitted, and has no factor that the vertical record could share"
-            problems.under(keys, "scale", f"this key is missing; {message}")
+            problems.under(keys, "scale", f"this key is missing; {message} [E-KEY-02]")
             return

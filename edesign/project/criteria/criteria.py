@@ -42,9 +42,9 @@ def _some_names(value: Any) -> Any:
     for i, name in enumerate(names):
         if not isinstance(name, str):
             at = (i,) if names is value else ()
-            raise refuse(f"a name, a list of names, or `all` is needed, not {as_seen(name)}", *at)
+            raise refuse(f"a name, a list of names, or `all` is needed, not {as_seen(name)} [E-VALUE-01]", *at)
     if not names:
-        raise refuse("the list is empty; write `all`, or at least one name")
+        raise refuse("the list is empty; write `all`, or at least one name [E-VALUE-01]")
     return tuple(names)
 
 
@@ -75,9 +75,11 @@ def _statistic(value: Any) -> Any:
     match = _PERCENTILE.fullmatch(value) if isinstance(value, str) else None
     if match is None:
         names = ", ".join(f"`{name}`" for name in PLAIN_STATISTICS)
-        raise refuse(f"`{value}` is no statistic; allowed: {names}, and percentiles such as `84 %`")
+        raise refuse(f"`{value}` is no statistic; allowed: {names}, and percentiles such as `84 %` [E-VALUE-03]")
     if not 0.0 < float(match[1]) < 100.0:
-        raise refuse(f"`{value}`: a percentile is more than 0 % and less than 100 %; of all it is the `maximum`")
+        raise refuse(
+            f"`{value}`: a percentile is more than 0 % and less than 100 %; of all it is the `maximum` [E-VALUE-02]"
+        )
     return f"{float(match[1]):g}%"
 
 

@@ -39,7 +39,7 @@ FOLLOWED = ("spectrum", "histories")
 def _strain(value: Any) -> Any:
     if isinstance(value, str) and value.isidentifier() and value not in FOLLOWED:
         hint = did_you_mean(value, FOLLOWED)
-        raise refuse(f"`{value}` is unknown{hint} (a strain such as `20 %`, or {listed(FOLLOWED)})")
+        raise refuse(f"`{value}` is unknown{hint} (a strain such as `20 %`, or {listed(FOLLOWED)}) [E-VALUE-03]")
     return value if value in FOLLOWED else parse_ratio(value, 0.0, math.inf, low_allowed=False)
 
 

@@ -27,13 +27,13 @@ with four, between two neighbouring buckling curves of EN 1993-1-1. Held ends le
 
 def _camber(value: Any) -> float | Literal["ec3"]:
     if isinstance(value, str) and value.isidentifier() and value != "ec3":
-        raise refuse(f"`{value}` is unknown; give a ratio such as `0.1 %`, or `ec3`")
+        raise refuse(f"`{value}` is unknown; give a ratio such as `0.1 %`, or `ec3` [E-VALUE-03]")
     return "ec3" if value == "ec3" else parse_ratio(value, 0.0, LARGEST_CAMBER, low_allowed=False)
 
 
 def _even(value: int) -> int:
     if value % 2:
-        raise refuse(f"{value} is odd; half of the brace is modelled, so that the number of beams is even")
+        raise refuse(f"{value} is odd; half of the brace is modelled, so that the number of beams is even [E-VALUE-02]")
     return value
 
 

@@ -56,7 +56,7 @@ def parse_position(value: Any) -> Position:
     if isinstance(value, str) and (parts := _FRACTION.fullmatch(value)):
         above, below = int(parts[1]), int(parts[2])
         if above > below or below == 0:
-            raise refuse(f"`{value}` is no share of a length: it lies between 0 and 1, for example `1/3`")
+            raise refuse(f"`{value}` is no share of a length: it lies between 0 and 1, for example `1/3` [E-VALUE-02]")
         return Position(above / below, True)
     try:
         return Position(parse_ratio(value, 0.0, 1.0), True)
@@ -67,7 +67,7 @@ def parse_position(value: Any) -> Position:
         return Position(parse_quantity(value, LENGTH, "not negative"), False)
     except PydanticCustomError as error:
         message = (error.context or {})["message"]
-        raise refuse(f"{message}; a share of the length is written like `1/3`, `0.25` or `30 %`") from None
+        raise refuse(f"{message}; a share of the length is written like `1/3`, `0.25` or `30 %` [E-VALUE-01]") from None
 
 
 _SHARE = text("share of the length", r"[0-9]{1,6}\s*/\s*[0-9]{1,6}", "1/3")

@@ -46,7 +46,7 @@ def unit_factor(unit: str, si_unit: str) -> float:
     """
     if si_unit == "1":
         if unit not in ("1", "%"):
-            raise refuse(f"`{unit}` is no unit of a ratio; write `%`, or `1`")
+            raise refuse(f"`{unit}` is no unit of a ratio; write `%`, or `1` [E-UNIT-02]")
         return 0.01 if unit == "%" else 1.0
     kind = _KINDS.get(si_unit) or Kind("quantity", si_unit, f"1 {si_unit}")
     return parse_quantity(f"1 {unit}", kind)

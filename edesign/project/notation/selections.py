@@ -161,7 +161,9 @@ def items_of(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
     """
     if isinstance(value, (list, tuple)):
         if not value:
-            raise refuse(f"the list is empty; write `all`, one, a range such as `{example}`, or a list of these")
+            raise refuse(
+                f"the list is empty; write `all`, one, a range such as `{example}`, or a list of these [E-VALUE-01]"
+            )
         return [(item, (i,)) for i, item in enumerate(value)]
     return [(value, ())]
 
@@ -169,20 +171,22 @@ def items_of(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
 def _number_range(item: Any, at: tuple[int, ...]) -> tuple[int, int]:
     match = None if isinstance(item, (bool, float)) else _NUMBER_RANGE.fullmatch(str(item))
     if not match:
-        raise refuse(f"{as_seen(item)} is no selection; write `all`, `3`, `1-4` or `[1, 3, 5-7]`", *at)
+        raise refuse(f"{as_seen(item)} is no selection; write `all`, `3`, `1-4` or `[1, 3, 5-7]` [E-VALUE-01]", *at)
     first, last = int(match[1]), int(match[2] or match[1])
     if first > last:
-        raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}`", *at)
+        raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}` [E-VALUE-04]", *at)
     return first, last
 
 
 def _line_range(item: Any, at: tuple[int, ...]) -> tuple[str, str]:
     match = _LINE_RANGE.fullmatch(item) if isinstance(item, str) else None
     if not match:
-        raise refuse(f"{as_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]`", *at)
+        raise refuse(
+            f"{as_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]` [E-VALUE-01]", *at
+        )
     first, last = match[1], match[2] or match[1]
     if line_index(first) > line_index(last):
-        raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}`", *at)
+        raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}` [E-VALUE-04]", *at)
     return first, last
 
 

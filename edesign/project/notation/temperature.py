@@ -27,13 +27,13 @@ def parse_temperature(value: Any) -> float:
     """
     match = _TEMPERATURE.fullmatch(value) if isinstance(value, str) else None
     if not match:
-        raise refuse(f"{as_seen(value)} is no temperature; write number and unit, `20 degC` or `293.15 K`")
+        raise refuse(f"{as_seen(value)} is no temperature; write number and unit, `20 degC` or `293.15 K` [E-VALUE-01]")
     number = float(match[1])
     result = number + _ABSOLUTE_ZERO_C if match[2] == "K" else number
     if not (math.isfinite(result) and result >= _ABSOLUTE_ZERO_C):
-        raise refuse(f"`{value}` is below absolute zero")
+        raise refuse(f"`{value}` is below absolute zero [E-VALUE-02]")
     if result > IRON_MELTS_C:
-        raise refuse(f"`{value}` is beyond {IRON_MELTS_C:g} degC, at which iron melts")
+        raise refuse(f"`{value}` is beyond {IRON_MELTS_C:g} degC, at which iron melts [E-VALUE-02]")
     return round(result, 9)  # 293.15 K is 20 degC
 
 

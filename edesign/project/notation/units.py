@@ -77,30 +77,39 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
         PydanticCustomError: no number, no unit, unknown unit, another dimension, a refused sign, or out of bounds.
     """
     if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-        raise refuse(f"{a(kind.name)} with its unit is needed, for example `{kind.example}`, not {as_seen(value)}")
+        raise refuse(
+            f"{a(kind.name)} with its unit is needed, for example `{kind.example}`, not {as_seen(value)} [E-VALUE-01]"
+        )
     match = _VALUE.fullmatch(str(value))
     if not match:
         if str(value)[:1] in _DASHES:
-            raise refuse(f"`{value}` begins with a dash that is no minus; write `-`, as in `-{kind.example}`")
-        raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}`")
+            raise refuse(
+                f"`{value}` begins with a dash that is no minus; write `-`, as in `-{kind.example}` [E-VALUE-01]"
+            )
+        raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}` [E-VALUE-01]")
     number, unit = match[1], match[2]
     if not unit:
-        raise refuse(f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{kind.written(number)}`")
+        raise refuse(
+            f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{kind.written(number)}`"
+            " [E-UNIT-01]"
+        )
     try:
         factor = _known_factor(unit, kind)
     except PydanticCustomError:
         factor = _factor(str(value), unit, kind)  # whose message shows the value
     result = float(number) * factor
     if not math.isfinite(result):
-        raise refuse(f"`{value}` is not finite")
+        raise refuse(f"`{value}` is not finite [E-VALUE-02]")
     if sign == "positive" and result <= 0.0:
-        raise refuse(f"`{value}` must be greater than zero")
+        raise refuse(f"`{value}` must be greater than zero [E-VALUE-02]")
     if sign == "not negative" and result < 0.0:
-        raise refuse(f"`{value}` must not be negative")
+        raise refuse(f"`{value}` must not be negative [E-VALUE-02]")
     if result != 0.0 and not kind.least <= abs(result) <= kind.most:
         zero = "" if sign == "positive" else ", or zero"
         span = f"{kind.least:g} to {kind.most:g} {kind.unit}{zero}"
-        raise refuse(f"`{value}` is beyond what {a(kind.name)} can be, {span}; look at its power and its unit")
+        raise refuse(
+            f"`{value}` is beyond what {a(kind.name)} can be, {span}; look at its power and its unit [E-UNIT-03]"
+        )
     return result
 
 
@@ -120,10 +129,15 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
     if isinstance(value, (str, int, float)) and not isinstance(value, bool):
         match = _VALUE.fullmatch(str(value))
     if not match:
-        raise refuse(f"a ratio is needed, a plain number or a percentage such as `0.02` or `2 %`, not {as_seen(value)}")
+        raise refuse(
+            f"a ratio is needed, a plain number or a percentage such as `0.02` or `2 %`, not {as_seen(value)}"
+            " [E-VALUE-01]"
+        )
     number, unit = match[1], match[2]
     if unit not in ("", "%"):
-        raise refuse(f"`{value}` has the unit `{unit}`, but a ratio is a plain number or a percentage such as `2 %`")
+        raise refuse(
+            f"`{value}` has the unit `{unit}`, but a ratio is a plain number or a percentage such as `2 %` [E-UNIT-02]"
+        )
     result = float(number) / 100.0 if unit else float(number)
     inside_low = result >= low if low_allowed else result > low
     inside_high = result <= high if high_allowed else result < high
@@ -133,10 +147,10 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
         percent = result / 100.0  # 5 where 5 % is meant
         meant = not unit and 1.0 <= result <= 100.0 and low < percent < high
         hint = f"; {number} per cent is written `{number} %`" if meant else ""
-        raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed{hint}")
+        raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed{hint} [E-VALUE-02]")
     if result > LARGEST_FACTOR or 0.0 < abs(result) < 1.0 / LARGEST_FACTOR:
         span = f"{1.0 / LARGEST_FACTOR:g} to {LARGEST_FACTOR:g}" + (", or zero" if low_allowed and low <= 0.0 else "")
-        raise refuse(f"`{value}` is beyond what a ratio can be, {span}")
+        raise refuse(f"`{value}` is beyond what a ratio can be, {span} [E-UNIT-03]")
     return result
 
 
@@ -148,7 +162,7 @@ def parse_signed_ratio(value: Any) -> float:
     """
     result = parse_ratio(value, -LARGEST_FACTOR, LARGEST_FACTOR)
     if result == 0.0:
-        raise refuse(f"`{value}` is out of range: a ratio above or below 0 is allowed")
+        raise refuse(f"`{value}` is out of range: a ratio above or below 0 is allowed [E-VALUE-02]")
     return result
 
 
@@ -165,7 +179,7 @@ def held(kind: Kind, what: str, *words: str) -> Written:
             return value
         meant = nearest(value, words) if isinstance(value, str) else ""
         if meant:
-            raise refuse(f"`{value}` is unknown; did you mean `{meant}`? ({what})")
+            raise refuse(f"`{value}` is unknown; did you mean `{meant}`? ({what}) [E-UNIT-02]")
         try:
             return parse_quantity(value, kind, "positive")
         except ValueError as error:
@@ -256,12 +270,12 @@ def _factor(value: str, unit: str, kind: Kind) -> float:
     if written and wanted and written[3] == wanted[3]:
         return _FACTORS["N"][written[1]] * _FACTORS["m"][written[2]] ** -float(written[3])
     if unit == "%":
-        raise refuse(f"`{value}` is a ratio, but {a(kind.name)} is needed, for example `{kind.example}`")
+        raise refuse(f"`{value}` is a ratio, but {a(kind.name)} is needed, for example `{kind.example}` [E-UNIT-02]")
     parsed = _parse_unit(value, unit, kind)
     if parsed.dimensionality != _dimension(kind.unit):
         raise refuse(
             f"`{value}` is {a(_name(parsed.dimensionality))}, but {a(kind.name)} is needed, "
-            f"for example `{kind.example}`"
+            f"for example `{kind.example}` [E-UNIT-02]"
         )
     return float(_registry().Quantity(1.0, parsed).to_base_units().magnitude)
 
@@ -275,10 +289,14 @@ def _parse_unit(value: str, unit: str, kind: Kind) -> Any:
         except Exception:  # noqa: BLE001  pint raises many kinds, all of which mean the same here
             pass
     if unit.startswith(","):
-        raise refuse(f"`{value}`: decimals stand behind a point, not a comma, for example `{kind.example}`")
+        raise refuse(
+            f"`{value}`: decimals stand behind a point, not a comma, for example `{kind.example}` [E-VALUE-01]"
+        )
     close = difflib.get_close_matches(text, _COMMON, n=1, cutoff=0.5)
     hint = f"; did you mean `{close[0]}`?" if close else ""
-    raise refuse(f"`{value}`: unknown unit `{unit}`{hint} ({a(kind.name)} is written like `{kind.example}`)")
+    raise refuse(
+        f"`{value}`: unknown unit `{unit}`{hint} ({a(kind.name)} is written like `{kind.example}`) [E-UNIT-02]"
+    )
 
 
 def _with_powers(unit: str) -> str:

@@ -17,7 +17,7 @@ def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
     """
     if not is_there(path):
         slash = "; folders are divided by `/`" if "\\" in str(path) else ""
-        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what}){slash}")
+        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what}){slash} [E-FILE-01]")
     elif not is_file(path):
-        problems.at_value(keys, f"`{path}` is not a file")
+        problems.at_value(keys, f"`{path}` is not a file [E-FILE-01]")
     return is_file(path)

@@ -56,11 +56,11 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
     if kind == "missing":
         key = str(keys[-1])
         example = _example(_model_at(model, loc[:-1]), key)
-        problems.under(keys[:-1], key, f"this key is missing{example}")
+        problems.under(keys[:-1], key, f"this key is missing{example} [E-KEY-02]")
     elif kind == "extra_forbidden":
         allowed = _allowed_keys(_model_at(model, loc[:-1]))
         hint = f"; did you mean `{meant}`?" if meant else ""
-        problems.at_key(keys, f"unknown key{hint} (allowed here: {listed(allowed, 40)})")
+        problems.at_key(keys, f"unknown key{hint} (allowed here: {listed(allowed, 40)}) [E-KEY-01]")
     elif kind == "union_tag_invalid":
         _wrong_choice(keys, detail["input"], context, problems)
     elif kind == "too_short" and len(detail["input"]) >= context["min_length"]:
@@ -69,24 +69,30 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         problems.at_value((*keys, *context["at"]), _as_written(context["message"], detail["input"], context["at"]))
     elif kind == "tuple_type" and loc[-1] == LIST:
         other = _other_shape(model, loc) or "a mapping"
-        problems.at_value(keys, f"a list, or {other}, is needed here, not {as_seen(detail['input'])}")
+        problems.at_value(keys, f"a list, or {other}, is needed here, not {as_seen(detail['input'])} [E-VALUE-01]")
     elif kind == "literal_error" and keys in _VERSIONS and str(detail["input"]) == "1":
-        problems.at_value(keys, "the format is the number 1; write it without quotes")
+        problems.at_value(keys, "the format is the number 1; write it without quotes [E-FILE-05]")
     elif kind == "literal_error" and keys in _VERSIONS:
         problems.at_value(
-            keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1"
+            keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1 [E-FILE-05]"
         )
     elif loc and loc[-1] == "[key]":
         most = context.get("max_length", 64)
-        problems.at_key(keys, f"a name is made of letters, digits and `_`, `-`, `+`, `.`, at most {most} of them")
+        problems.at_key(
+            keys, f"a name is made of letters, digits and `_`, `-`, `+`, `.`, at most {most} of them [E-VALUE-02]"
+        )
     elif kind == "literal_error":
         allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
         other = f", or {shape}" if loc[-1] == PLAIN and (shape := _other_shape(model, loc)) else ""
         hint = did_you_mean(str(detail["input"]), allowed)
-        problems.at_value(keys, f"{as_seen(detail['input'])} is unknown{hint} (allowed: {listed(allowed)}{other})")
+        problems.at_value(
+            keys, f"{as_seen(detail['input'])} is unknown{hint} (allowed: {listed(allowed)}{other}) [E-VALUE-03]"
+        )
     elif kind == "tuple_type" and _of_mappings(model, loc):
         seen = as_seen(detail["input"])
-        problems.at_value(keys, f"a list of mappings, each `- {{key: value}}` on its line, is needed here, not {seen}")
+        problems.at_value(
+            keys, f"a list of mappings, each `- {{key: value}}` on its line, is needed here, not {seen} [E-VALUE-01]"
+        )
     else:
         problems.at_value(keys, _message(kind, detail, context))
 
@@ -118,42 +124,50 @@ def _other_shape(model: type[BaseModel], loc: tuple[int | str, ...]) -> str:
 def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: Problems) -> None:
     """The value of the key that chooses between alternatives is missing or unknown."""
     if not isinstance(value, Mapping):
-        problems.at_value(keys, f"a mapping is needed here, not {as_seen(value)}")
+        problems.at_value(keys, f"a mapping is needed here, not {as_seen(value)} [E-VALUE-01]")
         return
     key, _, seen = str(context["tag"]).lstrip(TAG).partition("=")
     tags = [tag.strip(" '").lstrip(TAG) for tag in str(context["expected_tags"]).split(",")]
     allowed = [tag.partition("=")[2] for tag in tags if tag.startswith(f"{key}=")]
     if key in value:
         hint = did_you_mean(seen, allowed)
-        problems.at_value((*keys, key), f"{as_seen(value[key])} is unknown{hint} (allowed: {listed(allowed)})")
+        problems.at_value(
+            (*keys, key), f"{as_seen(value[key])} is unknown{hint} (allowed: {listed(allowed)}) [E-VALUE-03]"
+        )
     elif misspelt := nearest(key, value):
-        problems.at_key((*keys, misspelt), f"unknown key; did you mean `{key}`? (allowed for it: {listed(allowed)})")
+        problems.at_key(
+            (*keys, misspelt), f"unknown key; did you mean `{key}`? (allowed for it: {listed(allowed)}) [E-KEY-01]"
+        )
     else:
-        problems.under(keys, key, f"this key is missing; allowed: {listed(allowed)}")
+        problems.under(keys, key, f"this key is missing; allowed: {listed(allowed)} [E-KEY-02]")
 
 
 def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str:
     seen = as_seen(detail["input"])
     if kind == "tuple_type" and isinstance(detail["input"], str):
-        return f"a list is needed here: `[{detail['input']}]`, not {seen}"
+        return f"a list is needed here: `[{detail['input']}]`, not {seen} [E-VALUE-01]"
     if kind in _WORDS:
-        return f"{_WORDS[kind](context)} is needed here, not {seen}"
+        return f"{_WORDS[kind](context)} is needed here, not {seen} [E-VALUE-01]"
     if kind in _LIMITS:
-        return f"{seen} is out of range: it must be {_LIMITS[kind]} {_number(next(iter(context.values())))}"
+        return (
+            f"{seen} is out of range: it must be {_LIMITS[kind]} {_number(next(iter(context.values())))} [E-VALUE-02]"
+        )
     if kind == "too_short":
         what = "mapping" if isinstance(detail["input"], Mapping) else "list"
         return (
-            f"the {what} is empty" if context.get("actual_length") == 0 else f"{context['min_length']} items are needed"
+            f"the {what} is empty [E-FILE-05]"
+            if context.get("actual_length") == 0
+            else f"{context['min_length']} items are needed [E-VALUE-01]"
         )
     if kind == "too_long":
-        return f"too many items: {context['max_length']} are needed"
+        return f"too many items: {context['max_length']} are needed [E-VALUE-01]"
     if kind == "string_too_short":
-        return "the text is empty"
+        return "the text is empty [E-VALUE-01]"
     if kind == "string_too_long":
-        return f"the text is longer than {context['max_length']} characters"
+        return f"the text is longer than {context['max_length']} characters [E-VALUE-01]"
     if kind == "string_pattern_mismatch":
         signs = ", ".join(f"`{sign}`" for sign in "_-+." if sign in context["pattern"])  # only names have a pattern
-        return f"{seen} is no name: a letter or digit begins it, letters, digits and {signs} may follow"
+        return f"{seen} is no name: a letter or digit begins it, letters, digits and {signs} may follow [E-VALUE-01]"
     return f"{seen}: {detail['msg']}"
 
 

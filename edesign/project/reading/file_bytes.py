@@ -53,11 +53,11 @@ def read_file(
     except FileNotFoundError:
         raise missing(path, what) from None
     except IsADirectoryError:
-        raise InputError(f"{path}: this is a folder; name the {what} in it") from None
+        raise InputError(f"{path}: this is a folder; name the {what} in it [E-FILE-02]") from None
     except OSError as error:
-        raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+        raise InputError(f"{path}: the {what} cannot be read: {error.strerror} [E-FILE-02]") from None
     except ValueError as error:  # Python's for a null byte in a name
-        raise InputError(f"{path}: the {what} cannot be read: {error}") from None
+        raise InputError(f"{path}: the {what} cannot be read: {error} [E-FILE-02]") from None
     head = data[:HEAD]
     refuse_kind(path, kind_of_content(head) or foreign_content(head), what, *refused)
     if size > most or len(data) > most:
@@ -76,7 +76,9 @@ def _opened(path: Path) -> BinaryIO:
     mode = os.stat(path).st_mode
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
         what = "pipe" if stat.S_ISFIFO(mode) else "socket" if stat.S_ISSOCK(mode) else "device"
-        raise InputError(f"{path}: this is a {what}, and only files are read; write into a file what is to be read")
+        raise InputError(
+            f"{path}: this is a {what}, and only files are read; write into a file what is to be read [E-FILE-02]"
+        )
     return path.open("rb")
 
 
@@ -89,7 +91,7 @@ def missing(path: Path, what: str) -> InputError:
     try:
         beside = [entry.name for entry in islice(os.scandir(path.parent), _MOST_NAMES)]
     except FileNotFoundError:
-        return InputError(f"{path}: there is no such {what}; the folder {path.parent} does not exist")
+        return InputError(f"{path}: there is no such {what}; the folder {path.parent} does not exist [E-FILE-01]")
     except (OSError, ValueError):
         beside = []
     endings = {".yaml", ".yml"} if path.suffix.lower() in (".yaml", ".yml", "") else {path.suffix.lower()}
@@ -97,7 +99,9 @@ def missing(path: Path, what: str) -> InputError:
     del_digits = str.maketrans("", "", "0123456789")  # record_2 and record_7 are alike, and not the same
     same = path.stem.translate(del_digits)
     near = alike.get(nearest(path.stem, [stem for stem in alike if stem.translate(del_digits) != same]))
-    return InputError(f"{path}: there is no such {what}" + (f"; did you mean `{near}`?" if near else ""))
+    return InputError(
+        f"{path}: there is no such {what}" + (f"; did you mean `{near}`?" if near else "" + " [E-FILE-01]")
+    )
 
 
 def read_up_to(file: Readable, most: int) -> bytes:
@@ -123,7 +127,7 @@ def too_large(path: Path, what: str, size: int, most: int, advice: str = TABLE_A
         advice: what the user can do.
     """
     seen = f"more than {megabytes(most)}" if size == most + 1 else megabytes(size)
-    return InputError(f"{path}: the {what} has {seen}; at most {megabytes(most)} are read: {advice}")
+    return InputError(f"{path}: the {what} has {seen}; at most {megabytes(most)} are read: {advice} [E-FILE-02]")
 
 
 def is_file(path: Path) -> bool:

@@ -117,7 +117,9 @@ class FileModel(Model):
             InputError: they are not; the message names the first place that differs.
         """
         if self._root is None or self._read is None:
-            raise InputError(f"this {self.kind} was not read from a file or text; read it by `load_{self.kind}`")
+            raise InputError(
+                f"this {self.kind} was not read from a file or text; read it by `load_{self.kind}` [E-EDIT-01]"
+            )
         found = first_difference(self, self._read.completed(type(self).model_validate(self._root.plain())))
         if found is not None:
             keys, mine, said = found
@@ -125,7 +127,7 @@ class FileModel(Model):
             raise InputError(
                 f"{self.where(*keys)}: {place}: this copy of the {self.kind} has {shown(mine)} here, and its text says "
                 f"{shown(said)}; change values by {self.kind}.with_values({place!r}, ...), which keeps text, checksum "
-                "and values together"
+                "and values together [E-EDIT-01]"
             )
 
     def content(self, path: Path, read: Callable[[Path], bytes]) -> bytes:

@@ -46,11 +46,13 @@ def changed_text(text: str, model: BaseModel, values: Mapping[KeyPath, Any], pro
             wanted = _with(root.plain(), keys, parse(yaml_text(value))[0].plain())
             text = set_value(text, root, keys, value)
         except TypeError as error:
-            problems.at_value(keys, f"{error}; give text such as `100 GPa`, a number, a list or a mapping")
+            problems.at_value(keys, f"{error}; give text such as `100 GPa`, a number, a list or a mapping [E-VALUE-01]")
             continue
         root, faults = parse(text)
         if faults or root.plain() != wanted:  # rather than run other values than were asked for
-            raise InputError(f"{keys_text(keys)}: the value cannot be changed where it stands; change the file")
+            raise InputError(
+                f"{keys_text(keys)}: the value cannot be changed where it stands; change the file [E-EDIT-01]"
+            )
     return text
 
 

@@ -51,7 +51,9 @@ def yaml_text(data: bytes, path: Path) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
-        raise InputError(f"{path}:{line}: the file is not UTF-8 text (byte 0x{data[error.start]:02x})") from None
+        raise InputError(
+            f"{path}:{line}: the file is not UTF-8 text (byte 0x{data[error.start]:02x}) [E-FILE-03]"
+        ) from None
 
 
 def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "") -> tuple[M | None, Problems]:
@@ -71,15 +73,15 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
     for fault in faults:
         problems.add(fault.mark, fault.keys, fault.message)
     if root.entries is None and not root.items and not root.text:
-        problems.at_value((), f"the {what} is empty{hint}")
+        problems.at_value((), f"the {what} is empty{hint} [E-FILE-05]")
     elif root.entries is None:
-        problems.at_value((), f"a {what} is a mapping that begins with `{begins}`")
+        problems.at_value((), f"a {what} is a mapping that begins with `{begins}` [E-FILE-05]")
     if not root.entries:
         return None, problems
     faulty = {fault.keys for fault in faults}
     empty = {keys_text(keys): keys for keys in _empty_keys(root) if keys not in faulty}
     for keys in empty.values():
-        problems.at_key(keys, "the key is empty; give it a value, or leave it out")
+        problems.at_key(keys, "the key is empty; give it a value, or leave it out [E-KEY-03]")
     told = len(problems.found)
     try:
         return model.model_validate(_without(root, set(empty.values()))), problems
@@ -125,7 +127,7 @@ def _tell_other_kind(problems: Problems, what: str, begins: str) -> None:
         return
     problems.found = []
     key = next(key for key in entries if key in kind.keys)
-    problems.at_key((key,), f"this is a {kind.name}; a {what} begins with `{begins}`; {kind.use}")
+    problems.at_key((key,), f"this is a {kind.name}; a {what} begins with `{begins}`; {kind.use} [E-FILE-05]")
 
 
 def _without_echoes(found: list[Problem], faulty: set[Mark]) -> list[Problem]:

@@ -40,16 +40,18 @@ def _period(value: Any) -> Period:
         return value
     match = _MULTIPLE.fullmatch(value) if isinstance(value, str) else None
     if match is None and isinstance(value, str) and "T" in value:
-        raise refuse(f"`{value}` is no period; write a time such as `0.3 s`, or a multiple of T_1 such as `0.2 T_1`")
+        raise refuse(
+            f"`{value}` is no period; write a time such as `0.3 s`, or a multiple of T_1 such as `0.2 T_1` [E-VALUE-01]"
+        )
     found = Period(float(match[1]), True) if match else Period(parse_quantity(value, TIME, "positive"))
     if found.value <= 0.0:
-        raise refuse(f"`{value}` must be greater than zero")
+        raise refuse(f"`{value}` must be greater than zero [E-VALUE-02]")
     return found
 
 
 def _periods(value: Any) -> Any:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
-        raise refuse("two periods are needed, the shorter one first, for example `[0.2 T_1, 2 T_1]`")
+        raise refuse("two periods are needed, the shorter one first, for example `[0.2 T_1, 2 T_1]` [E-VALUE-01]")
     return tuple(value)
 
 
@@ -62,10 +64,12 @@ def _range(read: Any, example: str, end: SchemaMaker) -> Written:
 
     def check(value: Any) -> Any:
         if not isinstance(value, (tuple, list)) or len(value) != 2:
-            raise refuse(f"two values are needed, the lower one first, for example `{example}`")
+            raise refuse(f"two values are needed, the lower one first, for example `{example}` [E-VALUE-04]")
         low, high = (read(item) for item in value)
         if low > high:
-            raise refuse(f"`{value[0]}` and `{value[1]}`: the lower one stands first, for example `{example}`")
+            raise refuse(
+                f"`{value[0]}` and `{value[1]}`: the lower one stands first, for example `{example}` [E-VALUE-04]"
+            )
         return (low, high)
 
     return Written(check, items(end, end))
@@ -73,7 +77,7 @@ def _range(read: Any, example: str, end: SchemaMaker) -> Written:
 
 def _magnitude(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value <= 10.0:
-        raise refuse(f"{as_seen(value)} is no magnitude: a plain number from 0 to 10")
+        raise refuse(f"{as_seen(value)} is no magnitude: a plain number from 0 to 10 [E-VALUE-01]")
     return float(value)
 
 

@@ -14,7 +14,7 @@ from edesign.project.reading.base import Model, refuse
 def _ascending(value: Any) -> Any:
     """Two bounds, the lower one first; they are still text here, so the values are compared after reading."""
     if not isinstance(value, (tuple, list)) or len(value) != 2:
-        raise refuse("two bounds are needed, the lower one first, for example `[0.05 s, 6 s]`")
+        raise refuse("two bounds are needed, the lower one first, for example `[0.05 s, 6 s]` [E-VALUE-04]")
     return tuple(value)
 
 

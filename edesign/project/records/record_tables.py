@@ -20,7 +20,7 @@ _UNIT = rf"(?:{NUMBER}\s*)?(?:{'|'.join(map(re.escape, UNITS))})(?:/[0-9]*[1-9][
 def _acceleration_unit(value: Any) -> Any:
     if not isinstance(value, str) or not re.fullmatch(_UNIT, value):
         hint = did_you_mean(str(value), UNITS)
-        raise refuse(f"`{value}` is unknown{hint} (allowed: {listed(UNITS)}, also with a number: `g/10`)")
+        raise refuse(f"`{value}` is unknown{hint} (allowed: {listed(UNITS)}, also with a number: `g/10`) [E-VALUE-03]")
     return value
 
 

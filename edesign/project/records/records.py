@@ -108,7 +108,7 @@ class StructdynRecord(_File):
 def _fema_name(value: Any) -> Any:
     if not re.fullmatch(r"(farfield|nearfield_pulse|nearfield_no_pulse)/[0-9]+/[ab]", str(value)):
         allowed = "the set is farfield, nearfield_pulse or nearfield_no_pulse, the component a or b"
-        raise refuse(f"`{value}` is not set/number/component such as `farfield/1/a` ({allowed})")
+        raise refuse(f"`{value}` is not set/number/component such as `farfield/1/a` ({allowed}) [E-VALUE-01]")
     return value
 
 
@@ -136,7 +136,7 @@ CombinedSpectrum = Literal["geometric_mean", "rotd50", "rotd100"]
 
 def _two(value: Any) -> Any:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
-        raise refuse("two components are needed, for example `[{file: a_000.AT2}, {file: a_090.AT2}]`")
+        raise refuse("two components are needed, for example `[{file: a_000.AT2}, {file: a_090.AT2}]` [E-VALUE-01]")
     return value
 
 

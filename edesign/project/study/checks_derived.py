@@ -35,7 +35,7 @@ def check_derived(study: Study, problems: Problems) -> None:
     for i, item in enumerate(study.vary):
         keys = ("vary", i)
         if item.name in [earlier.name for earlier in study.vary[:i]]:
-            problems.at_value((*keys, "name"), f"`{item.name}` comes twice")
+            problems.at_value((*keys, "name"), f"`{item.name}` comes twice [E-NAME-02]")
         check_names(problems, (*keys, "variants"), "variant", item.variants, of_file)
         known = tuple(name for name in item.variants if name in of_file)
         if message := wrong_place(item.place, study.base, study.base.root):
@@ -52,16 +52,19 @@ def _may_change(keys: Keys, place: str, variants: tuple[str, ...], study: Study,
     first = place.replace("[", ".").partition(".")[0]
     if first in SHARED:
         problems.at_value(
-            keys, f"`{first}` is the same for all variants of a study; choose another part of the project"
+            keys,
+            f"`{first}` is the same for all variants of a study; choose another part of the project [E-VARIANT-01]",
         )
         return False
     for name in variants if first == "dampers" else ():
         variant = study.variants[name]
         if variant.design is not None:
-            problems.at_value(keys, f"the dampers of the variant `{name}` are those of the design `{variant.design}`")
+            problems.at_value(
+                keys, f"the dampers of the variant `{name}` are those of the design `{variant.design}` [E-VARIANT-01]"
+            )
             return False
         if variant.dampers == "none":
-            problems.at_value(keys, f"the variant `{name}` has no dampers")
+            problems.at_value(keys, f"the variant `{name}` has no dampers [E-DAMPER-04]")
             return False
     return True
 
@@ -77,7 +80,9 @@ def _check_value(keys: Keys, place: str, value: Any, study: Study, problems: Pro
         return False
     mine, other = changed.frame, study.base.frame
     if set(mine.members) != set(other.members) or mine.n_storeys != other.n_storeys:
-        problems.at_value(keys, "this adds or removes members or storeys; variants of a study have the same ones")
+        problems.at_value(
+            keys, "this adds or removes members or storeys; variants of a study have the same ones [E-VARIANT-01]"
+        )
         return False
     return True
 
@@ -85,9 +90,9 @@ def _check_value(keys: Keys, place: str, value: Any, study: Study, problems: Pro
 def _bounds(keys: Keys, variant: Variant, bounds: Bounds, problems: Problems) -> None:
     at: Keys = (*keys, "bounds")
     if variant.dampers == "none":
-        problems.at_key(at, "this variant has no dampers")
+        problems.at_key(at, "this variant has no dampers [E-DAMPER-04]")
     if not bounds.model_fields_set:
-        problems.at_key(at, f"nothing is given; allowed: {listed(Bounds.model_fields)}")
+        problems.at_key(at, f"nothing is given; allowed: {listed(Bounds.model_fields)} [E-KEY-02]")
     check_factors(at, bounds, problems)
 
 
@@ -106,4 +111,6 @@ def _taken_names(of_file: list[str], study: Study, problems: Problems) -> None:
         ]
         for keys, suffix in made:
             if derived_name(name, suffix) in of_file:
-                problems.at_key(keys, f"makes a variant `{derived_name(name, suffix)}`, which there is; rename one")
+                problems.at_key(
+                    keys, f"makes a variant `{derived_name(name, suffix)}`, which there is; rename one [E-NAME-02]"
+                )

@@ -37,7 +37,7 @@ def check_incremental(
     if isinstance(base.hazard, UserHazard) and incremental.level is not None and not base.hazard.at_5_percent:
         message = (
             "intensities are of 5 % damping, and the tables of the hazard of another; leave this key out, or give "
-            "`hazard.damping_correction`"
+            "`hazard.damping_correction` [E-KEY-03]"
         )
         problems.at_key((*keys, "level"), message)
     if isinstance(incremental, LevelFactorStudy):
@@ -47,16 +47,20 @@ def check_incremental(
             if name in base.records and not base.records[name].fitted:
                 message = (
                     f"`{name}` is not fitted to the spectrum of the hazard, so that it has no level to be scaled from"
+                    " [E-SCALE-03]"
                 )
                 problems.at_item((*keys, "records"), i, message)
     check_drift(base, problems, (*keys, "collapse_drift"), incremental.collapse_drift)
     check_wave_passage(base.frame, problems, (*keys, "wave_passage"), incremental.wave_passage)
     values = incremental.intensities
     if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
-        problems.at_value((*keys, "levels"), "intensities must ascend: each greater than the one before it")
+        problems.at_value(
+            (*keys, "levels"), "intensities must ascend: each greater than the one before it [E-VALUE-04]"
+        )
     if COLLAPSE in incremental.limits:
         problems.at_key(
-            (*keys, "limits", COLLAPSE), f"`{COLLAPSE}` is there without being asked for; choose another name"
+            (*keys, "limits", COLLAPSE),
+            f"`{COLLAPSE}` is there without being asked for; choose another name [E-NAME-03]",
         )
     if incremental.life_cycle is not None:
         _life_cycle((*keys, "life_cycle"), incremental, incremental.life_cycle, base, problems)
@@ -67,7 +71,10 @@ def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Pro
     curve, at = spec.hazard_curve, (*keys, "hazard_curve")
     if isinstance(curve, CurveOfLevels):
         if isinstance(incremental, LevelFactorStudy) and base.hazard is not None and base.hazard.own_shapes:
-            message = "the levels of this hazard have spectra of their own shape; no factor leads from one to another"
+            message = (
+                "the levels of this hazard have spectra of their own shape; no factor leads from one to another"
+                " [E-HAZ-04]"
+            )
             problems.at_key((*at, "levels"), message)
         for name, period in curve.levels.items():
             if name not in base.hazard_levels:
@@ -77,20 +84,25 @@ def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Pro
         for i, name in enumerate(names):
             twin = next((other for other in names[:i] if curve.levels[other] == curve.levels[name]), None)
             if twin is not None:
-                message = f"{curve.levels[name] / YEAR:g} years are the return period of `{twin}` too; each has its own"
+                message = (
+                    f"{curve.levels[name] / YEAR:g} years are the return period of `{twin}` too; each has its own"
+                    " [E-NAME-02]"
+                )
                 problems.at_value((*at, "levels", name), message)
     else:
         if isinstance(incremental, LevelFactorStudy):
-            message = "intensities are factors of a level here; give the return periods of `levels`"
+            message = "intensities are factors of a level here; give the return periods of `levels` [E-HAZ-04]"
             problems.at_key((*at, "intensities"), message)
         if len(curve.intensities) != len(curve.return_periods):
-            message = f"{len(curve.return_periods)} return periods for {len(curve.intensities)} intensities"
+            message = (
+                f"{len(curve.return_periods)} return periods for {len(curve.intensities)} intensities [E-VALUE-04]"
+            )
             problems.at_value((*at, "return_periods"), message)
         for i, period in enumerate(curve.return_periods):
             _return_period((*at, "return_periods", i), period, problems)
         for key, values in (("intensities", curve.intensities), ("return_periods", curve.return_periods)):
             if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
-                problems.at_value((*at, key), "they must ascend: each greater than the one before it")
+                problems.at_value((*at, key), "they must ascend: each greater than the one before it [E-VALUE-04]")
     limits = (*incremental.limits, COLLAPSE)
     for name in spec.losses:
         if name not in limits:
@@ -100,4 +112,4 @@ def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Pro
 
 def _return_period(keys: Keys, seconds: float, problems: Problems) -> None:
     if seconds < YEAR * (1.0 - 1e-9):
-        problems.at_value(keys, "this is shorter than a year; years are written like `475 years`")
+        problems.at_value(keys, "this is shorter than a year; years are written like `475 years` [E-VALUE-01]")

@@ -42,7 +42,7 @@ def _check_unique(problems: Problems, keys: Keys, names: Sequence[str], key: str
         other = first.setdefault(name, i)
         if other != i:
             line = problems.node((*keys, other, key)).mark.line
-            problems.at_value((*keys, i, key), f"there is already the {key} `{name}` in line {line}")
+            problems.at_value((*keys, i, key), f"there is already the {key} `{name}` in line {line} [E-NAME-02]")
 
 
 def _check_responses(table: ResponseTable, i: int, problems: Problems) -> None:
@@ -72,25 +72,32 @@ def _check_statistic(table: ResponseTable, row: ResponseRow, keys: Keys, problem
         return
     at = (*keys, "statistic" if row.statistic else "measure")
     if row.measure not in PROFILES:
-        message = f"`{row.measure}` has no profile over the height; `mean_profile` needs one of {listed(PROFILES)}"
+        message = (
+            f"`{row.measure}` has no profile over the height; `mean_profile` needs one of {listed(PROFILES)}"
+            " [E-CRIT-04]"
+        )
         problems.at_value(at, message)
     for key in ("storeys", "members"):
         if getattr(row, key) is not None:
-            problems.at_key((*keys, key), "`mean_profile` is taken over the whole height")
+            problems.at_key((*keys, key), "`mean_profile` is taken over the whole height [E-CRIT-04]")
 
 
 def _check_change(table: ResponseTable, row: ResponseRow, keys: Keys, problems: Problems) -> None:
     if row.change and table.change is None:
-        problems.at_key((*keys, "change"), "the table does not say of what; it needs `change: {of: ..., against: ...}`")
+        problems.at_key(
+            (*keys, "change"), "the table does not say of what; it needs `change: {of: ..., against: ...}` [E-KEY-02]"
+        )
     for variant in (table.change.against, table.change.of) if table.change is not None else ():
         for level in row.change:
             if level not in row.values.get(variant, {}):
-                problems.at_key((*keys, "change", level), f"there is no value of `{variant}` at `{level}` in this row")
+                problems.at_key(
+                    (*keys, "change", level), f"there is no value of `{variant}` at `{level}` in this row [E-NAME-01]"
+                )
 
 
 def _check_bar(problems: Problems, keys: Keys, cell: Cell, bar: float | None) -> None:
     if cell.value == 0.0 and bar is not None:
-        problems.at_value(keys, "a difference from 0 is no percentage; this value can have no bar `within`")
+        problems.at_value(keys, "a difference from 0 is no percentage; this value can have no bar `within` [E-CRIT-04]")
 
 
 def _check_bar_names(problems: Problems, keys: Keys, bar: object, names: set[tuple[str, str]]) -> None:
@@ -115,7 +122,7 @@ def _check_variables(table: VariableTable, i: int, problems: Problems) -> None:
     for j, row in enumerate(table.rows):
         keys: Keys = ("tables", i, "rows", j)
         if len(row.values) != length:
-            problems.at_value((*keys, "values"), f"{len(row.values)} values for {length} {of}")
+            problems.at_value((*keys, "values"), f"{len(row.values)} values for {length} {of} [E-VALUE-04]")
         for k, cell in enumerate(row.cells()):
             if cell is not None:
                 _check_bar(problems, (*keys, "values", k), cell, table.bar(row, cell))

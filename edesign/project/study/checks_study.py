@@ -58,28 +58,28 @@ def check_study(study: Study, problems: Problems) -> None:
     _outputs(study, problems)
     for what, items in (("histories", study.histories or study.incremental), ("pushovers", study.pushovers)):
         if items and base.masses is None:
-            problems.at_key(("project",), f"{what} need `masses`, and {base.path} has none")
+            problems.at_key(("project",), f"{what} need `masses`, and {base.path} has none [E-MODAL-02]")
     for key in ("damping", "integration"):
         if (study.histories or study.incremental) and getattr(base, key) is None:
-            problems.at_key(("project",), f"histories need `{key}`, and {base.path} has none")
+            problems.at_key(("project",), f"histories need `{key}`, and {base.path} has none [E-KEY-02]")
 
 
 def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> None:
     if keys[-1] == ALL:
-        problems.at_key(keys, f"`{ALL}` stands for all variants; choose another name")
+        problems.at_key(keys, f"`{ALL}` stands for all variants; choose another name [E-NAME-03]")
     if (variant.dampers is None) == (variant.design is None):
-        problems.at_key(keys, "give either `dampers` (`none` or `project`) or a `design`, one of them")
+        problems.at_key(keys, "give either `dampers` (`none` or `project`) or a `design`, one of them [E-KEY-03]")
         return
     if variant.design is not None and variant.design not in study.designs:
         problems.at_value((*keys, "design"), unknown_name("design", variant.design, study.designs))
     dampers = study.base.dampers
     if variant.dampers == "project" and (dampers is None or dampers.none):
-        message = f"{study.base.path} has no devices, no attachments and no isolation under `dampers`"
+        message = f"{study.base.path} has no devices, no attachments and no isolation under `dampers` [E-DAMPER-04]"
         problems.at_value((*keys, "dampers"), message)
     if variant.dampers == "none":
         for key in ("temperature", "property_factor"):
             if getattr(variant, key) is not None:
-                problems.at_key((*keys, key), "this variant has no dampers")
+                problems.at_key((*keys, key), "this variant has no dampers [E-DAMPER-04]")
 
 
 def _dampers(study: Study, variant: Variant) -> tuple[str, ...]:
@@ -112,17 +112,17 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
             fitted.append(name)
         elif histories.levels is not None and len(histories.levels) > 1:
             message = f"`{name}` is not fitted to the spectrum of the hazard; its histories would be the same at each"
-            problems.at_value((*keys, "levels"), f"{message}; give one level, or `match` to the record")
+            problems.at_value((*keys, "levels"), f"{message}; give one level, or `match` to the record [E-SCALE-03]")
     if histories.levels is not None:
         check_names(problems, (*keys, "levels"), "level", histories.levels, base.hazard_levels)
         check_fitted_levels((*keys, "levels"), fitted, histories.levels, base, problems)
     elif fitted:
         message = f"this key is missing; {listed(fitted)} is fitted to the spectrum of the hazard and scaled to a level"
-        problems.under(keys, "levels", f"{message}: {listed(base.hazard_levels)}")
+        problems.under(keys, "levels", f"{message}: {listed(base.hazard_levels)} [E-KEY-02]")
     if histories.temperatures is not None:
         for name in study.variants_of(histories):
             if study.variants[name].dampers == "none":
-                message = f"the variant `{name}` has no dampers, whose temperature this is"
+                message = f"the variant `{name}` has no dampers, whose temperature this is [E-DAMPER-04]"
                 problems.at_key((*keys, "temperatures"), message)
 
 
@@ -146,9 +146,9 @@ def _own_names(study: Study, problems: Problems) -> None:
     taken = {*study.base.hazard_levels, "modes", "gravity"}
     for i, (keys, name) in enumerate(places):
         if name in names[:i]:
-            problems.at_value((*keys, "name"), f"`{name}` comes twice")
+            problems.at_value((*keys, "name"), f"`{name}` comes twice [E-NAME-02]")
         elif name in taken:
-            message = f"analyses are named `VARIANT.{name}` already; choose another name"
+            message = f"analyses are named `VARIANT.{name}` already; choose another name [E-NAME-02]"
             problems.at_value((*keys, "name"), message)
 
 
@@ -156,13 +156,15 @@ def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> 
     check_names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
     if verify.levels is None:
         message = "this key is missing; criteria judge histories at levels of the hazard"
-        problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)}")
+        problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)} [E-KEY-02]")
         return
     _of_more_than_dampers(study, problems, keys, verify)
     for i, name in enumerate(verify.criteria):
         asked = next((c.levels for c in study.criteria if c.name == name), ())
         if asked and not set(asked) & set(verify.levels):
-            message = f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)}"
+            message = (
+                f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)} [E-CRIT-05]"
+            )
             problems.at_item((*keys, "criteria"), i, message)
 
 
@@ -170,14 +172,16 @@ def _of_more_than_dampers(study: Study, problems: Problems, keys: Keys, verify: 
     """A placement needs a criterion of the frame: those of dampers alone are best met without any."""
     asked = [criterion for criterion in study.criteria if criterion.name in verify.criteria]
     if isinstance(verify, PlacementVerify) and asked and all(criterion.traits.of_dampers for criterion in asked):
-        message = f"{listed(verify.criteria)} judge dampers alone, and nothing asks for any; add one of the frame"
+        message = (
+            f"{listed(verify.criteria)} judge dampers alone, and nothing asks for any; add one of the frame [E-CRIT-05]"
+        )
         problems.at_value((*keys, "criteria"), message)
 
 
 def _outputs(study: Study, problems: Problems) -> None:
     outputs = study.outputs
     if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
-        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
+        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc [E-FILE-08]")
     if outputs.details is None:
         return
     keys: Keys = ("outputs", "details")

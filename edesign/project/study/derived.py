@@ -23,7 +23,11 @@ def _measures(value: Any) -> Any:
     found = several(value)
     for i, name in enumerate(found if isinstance(found, (list, tuple)) else ()):
         if not isinstance(name, str):
-            raise refuse(f"a name of a response measure is needed, such as `interstorey_drift`, not {as_seen(name)}", i)
+            raise refuse(
+                f"a name of a response measure is needed, such as `interstorey_drift`, not {as_seen(name)}"
+                " [E-VALUE-01]",
+                i,
+            )
         if name not in SHORT_NAMES:
             raise refuse(unknown_name("response measure", name, SHORT_NAMES), i)
     return found

@@ -38,13 +38,15 @@ class Limit(Model):
 
 def _limit(value: Any) -> Any:
     if not isinstance(value, Mapping) or len(value) != 1:
-        raise refuse("one response measure with its value is needed, for example `{interstorey_drift: 2.5 %}`")
+        raise refuse(
+            "one response measure with its value is needed, for example `{interstorey_drift: 2.5 %}` [E-VALUE-01]"
+        )
     ((name, given),) = value.items()
     if name not in SHORT_NAMES:
         raise refuse(unknown_name("response measure", str(name), SHORT_NAMES))
     limit = parse_limit(MEASURES[SHORT_NAMES[name]].kind, given)
     if limit == 0.0:
-        raise refuse(f"`{given}` must be greater than zero")
+        raise refuse(f"`{given}` must be greater than zero [E-VALUE-02]")
     return Limit(measure=SHORT_NAMES[name], value=limit)
 
 

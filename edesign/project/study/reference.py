@@ -23,7 +23,7 @@ Statistic = Literal["mean", "median", "84%", "maximum", "minimum", "mean_profile
 def _known_measure(value: str) -> str:
     if value not in SHORT_NAMES:
         hint = did_you_mean(value, SHORT_NAMES)
-        raise refuse(f"there is no measure `{value}`{hint} (allowed: {listed(SHORT_NAMES, 40)})")
+        raise refuse(f"there is no measure `{value}`{hint} (allowed: {listed(SHORT_NAMES, 40)}) [E-NAME-01]")
     return value
 
 

@@ -77,7 +77,7 @@ def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: P
     project_path = path.parent / study.project
     if is_file(project_path):
         return load_project(project_path, profiles)
-    message = f"there is no file `{project_path}` (the path is relative to the study file)"
+    message = f"there is no file `{project_path}` (the path is relative to the study file) [E-FILE-01]"
     problems.at_value(("project",), message)
     return None
 

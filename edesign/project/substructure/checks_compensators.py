@@ -42,7 +42,9 @@ def check_compensators(rts: RtsFile, problems: Problems) -> None:
     """
     for name, compensator in rts.compensators.items():
         if name in TAKEN:
-            problems.at_key(("compensators", name), f"`{name}` is a history of the archive; choose another name")
+            problems.at_key(
+                ("compensators", name), f"`{name}` is a history of the archive; choose another name [E-NAME-03]"
+            )
         _check(rts, compensator, ("compensators", name), problems)
 
 
@@ -77,7 +79,7 @@ def _polynomial(
     if isinstance(compensator, LeastSquaresPolynomialCompensator):
         if compensator.points <= compensator.order:
             message = f"{compensator.points} points do not tell a polynomial of order {compensator.order}; at least"
-            problems.at_value((*keys, "points"), f"{message} {compensator.order + 1} are needed")
+            problems.at_value((*keys, "points"), f"{message} {compensator.order + 1} are needed [E-RTS-04]")
     elif compensator.spacing == "delay" and compensator.order > 0:
         _at_least_a_step(rts, compensator.delay, keys, "takes targets a delay apart (`spacing: delay`)", problems)
         _looks_back(rts, compensator.order * compensator.delay, (*keys, "delay"), problems)
@@ -86,20 +88,22 @@ def _polynomial(
 def _at_least_a_step(rts: RtsFile, delay: float, keys: Keys, why: str, problems: Problems) -> None:
     if delay < rts.loop.main_step * (1.0 - 1e-9):
         message = f"{1e3 * delay:.4g} ms is less than the main step, {1e3 * rts.loop.main_step:.4g} ms; the compensator"
-        problems.at_value((*keys, "delay"), f"{message} {why}")
+        problems.at_value((*keys, "delay"), f"{message} {why} [E-VALUE-04]")
 
 
 def _looks_back(rts: RtsFile, time: float, keys: Keys, problems: Problems) -> None:
     if time > MOST_STEPS_BACK * rts.loop.main_step:
         steps = round(time / rts.loop.main_step)
-        problems.at_value(keys, f"it looks back {steps} main steps; at most {MOST_STEPS_BACK} are kept")
+        problems.at_value(keys, f"it looks back {steps} main steps; at most {MOST_STEPS_BACK} are kept [E-VALUE-02]")
 
 
 def _live_delay(rts: RtsFile, compensator: LiveDelayCompensator, keys: Keys, problems: Problems) -> None:
     low, high = compensator.limits
     if _ascending(compensator.limits, (*keys, "limits"), "a1", problems) and not low <= compensator.delay <= high:
         at = (*keys, "delay")
-        problems.at_value(at, f"{_shown('a1', compensator.delay)} is outside its limits, {_range('a1', low, high)}")
+        problems.at_value(
+            at, f"{_shown('a1', compensator.delay)} is outside its limits, {_range('a1', low, high)} [E-VALUE-02]"
+        )
     _looks_back(rts, compensator.order * high, (*keys, "limits"), problems)
 
 
@@ -122,14 +126,18 @@ def _adaptive(
         message = (
             f"{compensator.forgetting:g} remembers {samples:.2g} samples, 1 / (1 - forgetting); three coefficients"
         )
-        problems.at_value((*keys, "forgetting"), f"{message} need {FEWEST_SAMPLES} at least")
+        problems.at_value((*keys, "forgetting"), f"{message} need {FEWEST_SAMPLES} at least [E-RTS-04]")
 
 
 def _filter(rts: RtsFile, chosen: Filter, keys: Keys, problems: Problems) -> None:
     if chosen.order % 2:
-        problems.at_value((*keys, "order"), f"{chosen.order} is odd; the filter is made of sections of second order")
+        problems.at_value(
+            (*keys, "order"), f"{chosen.order} is odd; the filter is made of sections of second order [E-VALUE-02]"
+        )
     if chosen.cutoff >= nyquist(rts):
-        message = f"{chosen.cutoff:.4g} Hz is not below half the rate of the main step, {nyquist(rts):.4g} Hz"
+        message = (
+            f"{chosen.cutoff:.4g} Hz is not below half the rate of the main step, {nyquist(rts):.4g} Hz [E-VALUE-04]"
+        )
         problems.at_value((*keys, "cutoff"), message)
 
 
@@ -143,7 +151,9 @@ def _limits(
     initial = compensator.initial[i]
     if not limits[0] <= initial <= limits[1]:
         at: Keys = (*keys, "initial", i) if "initial" in compensator.model_fields_set else (*keys, "limits", name)
-        message = f"{name} begins with {_shown(name, initial)}, outside its limits, {_range(name, *limits)}"
+        message = (
+            f"{name} begins with {_shown(name, initial)}, outside its limits, {_range(name, *limits)} [E-VALUE-02]"
+        )
         problems.at_value(at, message)
 
 
@@ -151,7 +161,7 @@ def _ascending(limits: tuple[float, float], keys: Keys, name: str, problems: Pro
     if limits[0] < limits[1]:
         return True
     low, high = (_shown(name, value) for value in limits)
-    problems.at_value(keys, f"the lower limit, {low}, is not below the upper one, {high}")
+    problems.at_value(keys, f"the lower limit, {low}, is not below the upper one, {high} [E-VALUE-04]")
     return False
 
 
@@ -160,14 +170,14 @@ def _window(rts: RtsFile, compensator: AtsCompensator, keys: Keys, problems: Pro
     at = (*keys, "window")
     shown = f"{compensator.window:.6g} s"
     if abs(steps - round(steps)) > 1e-6 * steps:
-        message = f"{shown} is no multiple of the main step, {1e3 * rts.loop.main_step:.6g} ms"
+        message = f"{shown} is no multiple of the main step, {1e3 * rts.loop.main_step:.6g} ms [E-RTS-04]"
         problems.at_value(at, message)
     elif round(steps) > MOST_WINDOW:
-        problems.at_value(at, f"{shown} has {round(steps)} main steps; at most {MOST_WINDOW} are kept")
+        problems.at_value(at, f"{shown} has {round(steps)} main steps; at most {MOST_WINDOW} are kept [E-VALUE-02]")
     samples = _samples(round(steps), compensator.every)
     if samples < FEWEST_SAMPLES:
         message = f"{shown} has {samples} samples, 1 in {compensator.every} main steps; three coefficients need"
-        problems.at_value(at, f"{message} {FEWEST_SAMPLES} at least")
+        problems.at_value(at, f"{message} {FEWEST_SAMPLES} at least [E-RTS-04]")
 
 
 def _samples(steps: int, every: int) -> int:
@@ -182,24 +192,32 @@ def _lead(
     rts: RtsFile, compensator: PhaseLeadCompensator | PiPhaseLeadCompensator, keys: Keys, problems: Problems
 ) -> None:
     if isinstance(compensator, PhaseLeadCompensator) and compensator.lead <= compensator.lag:
-        message = f"{1e3 * compensator.lead:.4g} ms is not longer than `lag`; the command would be late, not early"
+        message = (
+            f"{1e3 * compensator.lead:.4g} ms is not longer than `lag`; the command would be late, not early"
+            " [E-VALUE-04]"
+        )
         problems.at_value((*keys, "lead"), message)
     if corner(compensator.lag) >= nyquist(rts):
         message = f"its corner, {corner(compensator.lag):.4g} Hz, is not below half the rate of the main step"
-        problems.at_value((*keys, "lag"), f"{message}, {nyquist(rts):.4g} Hz")
+        problems.at_value((*keys, "lag"), f"{message}, {nyquist(rts):.4g} Hz [E-VALUE-04]")
 
 
 def _feedforward(rts: RtsFile, compensator: ModelFeedforwardCompensator, keys: Keys, problems: Problems) -> None:
     if compensator.alpha is not None:
         _positive_a0(compensator.alpha[0], (*keys, "alpha", 0), problems)
     elif isinstance(rts.plant, ServoHydraulicRig):
-        message = "this key is missing; a servo-hydraulic rig depends on its specimen, and has no series of its own"
+        message = (
+            "this key is missing; a servo-hydraulic rig depends on its specimen, and has no series of its own"
+            " [E-KEY-02]"
+        )
         problems.under(keys, "alpha", message)
 
 
 def _positive_a0(a0: float, keys: Keys, problems: Problems) -> None:
     if a0 <= 0.0:
-        problems.at_value(keys, f"a0 is {a0:g}, and must be greater than 0: the command goes the way of the target")
+        problems.at_value(
+            keys, f"a0 is {a0:g}, and must be greater than 0: the command goes the way of the target [E-VALUE-02]"
+        )
 
 
 def _shown(name: str, value: float) -> str:

@@ -39,7 +39,7 @@ def parse_frequency(value: Any, sign: Sign = "positive") -> float:
         PydanticCustomError: it is none, or a circular frequency, which is 2 pi times as large.
     """
     if "rad" in str(value) or "rpm" in str(value):
-        raise refuse(f"`{value}` is an angular velocity; write the frequency in Hz, for example `2 Hz`")
+        raise refuse(f"`{value}` is an angular velocity; write the frequency in Hz, for example `2 Hz` [E-UNIT-02]")
     return parse_quantity(value, FREQUENCY, sign)
 
 
@@ -51,7 +51,9 @@ def parse_delay(value: Any) -> float:
     """
     found = parse_quantity(value, TIME, "not negative")
     if found > MOST_DELAY:
-        raise refuse(f"`{value}` is no delay of an actuator, which is some milliseconds; at most 1 s is possible")
+        raise refuse(
+            f"`{value}` is no delay of an actuator, which is some milliseconds; at most 1 s is possible [E-VALUE-02]"
+        )
     return found
 
 
@@ -65,7 +67,7 @@ def parse_rate(value: Any, sign: Sign = "positive") -> float:
         PydanticCustomError: it is none, or a frequency, which could be meant with or without 2 pi.
     """
     if "Hz" in str(value) or "rad" in str(value):
-        raise refuse(f"`{value}` is a frequency, and a rate is needed, for example `{RATE.example}`")
+        raise refuse(f"`{value}` is a frequency, and a rate is needed, for example `{RATE.example}` [E-VALUE-01]")
     if not isinstance(value, str):
         return parse_quantity(value, RATE, sign)
     try:
@@ -81,7 +83,7 @@ def parse_number(value: Any) -> float:
         PydanticCustomError: the value is no number.
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise refuse(f"`{value}` is no plain number")
+        raise refuse(f"`{value}` is no plain number [E-VALUE-01]")
     return float(value)
 
 
@@ -93,7 +95,7 @@ def parse_steps(value: Any) -> int:
     """
     match = _STEPS.fullmatch(str(value)) if isinstance(value, (str, int)) and not isinstance(value, bool) else None
     if not match:
-        raise refuse(f"`{value}` is no whole number of main steps, for example `1 step`")
+        raise refuse(f"`{value}` is no whole number of main steps, for example `1 step` [E-VALUE-01]")
     return int(match[1])
 
 
@@ -109,7 +111,7 @@ def each(readers: tuple[Written, ...], example: str, fewest: int | None = None) 
 
     def read(value: Any) -> tuple[float, ...]:
         if not isinstance(value, (tuple, list)) or not least <= len(value) <= len(readers):
-            raise refuse(f"a list of {count} values is needed, for example `{example}`")
+            raise refuse(f"a list of {count} values is needed, for example `{example}` [E-VALUE-01]")
         return tuple(_item(one.read, value, i) for i, one in enumerate(readers[: len(value)]))
 
     return Written(read, items(*(one.schema for one in readers), fewest=least))
@@ -122,7 +124,7 @@ def several(reader: Written) -> Written:
         if not isinstance(value, (tuple, list)):
             return (reader.read(value),)
         if not value:
-            raise refuse("the list is empty")
+            raise refuse("the list is empty [E-VALUE-01]")
         return tuple(_item(reader.read, value, i) for i in range(len(value)))
 
     return Written(read, one_or_list_of(reader.schema))
