@@ -91,7 +91,7 @@ def modal_ratios(damping: ModalDamping | CaugheyDamping, omega: np.ndarray) -> n
         raise InputError(
             f"Caughey damping through {anchors.size} modes would give mode {lowest + 1} "
             f"(T = {2.0 * math.pi / omega[lowest]:.3g} s) a ratio of {100.0 * ratios[lowest]:.3g} %, which feeds in "
-            f"energy; {way}, or give `modal` ratios mode by mode [E-DAMP-01]"
+            f"energy; {way}, or give `modal` ratios mode by mode [E-DAMPING-01]"
         )
     return ratios
 
