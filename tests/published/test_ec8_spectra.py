@@ -158,7 +158,7 @@ def test_annex_a_with_damping() -> None:
 
 
 def test_annex_a_is_for_type_1() -> None:
-    with pytest.raises(InputError, match="type 1, not of type 2"):
+    with pytest.raises(InputError, match="E-EC8-02"):
         LongPeriodSpectrum(elastic(spectrum_type=2))
 
 

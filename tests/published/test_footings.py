@@ -54,7 +54,7 @@ def test_en_1998_5_table_4_1(acceleration: float, ratio: float, damping: float) 
 
 
 def test_en_1998_5_ends_at_0_3_g() -> None:
-    with pytest.raises(InputError, match=r"ends at 0.3 g, and 0.31 g"):
+    with pytest.raises(InputError, match=" 0.31 g .*E-EC8-05"):
         soil_strain(0.31)
 
 
@@ -75,7 +75,7 @@ def test_asce_7_tables_19_3_2_and_3(site_class: str, acceleration: float, ratio:
 
 
 def test_asce_7_leaves_some_soils_to_an_investigation() -> None:
-    with pytest.raises(InputError, match="site class E is in the table up to 0.4 g"):
+    with pytest.raises(InputError, match=" E .* 0.4 g,.*E-ASCE-01"):
         modulus_ratio("E", 0.5)
-    with pytest.raises(InputError, match="no hysteretic damping of site class B"):
+    with pytest.raises(InputError, match=" B; .*E-ASCE-01"):
         damping_ratio("B", 0.1)

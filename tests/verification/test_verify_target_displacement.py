@@ -102,7 +102,7 @@ def test_the_target_fits_its_own_idealisation() -> None:
 
 
 def test_targets_too_small_for_the_curve_are_refused() -> None:
-    with pytest.raises(InputError, match="is below 1e-09 of the 1 m up to which the capacity curve is idealised"):
+    with pytest.raises(InputError, match="1e-09 of the 1 m .*E-EC8-06"):
         n2.target_displacement(elastoplastic(0.1), n2.Oscillator(MASS, 1.0), Hyperbola(1e-12), 0.5)
     with pytest.raises(InputError, match="the roof is 1e-200 of the largest one"):
         n2.equivalent_oscillator(np.array([1.0, 1e-200]), np.ones(2))
@@ -115,7 +115,7 @@ def test_oscillator_of_uniform_and_linear_shapes() -> None:
     assert (uniform.mass, uniform.Gamma) == pytest.approx((5e5, 1.0))
     linear = n2.equivalent_oscillator(7.0 * masses * np.arange(1, 11), masses)
     assert (linear.mass, linear.Gamma) == pytest.approx((5e4 * 5.5, 30 / 21))
-    with pytest.raises(InputError, match="the roof needs a mass"):
+    with pytest.raises(InputError, match="E-EC8-06"):
         n2.equivalent_oscillator(np.array([1.0, 0.0]), np.array([1.0, 0.0]))
 
 
@@ -210,13 +210,9 @@ def test_effective_slope_of_a_descent(S_X1: float, factor: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("displacement", "force", "message"),
-    [
-        ([0.0], [0.0], "two points or more"),
-        ([0.0, 0.1, 0.1], [0.0, 1.0, 2.0], "begin with 0 and ascend"),
-        ([0.0, 0.1], [0.0, -1.0], "does not rise"),
-    ],
+    ("displacement", "force"),
+    [([0.0], [0.0]), ([0.0, 0.1, 0.1], [0.0, 1.0, 2.0]), ([0.0, 0.1], [0.0, -1.0])],
 )
-def test_no_capacity_curve(displacement: list[float], force: list[float], message: str) -> None:
-    with pytest.raises(InputError, match=message):
+def test_no_capacity_curve(displacement: list[float], force: list[float]) -> None:
+    with pytest.raises(InputError, match="E-CURVE-05"):
         CapacityCurve(np.array(displacement), np.array(force))

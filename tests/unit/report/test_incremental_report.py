@@ -36,7 +36,9 @@ def test_fragilities_in_g_with_margins_and_reasons() -> None:
     assert first["theta [g]"] == f"{theta:.3f}" and first["beta"] == f"{beta:.3f}"
     assert first["theta / MCE"] == f"{theta / 0.3:.2f}"
     assert table.texts[1][5:] == ["-"] * 6
-    assert "damped, LS, capacities: no fragility: 0 of 3 records pass the limit; two are needed" in table.notes
+    assert (
+        "damped, LS, capacities: no fragility: 0 of 3 records pass the limit; two are needed [E-FRAG-01]" in table.notes
+    )
     assert "bare: 1 analyses without a result are left out" in table.notes
     assert len(fragility_table(fragilities()).columns) == len(table.columns) - 1
 

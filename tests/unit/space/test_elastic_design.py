@@ -176,7 +176,7 @@ def test_a_pair_of_tension_diagonals_is_as_stiff_as_one() -> None:
 
 
 def test_sections_of_class_4_are_refused_by_name() -> None:
-    with pytest.raises(InputError, match=r"C_A1_1: CHS508x5.* is of class 4 under its forces"):
+    with pytest.raises(InputError, match="C_A1_1: CHS508x5.*E-EC3-03"):
         design_of(TABLE, ("HEB300", "CHS508x5"))
 
 
@@ -261,9 +261,9 @@ def test_the_least_slenderness_of_crosses() -> None:
         (BRACED.replace("kind: cross", "kind: chevron"), "there are braces of kind `chevron` along y"),
         (BRACED.replace("concentric_diagonal", "concentric_v"), "no brace along y is a `chevron` or `v`"),
         (TABLE.replace("Q: 2 kN", "Q: -2 kN"), "a variable load acts downwards"),
-        (TABLE.replace("ends: rigid, group: BX", "ends: pinned, group: BX"), "nothing resists along x|has a stiff end"),
-        (TABLE + "  modes: 99\n", "99 modes, the building has 3"),
-        (TABLE + "  modes: 1\n", "the first 1 modes have"),
+        (TABLE.replace("ends: rigid, group: BX", "ends: pinned, group: BX"), "nothing resists along x|E-SPACE-03"),
+        (TABLE + "  modes: 99\n", "99 modes, .* 3 .E-SPACE-02"),
+        (TABLE + "  modes: 1\n", "first 1 modes .*E-SPACE-02"),
     ],
 )
 def test_what_is_refused(text: str, says: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -94,7 +95,7 @@ def test_a_frame_that_leans_and_the_lever_rule() -> None:
     assert "by the lever rule, at floor 1 0.4 of YB" in project_text(first) and "0.6 of YB" in project_text(last)
     mass = sum(sum(node_masses(extracted(whole, name)).values()) for name in ("YA", "YC"))
     assert mass == pytest.approx(frame.node_mass.sum(), rel=DIGITS)
-    with pytest.raises(InputError, match="frame YB: it leans on others, .* extract `YA`, `YC`"):
+    with pytest.raises(InputError, match="frame YB: .*`YA`, `YC` .E-SPACE-05"):
         project_text(frame_row(whole, frame, "YB"))
     named = building(SMALL.replace("S275", "leaning"))
     assert extracted(named, "YA").frame.column_at["D", 1].material == "leaning_columns"
@@ -119,18 +120,18 @@ def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> N
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("X1", "11:7: frame X1: project files have no support like that of D1, only fixed, pinned, roller"),
-        ("X2", "17:55: frame X2: project files have no semi-rigid ends, as those of `BX_2_1_1`"),
-        ("X4", " there is no frame `X4`; the frames are X1 to X3 and YA to YD"),
-        ("B2", " there is no frame `B2`"),
-        ("", " there is no frame ``"),
+        ("X1", "11:7: frame X1: .* D1,.*E-SPACE-04"),
+        ("X2", "17:55: frame X2: .*`BX_2_1_1`.*E-SPACE-04"),
+        ("X4", " .*`X4`; .* X1 to X3 and YA to YD.*E-NAME-01"),
+        ("B2", " .*`B2`.*E-NAME-01"),
+        ("", " .*``.*E-NAME-01"),
     ],
 )
 def test_what_a_project_file_cannot_say(name: str, said: str) -> None:
     whole = building(IRREGULAR)
     with pytest.raises(InputError) as caught:
         project_text(frame_row(whole, space_frame(whole), name))
-    assert str(caught.value).startswith(f"building.yaml:{said}")
+    assert re.match(f"building.yaml:{said}", str(caught.value))
 
 
 def test_a_frame_with_setbacks() -> None:
@@ -147,9 +148,7 @@ def test_a_frame_without_a_member_where_others_end() -> None:
     """The column and the beams of X2 at B2.2 are missing; beams of YB meet there."""
     gone = "missing: {columns: [{at: B2, storeys: 2}], beams: [{along: x, frames: 2, floors: 2}]}\nmaterials: {"
     whole = building(SMALL, ("materials: {", gone))
-    with pytest.raises(
-        InputError, match="frame X2: beams at right angles end at `B2.2`, where it has no member itself"
-    ):
+    with pytest.raises(InputError, match="frame X2: .*`B2.2`.*E-SPACE-05"):
         project_text(frame_row(whole, space_frame(whole), "X2"))
 
 

@@ -216,5 +216,5 @@ def test_all_frames_of_a_direction_have_the_period_of_the_building(
 
 def test_only_rigid_floors_tie_frames_in_one_plane() -> None:
     loose = two_frames(RIGID, ("columns: [", "diaphragms: 1-2\ncolumns: ["))
-    with pytest.raises(InputError, match="frames along y: only rigid floors tie frames in one plane, and floor 3 is"):
+    with pytest.raises(InputError, match="frames along y: .* floor 3 .*E-SPACE-05"):
         extracted(loose, "Y")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 from building_examples import IRREGULAR, SMALL, building
 
@@ -81,8 +83,8 @@ def test_a_missing_block_is_told_with_a_line() -> None:
 @pytest.mark.parametrize(
     ("frame", "part", "said"),
     [
-        ("YD", "{uz: 400 MN/m", "project files have no support like that of D1"),
-        ("X2", "{start: 40 MN*m/rad", "project files have no semi-rigid ends"),
+        ("YD", "{uz: 400 MN/m", ".* D1,.*E-SPACE-04"),
+        ("X2", "{start: 40 MN*m/rad", ".*E-SPACE-04"),
     ],
 )
 def test_what_a_project_file_cannot_say_is_told_with_its_entry(frame: str, part: str, said: str) -> None:
@@ -93,4 +95,4 @@ def test_what_a_project_file_cannot_say_is_told_with_its_entry(frame: str, part:
         [one.support(i) for one in row.frames for i in range(len(one.lines))]
     column = IRREGULAR.index(part) - IRREGULAR.rfind("\n", 0, IRREGULAR.index(part))
     place = f"{line_of(IRREGULAR, part)}:{column}"
-    assert str(error.value).startswith(f"building.yaml:{place}: frame {frame}: {said}")
+    assert re.match(f"building.yaml:{place}: frame {frame}: {said}", str(error.value))

@@ -99,7 +99,7 @@ def test_members_of_class_4_are_refused_and_count_as_failed_in_a_search() -> Non
     heavy = building(
         TEXT.replace("HEB300", "IPE400"), ("G: 5.00 kN/m^2", "G: 60 kN/m^2"), ("{fy: 275 MPa}", "{fy: 460 MPa}")
     )
-    with pytest.raises(InputError, match=r"C_\w+_1: IPE400 of S275 is of class 4 under its forces"):
+    with pytest.raises(InputError, match=r"C_\w+_1: IPE400 of S275 .*E-EC3-03"):
         elastic_design(heavy)
     analysis = ElasticAnalysis(heavy)
     design = analysis.design()
@@ -121,7 +121,7 @@ def test_choices_are_those_of_enumeration(seeds: tuple[int, ...]) -> None:
             file = random_frames(seed, 4, 3)
             best = enumerated(file)
             if best is None:
-                with pytest.raises(InputError, match="no sections of the lists were found that meet all checks"):
+                with pytest.raises(InputError, match="E-SPACE-07"):
                     select_sections(file)
             else:
                 found = select_sections(file)
@@ -146,7 +146,7 @@ def test_with_prices_the_choice_is_the_cheapest_of_enumeration(seed: int, cheap:
     [
         ("objective: cost", r"design.select.objective: .cost. needs the prices of a kilogram"),
         ("prices: {HEB: 2}", r"design.select.prices: prices count where the objective is .cost."),
-        ("objective: cost\n    prices: {HEB: 2}", r"there is no price of IPE, to which IPE\w+ belongs"),
+        ("objective: cost\n    prices: {HEB: 2}", r" IPE, .* IPE\w+ .*E-SPACE-08"),
         ("objective: cost\n    prices: {HEB: 0, default: 1}", r"design.select.prices.HEB"),
     ],
 )
@@ -255,16 +255,14 @@ def test_what_stands_in_the_way_is_told() -> None:
     with pytest.raises(InputError) as error:
         select_sections(file)
     said = str(error.value)
-    assert said.startswith(
-        "building.yaml:30:5: design.select: no sections of the lists were found that meet all checks"
-    )
+    assert said.startswith("building.yaml:30:5: design.select: ") and said.endswith("[E-SPACE-07]")
     assert "in the way: B1: M_Y" in said and "B1 has IPE220, the heaviest of its list" in said
 
 
 def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
     lines: list[str] = []
     brief = ("leave_out:", "evaluations: 2\n    leave_out:")  # it is told before the search
-    with pytest.raises(InputError, match="its evaluations are used up"):
+    with pytest.raises(InputError, match="by `evaluations` .E-SPACE-07"):
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]"), brief), lines.append)
     assert lines[0] == "left out for their class, thickness or slenderness: of group D SHS200x5"
 
@@ -299,22 +297,17 @@ def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
 
 
 def test_wrong_lists_are_told_at_their_place() -> None:
-    with pytest.raises(
-        InputError, match=r"building.yaml:31:17: design.select.lists.columns: there is no section .*HEBB"
-    ):
+    with pytest.raises(InputError, match="building.yaml:31:17: design.select.lists.columns: .*HEBB.*E-NAME-01"):
         select_sections(building(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
-    with pytest.raises(InputError, match="design.select.lists.groups.D: `CHS` has no list of sizes"):
+    with pytest.raises(InputError, match="design.select.lists.groups.D: `CHS` .*E-SECT-03"):
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [CHS]")))
     with pytest.raises(FileProblems, match="there is no group `DD`; did you mean `D`?"):
         building(TEXT, ("D: [SHS150x8]", "DD: [SHS150x8]"))
     with pytest.raises(FileProblems, match="largest_depth.beam: there is no group `beam`; did you mean `beams`?"):
         building(TEXT, ("leave_out:", "largest_depth: {beam: 400 mm}\n    leave_out:"))
-    with pytest.raises(
-        InputError,
-        match="group D has no section left; of a class above 1, too thick, or of a wrong slenderness are `SHS200x5`",
-    ):
+    with pytest.raises(InputError, match="group D .* class above 1, .* `SHS200x5` .E-SPACE-07"):
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5]")))
-    with pytest.raises(InputError, match="all larger than those of the group below"):
+    with pytest.raises(InputError, match="E-SPACE-07"):
         select_sections(building(TEXT, ("groups: {BY", "groups: {C1: [HEB200], C2: [HEB300], BY")))
 
 
@@ -322,12 +315,9 @@ def test_check_knows_the_families_that_have_prices() -> None:
     """Before any analysis; `default` is none of them and stands for the rest."""
     prices = "    objective: cost\n    prices: {%s: 2, default: 1}\n    lists:"
     check_building(building(TEXT, ("    lists:", prices % "HEB")))
-    with pytest.raises(
-        InputError,
-        match=r"building.yaml:31:\d+: design.select.prices: no section of the lists is a `HEC`; did you mean",
-    ):
+    with pytest.raises(InputError, match=r"building.yaml:31:\d+: design.select.prices: .*`HEC`; did you mean"):
         check_building(building(TEXT, ("    lists:", prices % "HEC")))
-    with pytest.raises(InputError, match="design.select.lists.columns: there is no section .*HEBB"):
+    with pytest.raises(InputError, match="design.select.lists.columns: .*HEBB.*E-NAME-01"):
         check_building(building(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
 
 
@@ -341,7 +331,7 @@ def test_beams_are_no_deeper_than_the_file_allows(whole: Selection) -> None:
 def test_a_budget_of_evaluations_ends_the_search_with_what_it_has(whole: Selection) -> None:
     found = select_sections(building(TEXT, ("leave_out:", f"evaluations: {whole.evaluations // 3}\n    leave_out:")))
     assert not found.certified and found.mass >= whole.mass
-    with pytest.raises(InputError, match="its evaluations are used up; allow more by `evaluations`"):
+    with pytest.raises(InputError, match="by `evaluations` .E-SPACE-07"):
         select_sections(building(TEXT, ("leave_out:", "evaluations: 2\n    leave_out:")))
 
 

@@ -182,7 +182,7 @@ def test_given_masses_and_none() -> None:
 
 def test_loads_upwards_give_no_negative_mass() -> None:
     up = ("spans: x}]\n", "spans: x}]\n  nodes: [{at: A1, floors: 2, G: -500 kN}]\n")
-    with pytest.raises(InputError, match=r"building.yaml:15:22: masses.from_loads: node A1.2 would get the mass"):
+    with pytest.raises(InputError, match=r"building.yaml:15:22: masses.from_loads: node A1.2 .*E-MASS-01"):
         space_frame(building(SMALL, up))
 
 

@@ -57,11 +57,8 @@ def test_sections_that_are_too_thick_are_left_out() -> None:
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ([("S275: {fy: 275 MPa}", "S275: {fy: 265 MPa}")], r"materials.S275.fy: 265 MPa, but en10025-2 has 275 MPa"),
-        (
-            [("HEB450", "HD400x1086"), ("thickness: true", "thickness: table-3.1")],
-            "S275 of 125 mm is thicker than 80 mm",
-        ),
+        ([("S275: {fy: 275 MPa}", "S275: {fy: 265 MPa}")], "materials.S275.fy: 265 MPa, .* 275 MPa .*E-SPACE-09"),
+        ([("HEB450", "HD400x1086"), ("thickness: true", "thickness: table-3.1")], "125 mm .* 80 mm, .*E-EC3-02"),
         ([("thickness: true", "thickness: 3")], "yield_by_thickness"),
     ],
 )
@@ -72,6 +69,6 @@ def test_what_is_refused(changes: list[tuple[str, str]], says: str) -> None:
 
 def test_a_name_that_is_no_grade() -> None:
     text = THICK.replace("S275", "mild")
-    with pytest.raises(InputError, match=r"materials.mild: yield_by_thickness needs the name of a grade"):
+    with pytest.raises(InputError, match="materials.mild: .*E-SPACE-09"):
         with_steel_by_thickness(building(text))
     assert with_steel_by_thickness(building(THICK.replace("S275", "S275JR"))).materials["S275JR_t40"].fy == 265e6
