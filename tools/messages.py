@@ -23,6 +23,7 @@ CODE = re.compile(r"\[(E-[A-Z0-9]+-\d\d)\]")
 
 ERRORS = {"InputError", "AnalysisError", "ArchiveError", "CampaignError", "SuiteError", "NoSuchMaterial"}
 ERRORS |= {"NotTranslated", "DamagedArchive", "RefusedClient", "RefusedMotion", "SessionError", "RtsFileError"}
+ERRORS |= {"NotFound", "PackageNotInstalled"}
 """Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
 CODED = {*ERRORS, "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}
 """Errors whose text has a code already: a sentence that passes it on needs none."""

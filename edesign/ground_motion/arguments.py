@@ -24,15 +24,15 @@ def checked_motion(acceleration: ArrayLike, time_step: float) -> tuple[np.ndarra
     motion = np.ascontiguousarray(acceleration, dtype=float)
     if motion.ndim != 1 or motion.size < 2:
         raise InputError(
-            f"acceleration: one row of at least two samples is needed, not an array of shape {motion.shape}"
+            f"acceleration: one row of at least two samples is needed, not an array of shape {motion.shape} [E-SPEC-01]"
         )
     finite = np.isfinite(motion)
     if not finite.all():
         at = int(np.argmin(finite))
-        raise InputError(f"acceleration: sample {at + 1} is {motion[at]:g}, not a finite number")
+        raise InputError(f"acceleration: sample {at + 1} is {motion[at]:g}, not a finite number [E-SPEC-01]")
     step = float(time_step)
     if not (np.isfinite(step) and step > 0.0):
-        raise InputError(f"the time step must be greater than zero, not {step:g} s")
+        raise InputError(f"the time step must be greater than zero, not {step:g} s [E-REC-20]")
     return motion, step
 
 
@@ -50,10 +50,10 @@ def checked_periods(periods: ArrayLike) -> np.ndarray:
     """
     period = np.array(periods, dtype=float, ndmin=1)
     if period.ndim != 1 or period.size == 0:
-        raise InputError(f"periods: one row is needed, not an array of shape {period.shape}")
+        raise InputError(f"periods: one row is needed, not an array of shape {period.shape} [E-SPEC-02]")
     wrong = ~(np.isfinite(period) & (period >= 0.0))
     if wrong.any():
-        raise InputError(f"periods: a period must be zero or greater, not {period[wrong][0]:g} s")
+        raise InputError(f"periods: a period must be zero or greater, not {period[wrong][0]:g} s [E-SPEC-02]")
     return period
 
 
@@ -71,8 +71,10 @@ def checked_dampings(dampings: ArrayLike) -> np.ndarray:
     """
     ratio = np.array(dampings, dtype=float, ndmin=1)
     if ratio.ndim != 1 or ratio.size == 0:
-        raise InputError(f"damping: one row of ratios is needed, not an array of shape {ratio.shape}")
+        raise InputError(f"damping: one row of ratios is needed, not an array of shape {ratio.shape} [E-SPEC-02]")
     wrong = ~((ratio >= 0.0) & (ratio < 1.0))
     if wrong.any():
-        raise InputError(f"damping: a ratio must be at least 0 and below 1 (of critical), not {ratio[wrong][0]:g}")
+        raise InputError(
+            f"damping: a ratio must be at least 0 and below 1 (of critical), not {ratio[wrong][0]:g} [E-SPEC-02]"
+        )
     return ratio

@@ -57,6 +57,7 @@ def checked_hazard(project: Project | Building) -> Hazard:
     if hazard is None:
         raise InputError(
             f"{project.where('hazard')}: hazard: this block is missing; docs/reference/project_file.md explains it"
+            " [E-KEY-02]"
         )
     for place, check in action_of(hazard).checks():
         try:
@@ -110,7 +111,7 @@ def design_spectrum(hazard: Hazard, level: str | None = None) -> DesignOrdinates
     """
     design = action_of(hazard).design(level, None)
     if design is None:
-        raise InputError("hazard.behaviour_factor: this key is missing; the design spectrum needs it")
+        raise InputError("hazard.behaviour_factor: this key is missing; the design spectrum needs it [E-KEY-02]")
     return design
 
 

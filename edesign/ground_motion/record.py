@@ -41,12 +41,12 @@ class Record:
         samples = np.array(self.acceleration, dtype=float)
         step = float(self.time_step)
         if samples.ndim != 1 or samples.size < 2:
-            raise InputError(f"{self.source}: a record needs at least two samples, not {samples.size}")
+            raise InputError(f"{self.source}: a record needs at least two samples, not {samples.size} [E-REC-21]")
         if not np.all(np.isfinite(samples)):
             at = int(np.flatnonzero(~np.isfinite(samples))[0])
-            raise InputError(f"{self.source}: sample {at + 1} is not a finite number")
+            raise InputError(f"{self.source}: sample {at + 1} is not a finite number [E-REC-08]")
         if not (np.isfinite(step) and step > 0.0):
-            raise InputError(f"{self.source}: the time step must be greater than zero, not {step:g} s")
+            raise InputError(f"{self.source}: the time step must be greater than zero, not {step:g} s [E-REC-20]")
         samples.setflags(write=False)
         object.__setattr__(self, "acceleration", samples)
         object.__setattr__(self, "time_step", step)
@@ -88,11 +88,12 @@ class Record:
             InputError: the step is not greater than zero, or longer than the record.
         """
         if not (np.isfinite(time_step) and time_step > 0.0):
-            raise InputError(f"{self.name}: the time step must be greater than zero, not {time_step:g} s")
+            raise InputError(f"{self.name}: the time step must be greater than zero, not {time_step:g} s [E-REC-20]")
         last = int(np.floor(self.duration / time_step + _TOLERANCE))
         if last < 1:
             raise InputError(
                 f"{self.name}: the time step of {time_step:g} s is longer than the record ({self.duration:g} s)"
+                " [E-MOTION-03]"
             )
         return last
 

@@ -144,7 +144,9 @@ def choose(
     widest = target.set_rules.period_band(T_1)
     low, high = widest if spec.periods is None else (period.at(T_1) for period in spec.periods)
     if low >= high:
-        raise InputError(f"`periods` from {low:.4g} s to {high:.4g} s, with T_1 = {T_1:.4g} s, do not rise")
+        raise InputError(
+            f"`periods` from {low:.4g} s to {high:.4g} s, with T_1 = {T_1:.4g} s, do not rise [E-MATCH-04]"
+        )
     options = SelectionOptions(
         scaling=spec.scaling,
         scale_bounds=spec.scale_bounds,
@@ -157,7 +159,7 @@ def choose(
     periods = selection_periods(target.set_rules, T_1, options)
     found = gather(spec, project, periods, MatchOptions(method="scale", periods=fit_band))
     if not found.candidates:
-        raise InputError(f"there are no candidates{_why(found.refused)}{_looked_for(spec, project)}")
+        raise InputError(f"there are no candidates [E-MATCH-07]{_why(found.refused)}{_looked_for(spec, project)}")
     checksum = _checksum(found, periods, target, T_1, spec.choose, options)
     kept = list(range(len(found.candidates)))
     if earlier is not None and earlier.checksum != checksum:

@@ -151,11 +151,12 @@ def rotated_spectra(
     if a.size != b.size:
         raise InputError(
             f"rotated spectra: both components need the same samples, but one has {a.size} and the other {b.size}"
+            " [E-SPEC-01]"
         )
     shares = np.array(percentiles, dtype=float, ndmin=1)
     wrong = ~((shares >= 0.0) & (shares <= 100.0))
     if wrong.any():
-        raise InputError(f"rotated spectra: a percentile must be from 0 to 100, not {shares[wrong][0]:g}")
+        raise InputError(f"rotated spectra: a percentile must be from 0 to 100, not {shares[wrong][0]:g} [E-SPEC-02]")
     period, ratio = checked_periods(periods), _one_damping(damping)
     peaks = np.empty((period.size, ANGLES))
 
@@ -174,7 +175,7 @@ def rotated_spectra(
 def _one_damping(damping: float) -> float:
     ratio = checked_dampings(damping)
     if ratio.size != 1:
-        raise InputError(f"damping: one ratio is needed here, not {ratio.size}")
+        raise InputError(f"damping: one ratio is needed here, not {ratio.size} [E-SPEC-02]")
     return float(ratio[0])
 
 

@@ -88,7 +88,7 @@ def select(
     T, library_psa, pga = (np.asarray(values, dtype=float) for values in (periods, spectra, pgas))
     target.set_rules.check(T, library_psa, pga, target, T_1)  # raises for shapes and periods
     if np.any(library_psa <= 0.0) or np.any(pga <= 0.0):
-        raise InputError("a candidate has a spectral ordinate of zero: it cannot be scaled to a target")
+        raise InputError("a candidate has a spectral ordinate of zero: it cannot be scaled to a target [E-MATCH-05]")
     caps = _caps(options, events, stations, len(pga))
     _enough(caps, count, len(pga))
     library = Library(T, library_psa, pga, target, T_1, options)
@@ -156,7 +156,7 @@ def _caps(
     wanted = (("max_per_event", options.max_per_event, events), ("max_per_station", options.max_per_station, stations))
     for key, most, labels in wanted:
         if most is not None and (labels is None or len(labels) != n):
-            raise InputError(f"{key} needs the {key.removeprefix('max_per_')} of each candidate")
+            raise InputError(f"{key} needs the {key.removeprefix('max_per_')} of each candidate [E-MATCH-06]")
     caps = []
     if options.max_per_event is not None and events is not None:
         caps.append(Cap(tuple(events), options.max_per_event, "event"))
@@ -168,7 +168,7 @@ def _caps(
 
 def _enough(caps: Sequence[Cap], count: int, n: int) -> None:
     if count < 1:
-        raise InputError(f"at least one record must be chosen, not {count}")
+        raise InputError(f"at least one record must be chosen, not {count} [E-VALUE-02]")
     available = [True] * n
     for cap in reversed(caps):  # stations lie within earthquakes: what they leave is what earthquakes count
         seen: Counter[Hashable] = Counter()
@@ -178,7 +178,7 @@ def _enough(caps: Sequence[Cap], count: int, n: int) -> None:
     if sum(available) < count:
         limits = " and ".join(f"{cap.most} of {'an event' if cap.of == 'event' else 'a station'}" for cap in caps)
         why = f", with at most {limits}" if caps else ""
-        raise InputError(f"{count} records are wanted, but only {sum(available)} of {n} can be had{why}")
+        raise InputError(f"{count} records are wanted, but only {sum(available)} of {n} can be had{why} [E-MATCH-07]")
 
 
 def _selection(library: Library, found: tuple[int, ...], scaling: Scaling, exhaustive: bool) -> Selection:

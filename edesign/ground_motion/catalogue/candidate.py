@@ -96,7 +96,7 @@ class Names:
             if name.lower() not in self._taken:
                 self._taken.add(name.lower())
                 return name
-        raise InputError(f"another candidate is called `{texts[0]}` too")
+        raise InputError(f"another candidate is called `{texts[0]}` too [E-NAME-02]")
 
 
 def entry_of(name: str, facts: Facts, component: str | None, **places: Any) -> SuiteEntry:

@@ -70,16 +70,20 @@ def read_flatfile(path: Path) -> Flatfile:
         facts = Facts(**{key: _value(cells, i, read, path, at) for i, (key, read) in columns.items()})
         names = [Path(cells[i].replace("\\", "/")).name.lower() for i in files if _said(cells, i)]
         if facts.rsn is None and not names:
-            raise InputError(f"{path}:{at}: this line names neither the number nor the file of a recording")
+            raise InputError(
+                f"{path}:{at}: this line names neither the number nor the file of a recording [E-SUITE-08]"
+            )
         for name in names:
             if by_file.setdefault(name, facts) != facts:
-                raise InputError(f"{path}:{at}: `{name}` has another line already, which says otherwise")
+                raise InputError(f"{path}:{at}: `{name}` has another line already, which says otherwise [E-SUITE-09]")
         if facts.rsn is not None and by_number.setdefault(facts.rsn, facts) != facts:
-            raise InputError(f"{path}:{at}: the recording {facts.rsn} has another line already, which says otherwise")
+            raise InputError(
+                f"{path}:{at}: the recording {facts.rsn} has another line already, which says otherwise [E-SUITE-09]"
+            )
     if not columns:
         raise InputError(
             f"{path}: no line of headers; needed are `rsn` or `file`, and some of {listed(sorted(_OWN))} "
-            "(or the headers of PEER's tables)"
+            "(or the headers of PEER's tables) [E-SUITE-08]"
         )
     return Flatfile(by_number, by_file)
 
@@ -94,13 +98,17 @@ def _headers(path: Path, at: int, cells: list[str]) -> tuple[dict[int, Any], lis
     keys = [key for key, _ in known.values()]
     for key in keys:
         if keys.count(key) > 1:
-            raise InputError(f"{path}:{at}: more than one column says `{key}`; leave one of them")
+            raise InputError(f"{path}:{at}: more than one column says `{key}`; leave one of them [E-SUITE-08]")
     unknown = [name for name in names if name in ("distance", "v_s30")]
     if unknown:
         allowed = listed(sorted(_OWN))
-        raise InputError(f"{path}:{at}: the header {listed(unknown)} does not say its unit; read are {allowed}")
+        raise InputError(
+            f"{path}:{at}: the header {listed(unknown)} does not say its unit; read are {allowed} [E-SUITE-08]"
+        )
     if not known:
-        raise InputError(f"{path}:{at}: no column says what is known of the files; read are {listed(sorted(_OWN))}")
+        raise InputError(
+            f"{path}:{at}: no column says what is known of the files; read are {listed(sorted(_OWN))} [E-SUITE-08]"
+        )
     return known, files
 
 
@@ -119,7 +127,7 @@ def _text(cell: str, path: Path, at: int) -> str:
 def _whole(cell: str, path: Path, at: int) -> int:
     value = number(cell, path, at, "a whole number")
     if value != int(value) or value < 0.0:
-        raise InputError(f"{path}:{at}: `{cell}` is not a whole number")
+        raise InputError(f"{path}:{at}: `{cell}` is not a whole number [E-SUITE-10]")
     return int(value)
 
 
@@ -127,7 +135,7 @@ def _at_least_zero(what: str, factor: float = 1.0) -> Callable[[str, Path, int],
     def read(cell: str, path: Path, at: int) -> float:
         value = number(cell, path, at, what)
         if value < 0.0:
-            raise InputError(f"{path}:{at}: `{cell}` is negative; {what} is expected here")
+            raise InputError(f"{path}:{at}: `{cell}` is negative; {what} is expected here [E-SUITE-10]")
         return factor * value
 
     return read
@@ -135,7 +143,7 @@ def _at_least_zero(what: str, factor: float = 1.0) -> Callable[[str, Path, int],
 
 def _truth(cell: str, path: Path, at: int) -> bool:
     if cell.lower() not in _TRUTH:
-        raise InputError(f"{path}:{at}: `{cell}` is neither yes nor no, which `pulse` is")
+        raise InputError(f"{path}:{at}: `{cell}` is neither yes nor no, which `pulse` is [E-SUITE-10]")
     return _TRUTH[cell.lower()]
 
 

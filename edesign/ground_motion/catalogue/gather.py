@@ -68,10 +68,10 @@ def gather(spec: ChosenRecords, project: Path, periods: np.ndarray, band: MatchO
             check_record(record, band)
             twin = known.setdefault(record.checksum, candidate.name)
             if twin != candidate.name:
-                raise InputError(f"the same recording as {twin}")
+                raise InputError(f"the same recording as {twin} [E-SUITE-07]")
             ordinates = psa(record.acceleration, record.time_step, periods)
             if not np.all(np.isfinite(ordinates) & (ordinates > 0.0)):
-                raise InputError("its spectrum has ordinates that are zero or not finite")
+                raise InputError("its spectrum has ordinates that are zero or not finite [E-MATCH-05]")
         except InputError as error:
             refused.append(Refusal(candidate.name, short_reason(str(error), candidate)))
             continue

@@ -101,16 +101,18 @@ def source_of(where: str, tables: FolderSource | None = None, folders: tuple[str
         chosen = known.get(where) or (None if record_set else next(iter(known.values())))
         if chosen is not None:
             return chosen
-        raise InputError(f"{where}: {package} has no such set{did_you_mean(where, known)} (sets: {', '.join(known)})")
+        raise InputError(
+            f"{where}: {package} has no such set{did_you_mean(where, known)} (sets: {', '.join(known)}) [E-SUITE-02]"
+        )
     if where in suite_names() or Path(where).suffix.lower() in (".yaml", ".yml"):
         return SuiteSource(suite=where, folders=folders, simulated_records=True)
     if Path(where).exists():
         raise InputError(
-            f"{where}: a folder, a package or a suite is needed; `edesign check {where}` tells of one file"
+            f"{where}: a folder, a package or a suite is needed; `edesign check {where}` tells of one file [E-FILE-05]"
         )
     names = (*PACKAGES, *suite_names())
     hint = did_you_mean(where, names) if is_suite_name(where) else ""
-    raise InputError(f"{where}: there is no such folder, package or suite{hint} (here: {', '.join(names)})")
+    raise InputError(f"{where}: there is no such folder, package or suite{hint} (here: {', '.join(names)}) [E-FILE-01]")
 
 
 def listing(source: Source) -> tuple[list[Listed], list[Refusal]]:

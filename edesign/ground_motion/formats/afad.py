@@ -49,21 +49,23 @@ def channels_of(path: Path) -> list[Channel]:
     lines = read_lines(path, "iso-8859-9")
     at = next((i for i, line in enumerate(lines) if _COLUMNS.match(line)), None)
     if at is None:
-        raise InputError(f"{path}: no line names the components of the columns, such as `N-S  E-W  U-D`")
+        raise InputError(f"{path}: no line names the components of the columns, such as `N-S  E-W  U-D` [E-REC-03]")
     header = {m[1].upper(): (i, m[2] or "", m[3]) for i, line in enumerate(lines[:at], 1) if (m := _KEY.match(line))}
     line, unit, stated = _value(path, header, PEAKS)
     if unit.lower() not in _UNITS:
-        raise InputError(f"{path}:{line}: unknown unit `{unit}` of {PEAKS}; read are {listed(_UNITS)}")
+        raise InputError(f"{path}:{line}: unknown unit `{unit}` of {PEAKS}; read are {listed(_UNITS)} [E-REC-10]")
     line, unit_of_step, text = _value(path, header, STEP)
     step = number(text, path, line, f"{STEP}, the time step in s,")
     if unit_of_step.lower() not in ("sec", "s"):
-        raise InputError(f"{path}:{line}: {STEP} is expected in sec, not in `{unit_of_step}`")
+        raise InputError(f"{path}:{line}: {STEP} is expected in sec, not in `{unit_of_step}` [E-REC-10]")
     check_step(f"{path}:{line}", step, f"{STEP} {text}")
     components = lines[at].upper().split()
     rows = _rows(path, lines, at + 1, len(components))
     line, _, text = _value(path, header, COUNT)
     if not text.isdecimal() or len(rows) != int(text):
-        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples, but {COUNT} = {text} in line {line}")
+        raise InputError(
+            f"{path}:{len(lines)}: {len(rows)} lines of samples, but {COUNT} = {text} in line {line} [E-REC-05]"
+        )
     samples = np.array(rows)
     _check_peaks(path, header, components, samples)
     about = _about(header)
@@ -75,9 +77,11 @@ def channels_of(path: Path) -> list[Channel]:
 
 def _value(path: Path, header: _Header, key: str) -> tuple[int, str, str]:
     if key not in header:
-        raise InputError(f"{path}:{len(header) or 1}: the header has no line `{key}` (it has {listed(header, 6)})")
+        raise InputError(
+            f"{path}:{len(header) or 1}: the header has no line `{key}` (it has {listed(header, 6)}) [E-REC-03]"
+        )
     if not header[key][2]:
-        raise InputError(f"{path}:{header[key][0]}: `{key}` has no value")
+        raise InputError(f"{path}:{header[key][0]}: `{key}` has no value [E-REC-03]")
     return header[key]
 
 
@@ -86,7 +90,9 @@ def _rows(path: Path, lines: Sequence[str], start: int, width: int) -> list[list
     for i, line in enumerate(lines[start:], start + 1):
         words = line.split()
         if words and len(words) != width:
-            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has one of each of the {width} components")
+            raise InputError(
+                f"{path}:{i}: {len(words)} numbers; each line has one of each of the {width} components [E-REC-07]"
+            )
         if words:
             rows.append([number(word, path, i) for word in words])
     return rows
@@ -98,13 +104,13 @@ def _check_peaks(path: Path, header: _Header, components: Sequence[str], samples
     peaks = {m[1].upper(): m[2] for m in _PEAK.finditer(stated)}
     for label, column in zip(components, samples.T, strict=True):
         if label not in peaks:
-            raise InputError(f"{path}:{line}: {PEAKS} has no value of {label}")
+            raise InputError(f"{path}:{line}: {PEAKS} has no value of {label} [E-REC-03]")
         peak, found = number(peaks[label], path, line, f"the peak of {label}"), float(np.max(np.abs(column)))
         last_digit = 10.0 ** -len(peaks[label].partition(".")[2])
         if abs(abs(peak) - found) > last_digit:
             raise InputError(
                 f"{path}:{line}: the header has a peak of {peaks[label]} {unit} for {label}, the column {found:g}; "
-                "the file is damaged, or its columns are not what the header says"
+                "the file is damaged, or its columns are not what the header says [E-REC-22]"
             )
 
 

@@ -47,17 +47,19 @@ def channels_of(path: Path) -> list[Channel]:
     lines = read_lines(path)
     data = next((i for i, line in enumerate(lines) if _DATA.match(line)), None)
     if data is None:
-        raise InputError(f"{path}: no line `DATOS DE ACELERACION:` announces the samples")
+        raise InputError(f"{path}: no line `DATOS DE ACELERACION:` announces the samples [E-REC-03]")
     header: _Header = {}
     for i, line in enumerate(lines[:data], 1):
         if match := _KEY.match(line):
             header.setdefault(" ".join(match[1].upper().split()), (i, match[2]))
     at, unit = _value(path, header, _UNIT)
     if not re.match(r"(gal|cm/s)", unit, re.IGNORECASE):
-        raise InputError(f"{path}:{at}: {_UNIT}: `{unit}`; Gal (cm/s/s) is expected")
+        raise InputError(f"{path}:{at}: {_UNIT}: `{unit}`; Gal (cm/s/s) is expected [E-REC-10]")
     decimation = next((value for key, (_, value) in header.items() if key.startswith(_DECIMATION)), "")
     if decimation not in ("", "1", "1.0", "0"):
-        raise InputError(f"{path}: {_DECIMATION} is {decimation}; it would change the interval, so it is not read")
+        raise InputError(
+            f"{path}: {_DECIMATION} is {decimation}; it would change the interval, so it is not read [E-REC-09]"
+        )
     labels, steps = _channels(path, header, _ORIENTATION), _channels(path, header, _STEP)
     counts, peaks = _channels(path, header, _COUNT), _channels(path, header, _PEAK, needed=False)
     rulers = [i for i, line in enumerate(lines[data + 1 : data + 9], data + 1) if _RULER.match(line) and "-" in line]
@@ -66,7 +68,7 @@ def channels_of(path: Path) -> list[Channel]:
     rows, places = read_rows(enumerate(lines[first:], first + 1), len(labels), path, each, len(lines))
     digit = min(places)
     if min(len(steps), len(counts)) < len(labels):
-        raise InputError(f"{path}: the header has the interval or the number of samples of too few channels")
+        raise InputError(f"{path}: the header has the interval or the number of samples of too few channels [E-REC-03]")
     at, _ = _value(path, header, _STEP)
     intervals = [number(text, path, at, "the interval of the samples in s") for text in steps]
     for interval in intervals:
@@ -75,7 +77,9 @@ def channels_of(path: Path) -> list[Channel]:
     totals = [int(number(text, path, at, "the number of samples")) for text in counts[: len(labels)]]
     # published files may repeat the last sample beyond the number
     if len(rows) < max(totals) or min(totals) < 2 or np.any(rows[max(totals) :] != rows[max(totals) - 1]):
-        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples, but {listed(counts)} in line {at}")
+        raise InputError(
+            f"{path}:{len(lines)}: {len(rows)} lines of samples, but {listed(counts)} in line {at} [E-REC-05]"
+        )
     about = _about(header)
     channels = []
     for k, label in enumerate(labels):
@@ -91,7 +95,9 @@ def channels_of(path: Path) -> list[Channel]:
 def _value(path: Path, header: _Header, key: str) -> tuple[int, str]:
     found = next((value for name, value in header.items() if name.startswith(key)), None)
     if found is None:
-        raise InputError(f"{path}:{len(header) or 1}: the header has no line `{key}` (it has {listed(header, 4)})")
+        raise InputError(
+            f"{path}:{len(header) or 1}: the header has no line `{key}` (it has {listed(header, 4)}) [E-REC-03]"
+        )
     return found
 
 
@@ -105,7 +111,7 @@ def _channels(path: Path, header: _Header, key: str, *, needed: bool = True) -> 
         words = [word.strip() for word in stated.strip("/").split("/")] if stated.strip(" /") else []
         values += words
     if needed and not values:
-        raise InputError(f"{path}:{_value(path, header, key)[0]}: `{key}` has no value")
+        raise InputError(f"{path}:{_value(path, header, key)[0]}: `{key}` has no value [E-REC-03]")
     return values
 
 

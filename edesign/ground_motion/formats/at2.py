@@ -47,6 +47,7 @@ def read_at2(path: Path | str, name: str = "") -> Record:
     if len(samples) < count:
         raise InputError(
             f"{path}:{len(lines)}: the file ends after {len(samples)} samples, but NPTS = {count} in line {header}"
+            " [E-REC-05]"
         )
     rest = np.array(samples[count:])
     remarks: tuple[str, ...] = ()
@@ -75,15 +76,18 @@ def _header(path: Path, lines: list[str]) -> tuple[int, float, int]:
                 seen = other[1] or f"a unit `{other[2]}`"
                 raise InputError(
                     f"{path}:{i}: the header says {seen.lower()}; only acceleration in g is read from AT2 files"
+                    " [E-REC-09]"
                 )
             continue
         count = number(match[1], path, i, "NPTS, the number of samples,")
         step = number(match[2], path, i, "DT, the time step in s,")
         if count != int(count) or count < 2:
-            raise InputError(f"{path}:{i}: NPTS = {match[1]}; a whole number of at least 2 samples is expected")
+            raise InputError(
+                f"{path}:{i}: NPTS = {match[1]}; a whole number of at least 2 samples is expected [E-REC-04]"
+            )
         check_step(f"{path}:{i}", step, f"DT = {match[2]}")
         return int(count), step, i
     raise InputError(
         f"{path}:{min(len(lines), _HEADER_LINES)}: none of the first {_HEADER_LINES} lines has the header of an AT2 "
-        "file, `NPTS=  5372, DT=  .0100 SEC` or `5372  0.0100  NPTS, DT`"
+        "file, `NPTS=  5372, DT=  .0100 SEC` or `5372  0.0100  NPTS, DT` [E-REC-01]"
     )

@@ -56,15 +56,19 @@ def choose(path: Path, channels: Sequence[Channel], component: str | int | None)
     labels = listed(channel.label for channel in channels)
     if component is None:
         if len(channels) > 1:
-            raise InputError(f"{path}: the file holds {len(channels)} components; name one: {labels}, {CHOICE}")
+            raise InputError(
+                f"{path}: the file holds {len(channels)} components; name one: {labels}, {CHOICE} [E-REC-13]"
+            )
         return channels[0]
     wanted = _plain(str(component))
     found = [channel for channel in channels if wanted in {_plain(name) for name in (channel.label, *channel.names)}]
     if len(found) == 1:
         return found[0]
     if found:
-        raise InputError(f"{path}: `{component}` fits {listed(channel.label for channel in found)}; name one of them")
-    raise InputError(f"{path}: there is no component `{component}`; the file has {labels}")
+        raise InputError(
+            f"{path}: `{component}` fits {listed(channel.label for channel in found)}; name one of them [E-REC-13]"
+        )
+    raise InputError(f"{path}: there is no component `{component}`; the file has {labels} [E-REC-14]")
 
 
 @dataclass(frozen=True)

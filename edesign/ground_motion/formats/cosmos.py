@@ -73,7 +73,7 @@ def channels_of(path: Path) -> list[Channel]:
             channels.append(_channel(path, lines, block))
         at = block.end
     if not channels:
-        raise InputError(f"{path}: the file holds no acceleration, but: {', '.join(seen)}")
+        raise InputError(f"{path}: the file holds no acceleration, but: {', '.join(seen)} [E-REC-09]")
     return channels
 
 
@@ -101,7 +101,7 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
     if title is None:
         raise InputError(
             f"{path}:{start + 1}: a channel of a COSMOS file begins with a line such as "
-            "`Corrected acceleration (Format v01.20 with 13 text lines)`"
+            "`Corrected acceleration (Format v01.20 with 13 text lines)` [E-REC-01]"
         )
     at = start + int(title[3])
     headers: dict[str, list[float]] = {}
@@ -109,7 +109,7 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
     while True:
         if at >= len(lines):
             raise InputError(
-                f"{path}:{len(lines)}: the file ends within the headers of the channel of line {start + 1}"
+                f"{path}:{len(lines)}: the file ends within the headers of the channel of line {start + 1} [E-REC-05]"
             )
         if section := _SECTION.match(lines[at]):
             layout = field_format(lines[at], path, at + 1)
@@ -117,6 +117,7 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
             if layout.lines(count) != int(section[3]):
                 raise InputError(
                     f"{path}:{at + 1}: {count} values in this format take {layout.lines(count)} lines, not {section[3]}"
+                    " [E-REC-04]"
                 )
             headers[kind] = read_fields(lines, at + 1, count, layout, path, f"a value of the {kind} header")
             at += 1 + int(section[3])
@@ -128,18 +129,18 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
         else:
             raise InputError(
                 f"{path}:{at + 1}: a header or `12000 acceleration pts, approx 60 secs, units=cm/sec2 (04),"
-                f"Format=(8f10.3)` is expected here, not `{lines[at].strip()[:40]}`"
+                f"Format=(8f10.3)` is expected here, not `{lines[at].strip()[:40]}` [E-REC-06]"
             )
     count = int(data[1])
     if count < 2:
-        raise InputError(f"{path}:{at + 1}: {count} points; a record needs at least 2")
+        raise InputError(f"{path}:{at + 1}: {count} points; a record needs at least 2 [E-REC-21]")
     layout = field_format(lines[at], path, at + 1)
     values = read_fields(lines, at + 1, count, layout, path)
     end = at + 1 + layout.lines(count)
     if end < len(lines) and is_end_of_data(lines[end]):
         end += 1
     elif end < len(lines) and lines[end].strip() and TITLE.match(lines[end]) is None:
-        raise InputError(f"{path}:{end + 1}: more data than the {count} points announced in line {at + 1}")
+        raise InputError(f"{path}:{end + 1}: more data than the {count} points announced in line {at + 1} [E-REC-06]")
     return _Block(
         start,
         int(title[3]),
@@ -170,13 +171,15 @@ def _factor(path: Path, block: _Block) -> float:
     """Factor of the data to m/s2."""
     where = f"{path}:{block.data + 1}"
     if block.unit.startswith("count") or block.unit_code == 50:
-        raise InputError(f"{where}: the data are raw counts of the recorder, not accelerations; use a V1 or V2 file")
+        raise InputError(
+            f"{where}: the data are raw counts of the recorder, not accelerations; use a V1 or V2 file [E-REC-09]"
+        )
     by_name = _UNIT_NAMES.get(block.unit)
     by_code = _UNIT_CODES.get(block.unit_code) if block.unit_code is not None else by_name
     if by_code is None or (by_name is not None and not math.isclose(by_name, by_code)):
         code = "" if block.unit_code is None else f" ({block.unit_code:02d})"
         raise InputError(
-            f"{where}: unknown unit of acceleration `{block.unit}`{code}; read are cm/sec2 (04) and g (02)"
+            f"{where}: unknown unit of acceleration `{block.unit}`{code}; read are cm/sec2 (04) and g (02) [E-REC-10]"
         )
     return by_code
 
@@ -201,14 +204,14 @@ def _time_step(path: Path, block: _Block) -> float:
     where = f"{path}:{block.data + 1}"
     if len(block.real) < _SAMPLE_INTERVAL or block.real[_SAMPLE_INTERVAL - 1] == _UNKNOWN:
         raise InputError(
-            f"{where}: the real header does not give the sample interval (its value {_SAMPLE_INTERVAL}, ms)"
+            f"{where}: the real header does not give the sample interval (its value {_SAMPLE_INTERVAL}, ms) [E-REC-03]"
         )
     step = block.real[_SAMPLE_INTERVAL - 1] / 1000.0
     check_step(where, step)
     if abs(block.count * step - block.seconds) > 1.0 + 0.01 * block.seconds:  # it is written in whole seconds
         raise InputError(
             f"{where}: {block.count} points at the {step:g} s of the real header last {block.count * step:g} s, "
-            f"but this line says about {block.seconds:g} s"
+            f"but this line says about {block.seconds:g} s [E-REC-18]"
         )
     return step
 

@@ -60,7 +60,7 @@ def channels_of(path: Path) -> list[Channel]:
     if SPECTRA.match(lines[0]):
         raise InputError(
             f"{path}:1: a file of CSMIP volume 3 holds response and Fourier spectra, no accelerations; the record is "
-            "in the file of volume 2 (.V2)"
+            "in the file of volume 2 (.V2) [E-REC-09]"
         )
     channels: list[Channel] = []
     start = 0
@@ -72,6 +72,7 @@ def channels_of(path: Path) -> list[Channel]:
     if not channels:
         raise InputError(
             f"{path}: no line such as `12000 points of accel data equally spaced at  .005 sec, in cm/sec2. (8f10.6)`"
+            " [E-REC-03]"
         )
     return channels
 
@@ -85,13 +86,13 @@ def _channel(path: Path, lines: list[str], start: int, at: int, match: re.Match[
     count, unit = int(match[1]), (match[3] or (peak[2] if peak is not None else "")).rstrip(".,").lower()
     step = number(match[2], path, at + 1, "the time step in s")
     if count < 2:
-        raise InputError(f"{where}: {count} points; a record needs at least 2")
+        raise InputError(f"{where}: {count} points; a record needs at least 2 [E-REC-21]")
     if match.re is _RATED:
         check_rate(where, step)
         step = 1.0 / step
     check_step(where, step)
     if unit not in _UNITS:
-        raise InputError(f"{where}: unknown unit of acceleration `{unit}`; read are {', '.join(_UNITS)}")
+        raise InputError(f"{where}: unknown unit of acceleration `{unit}`; read are {', '.join(_UNITS)} [E-REC-10]")
     layout = _layout(lines, at, path)
     values = read_fields(lines, at + 1, count, layout, path)
     _no_more(path, lines, at, count, layout)
@@ -151,7 +152,7 @@ def _no_more(path: Path, lines: list[str], at: int, count: int, layout: FieldFor
         and not is_end_of_data(lines[end])
         and "points" not in lines[end].lower()
     ):
-        raise InputError(f"{path}:{end + 1}: more data than the {count} points announced in line {at + 1}")
+        raise InputError(f"{path}:{end + 1}: more data than the {count} points announced in line {at + 1} [E-REC-06]")
 
 
 FORMAT = RecordFormat("CSMIP .V1/.V2", has_data, channels_of)

@@ -58,16 +58,16 @@ def channels_of(path: Path) -> list[Channel]:
     at, match = found["unit"]
     quantity, unit = match[1].upper(), match[2].upper()
     if "ACCEL" not in quantity or unit not in _UNITS:
-        raise InputError(f"{path}:{at}: `{match[0].strip()}`; only accelerations in CM/SEC/SEC are read")
+        raise InputError(f"{path}:{at}: `{match[0].strip()}`; only accelerations in CM/SEC/SEC are read [E-REC-09]")
     at, match = found["count"]
     count = int(number(match[1], path, at, "the number of points"))
     step = number(match[2], path, at, "the interval in s")
     check_step(f"{path}:{at}", step)
     if count < 2:
-        raise InputError(f"{path}:{at}: {count} points; a record needs at least 2")
+        raise InputError(f"{path}:{at}: {count} points; a record needs at least 2 [E-REC-21]")
     values, digit = _samples(path, lines, at, count)
     if len(values) != count:
-        raise InputError(f"{path}:{len(lines)}: {len(values)} samples, but {count} points in line {at}")
+        raise InputError(f"{path}:{len(lines)}: {len(values)} samples, but {count} points in line {at} [E-REC-05]")
     samples = np.array(values)
     at, match = found["peak"]
     check_peak(f"{path}:{at}", match[1], float(np.abs(samples).max()), "cm/s2", digit)
@@ -80,7 +80,7 @@ def _line(path: Path, lines: list[str], pattern: re.Pattern[str], what: str) -> 
     for i, line in enumerate(lines[:_TEXTS], 1):
         if match := pattern.match(line):
             return i, match
-    raise InputError(f"{path}:{min(len(lines), _TEXTS)}: none of the first lines is such as `{what}`")
+    raise InputError(f"{path}:{min(len(lines), _TEXTS)}: none of the first lines is such as `{what}` [E-REC-01]")
 
 
 def _samples(path: Path, lines: list[str], header: int, count: int) -> tuple[list[float], float]:
@@ -91,7 +91,7 @@ def _samples(path: Path, lines: list[str], header: int, count: int) -> tuple[lis
         if not line.strip() or (not values and _NUMBER.sub("", line).strip()):
             continue
         if _NUMBER.sub("", line).strip():
-            raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here")
+            raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here [E-REC-08]")
         words = _NUMBER.findall(line)
         for word in words:
             values.append(number(word, path, i))

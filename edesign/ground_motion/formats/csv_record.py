@@ -68,18 +68,21 @@ def read_csv(
     if not acceleration_unit:
         raise InputError(
             f"{path}: a table does not say the unit of its accelerations; declare it: {', '.join(ACCELERATION_UNITS)}"
+            " [E-REC-11]"
         )
     factor = acceleration_factor(acceleration_unit)
     if factor is None:
-        raise InputError(f"{path}: unknown unit `{acceleration_unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
+        raise InputError(
+            f"{path}: unknown unit `{acceleration_unit}`; allowed: {', '.join(ACCELERATION_UNITS)} [E-UNIT-02]"
+        )
     if layout is not None and layout not in LAYOUTS:
         hint = did_you_mean(str(layout), LAYOUTS)
-        raise InputError(f"{path}: unknown layout `{layout}`{hint}; allowed: {listed(LAYOUTS)}")
+        raise InputError(f"{path}: unknown layout `{layout}`{hint}; allowed: {listed(LAYOUTS)} [E-VALUE-03]")
     table = RecordTable.read(path, given)
     named = time_column is not None or acceleration_column is not None
     if layout == "rows":
         if named:
-            raise InputError(f"{path}: {ROWS} has no columns, but columns are named; give one or the other")
+            raise InputError(f"{path}: {ROWS} has no columns, but columns are named; give one or the other [E-KEY-03]")
         samples = _along_rows(table)
     else:
         table.check_width(may_be_rows=layout is None)
@@ -87,7 +90,7 @@ def read_csv(
         if when is None and table.width > 1 and layout is None and not table.header:
             raise InputError(
                 f"{table.where}: {table.width} numbers a line without headers may be {table.width} channels, or "
-                f"{table.width} samples in turn; write {COLUMNS}, or {ROWS} without `columns`"
+                f"{table.width} samples in turn; write {COLUMNS}, or {ROWS} without `columns` [E-REC-15]"
             )
         check_units(table, when, at, acceleration_unit)
         samples = table.numbers(at)
@@ -104,7 +107,7 @@ def read_csv(
             if several
             else "the file has no column of times"
         )
-        raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`)")
+        raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`) [E-REC-17]")
     check_step(f"{path}", time_step)
     source = ", ".join(part for part in (f"{path.name} in {acceleration_unit}", told(table.form, given)) if part)
     with np.errstate(over="ignore"):
@@ -113,6 +116,7 @@ def read_csv(
         number_of = int(beyond[0])
         raise InputError(
             f"{path}: sample {number_of + 1} is {samples[number_of]:g} {acceleration_unit}, beyond all numbers in m/s2"
+            " [E-UNIT-03]"
         )
     return Record(name or path.stem, acceleration, time_step, source)
 
@@ -126,13 +130,14 @@ def _columns_of(
         which = f" ({', '.join(f'{i} `{name}`' for i, name in enumerate(table.header, 1))})" if table.header else ""
         raise InputError(
             f"{table.where}: {table.width} columns{which}; name the one that is the acceleration: {CHOICE}{hint}"
+            " [E-REC-13]"
         )
     if time_column is None and acceleration_column is None:
         return (0 if table.width == 2 else None), table.width - 1
     at = table.width - 1 if acceleration_column is None else _column(table, acceleration_column)
     when = None if time_column is None else _column(table, time_column)
     if when == at:
-        raise InputError(f"{table.path}: column {at + 1} cannot be both time and acceleration")
+        raise InputError(f"{table.path}: column {at + 1} cannot be both time and acceleration [E-VALUE-04]")
     return when, at
 
 
@@ -146,7 +151,7 @@ def _check_proof(table: RecordTable, step: float) -> None:
         return
     raise InputError(
         f"{table.where}: is the first of two numbers a line the time? {why}; write {COLUMNS} if it is, or {ROWS} if "
-        "both are samples"
+        "both are samples [E-REC-15]"
     )
 
 
@@ -155,13 +160,15 @@ def _along_rows(table: RecordTable) -> list[float]:
     if table.header:
         raise InputError(
             f"{table.path}:{table.places[0] - 1}: {ROWS} is for lines of numbers alone; put # before a line of text "
-            f"(`{' '.join(table.header)[:40]}`)"
+            f"(`{' '.join(table.header)[:40]}`) [E-REC-15]"
         )
     rows = [row[:-1] if len(row) > 1 and not row[-1] else row for row in table.rows]  # a comma may end a line
     width = len(rows[0])
     for row, line in zip(rows, table.places, strict=True):
         if len(row) != width and not (row is rows[-1] and len(row) < width):
-            raise InputError(f"{table.path}:{line}: {len(row)} samples; the others have {width}, the last perhaps less")
+            raise InputError(
+                f"{table.path}:{line}: {len(row)} samples; the others have {width}, the last perhaps less [E-REC-07]"
+            )
     values = [[number(cell, table.path, i) for cell in row] for row, i in zip(rows, table.places, strict=True)]
     full = np.array([row for row in values if len(row) == width])
     rising = [k for k in range(width) if rises_evenly(full[:, k])]
@@ -169,11 +176,11 @@ def _along_rows(table: RecordTable) -> list[float]:
         step = full[1, rising[0]] - full[0, rising[0]]
         raise InputError(
             f"{table.where}: in {ROWS} every number is a sample, but number {rising[0] + 1} of each line rises "
-            f"evenly by {step:g}, as times do; leave the times out, or give one time and one sample a line"
+            f"evenly by {step:g}, as times do; leave the times out, or give one time and one sample a line [E-REC-15]"
         )
     samples = [value for row in values for value in row]
     if len(samples) < 2:
-        raise InputError(f"{table.where}: a record needs at least two samples, not {len(samples)}")
+        raise InputError(f"{table.where}: a record needs at least two samples, not {len(samples)} [E-REC-21]")
     return samples
 
 
@@ -181,15 +188,17 @@ def _column(table: RecordTable, wanted: int | str) -> int:
     path, header, width = table.path, table.header, table.width
     if isinstance(wanted, int):
         if not 1 <= wanted <= width:
-            raise InputError(f"{path}: there is no column {wanted}; the columns are numbered 1 to {width}")
+            raise InputError(f"{path}: there is no column {wanted}; the columns are numbered 1 to {width} [E-REC-14]")
         return wanted - 1
     if not header:
         raise InputError(
-            f"{path}: there is no column `{wanted}`: the file has no headers; give the number of the column"
+            f"{path}: there is no column `{wanted}`: the file has no headers; give the number of the column [E-REC-14]"
         )
     if wanted not in header:
         hint = did_you_mean(wanted, header)
-        raise InputError(f"{path}: there is no column `{wanted}`{hint} (the columns are: {', '.join(header)})")
+        raise InputError(
+            f"{path}: there is no column `{wanted}`{hint} (the columns are: {', '.join(header)}) [E-REC-14]"
+        )
     return header.index(wanted)
 
 
@@ -202,6 +211,7 @@ def _uniform_step(table: RecordTable, times: np.ndarray, given: float | None, hi
         at = int(backwards[0]) + 1
         raise InputError(
             f"{path}:{places[at]}: the time {times[at]:g} s is not after the time {times[at - 1]:g} s before it{hint}"
+            " [E-REC-19]"
         )
     mean = float((times[-1] - times[0]) / steps.size)
     if not rises_evenly(times):
@@ -209,11 +219,13 @@ def _uniform_step(table: RecordTable, times: np.ndarray, given: float | None, hi
         at = int(np.argmax(np.abs(steps - usual))) + 1
         raise InputError(
             f"{path}:{places[at]}: the times are not evenly spaced: here the step is {steps[at - 1]:g} s, "
-            f"mostly {usual:g} s{hint}"
+            f"mostly {usual:g} s{hint} [E-REC-19]"
         )
     if given is not None:
         if abs(given - mean) > max(_ROUNDING, _UNEVEN / steps.size) * mean:
-            raise InputError(f"{path}: the time column has a step of {mean:g} s, but {given:g} s is given{hint}")
+            raise InputError(
+                f"{path}: the time column has a step of {mean:g} s, but {given:g} s is given{hint} [E-REC-18]"
+            )
         return given
     return float(f"{mean:.9g}")  # the decimal number that the file means
 

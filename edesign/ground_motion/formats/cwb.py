@@ -46,14 +46,14 @@ def channels_of(path: Path) -> list[Channel]:
     header = {match[1].lower(): (i, match[2]) for i, line in enumerate(lines, 1) if (match := _KEY.match(line))}
     for key in (SEQUENCE, RATE, UNIT):
         if key.lower() not in header:
-            raise InputError(f"{path}:1: the header has no line `#{key}:` (it has {listed(header, 6)})")
+            raise InputError(f"{path}:1: the header has no line `#{key}:` (it has {listed(header, 6)}) [E-REC-03]")
     at, unit = header[UNIT.lower()]
     if not re.match(r"gal\b", unit, re.IGNORECASE):
-        raise InputError(f"{path}:{at}: {UNIT}: `{unit}`; gal is expected")
+        raise InputError(f"{path}:{at}: {UNIT}: `{unit}`; gal is expected [E-REC-10]")
     at, sequence = header[SEQUENCE.lower()]
     labels = [label.upper() for label in _COMPONENT.findall(sequence)]
     if not labels or "time" not in sequence.lower():
-        raise InputError(f"{path}:{at}: {SEQUENCE}: `{sequence}`; `Time U(+); N(+); E(+)` is expected")
+        raise InputError(f"{path}:{at}: {SEQUENCE}: `{sequence}`; `Time U(+); N(+); E(+)` is expected [E-REC-04]")
     at, text = header[RATE.lower()]
     rate = number(text, path, at, f"{RATE}")
     check_rate(f"{path}:{at}", rate)
@@ -66,7 +66,7 @@ def channels_of(path: Path) -> list[Channel]:
         at, text = header[_LENGTH.lower()]
         length = number(text, path, at, _LENGTH)
         if rows.shape[0] < length * rate - 1.0:  # whole seconds; files may have a sample more
-            raise InputError(f"{path}:{len(lines)}: {rows.shape[0]} samples, but {length:g} s in line {at}")
+            raise InputError(f"{path}:{len(lines)}: {rows.shape[0]} samples, but {length:g} s in line {at} [E-REC-05]")
     samples = dict(zip(labels, rows[:, 1:].T, strict=True))
     for i, line in enumerate(lines, 1):
         if (match := _PEAKS.match(line)) and match[1].upper() in samples:
@@ -84,7 +84,9 @@ def _check_times(path: Path, times: np.ndarray, rate: float, digit: float) -> No
     apart = np.abs(times - times[0] - np.arange(times.size) / rate)
     if np.any(apart > max(0.0011, 2.0 * digit)):
         at = int(np.argmax(apart > max(0.0011, 2.0 * digit)))
-        raise InputError(f"{path}: sample {at + 1} is at {times[at]:g} s, which does not fit {rate:g} samples a second")
+        raise InputError(
+            f"{path}: sample {at + 1} is at {times[at]:g} s, which does not fit {rate:g} samples a second [E-REC-18]"
+        )
 
 
 def _about(header: dict[str, tuple[int, str]]) -> str:

@@ -46,21 +46,23 @@ def channels_of(path: Path) -> list[Channel]:
     header = {m[1].upper(): (i, m[2]) for i, line in enumerate(lines[:first], start=1) if (m := KEY.match(line))}
     _, quantity = header.get("DATA_TYPE", (0, "ACCELERATION"))
     if quantity.upper() != "ACCELERATION":
-        raise InputError(f"{path}:{header['DATA_TYPE'][0]}: the file holds `{quantity}`; only ACCELERATION is read")
+        raise InputError(
+            f"{path}:{header['DATA_TYPE'][0]}: the file holds `{quantity}`; only ACCELERATION is read [E-REC-09]"
+        )
     at, unit = _value(path, header, "UNITS")
     unit = unit.lower()
     if unit not in ACCELERATION_UNITS:
-        raise InputError(f"{path}:{at}: unknown unit `{unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
+        raise InputError(f"{path}:{at}: unknown unit `{unit}`; allowed: {', '.join(ACCELERATION_UNITS)} [E-REC-10]")
     at, text = _value(path, header, STEP)
     step = number(text, path, at, f"{STEP}, the time step in s,")
     check_step(f"{path}:{at}", step, f"{STEP}: {text}")
     at, text = _value(path, header, COUNT)
     count = number(text, path, at, f"{COUNT}, the number of samples,")
     if count != int(count) or count < 2:
-        raise InputError(f"{path}:{at}: {COUNT} = {text}; a whole number of at least 2 samples is expected")
+        raise InputError(f"{path}:{at}: {COUNT} = {text}; a whole number of at least 2 samples is expected [E-REC-04]")
     samples = [number(line.strip(), path, i) for i, line in enumerate(lines[first:], first + 1) if line.strip()]
     if len(samples) != count:
-        raise InputError(f"{path}:{len(lines)}: {len(samples)} samples, but {COUNT} = {text} in line {at}")
+        raise InputError(f"{path}:{len(lines)}: {len(samples)} samples, but {COUNT} = {text} in line {at} [E-REC-05]")
     _check_peak(path, header, unit, np.array(samples))
     stream = header.get("STREAM", (0, ""))[1]
     channel = Channel(
@@ -82,9 +84,11 @@ def _check_peak(path: Path, header: _Header, unit: str, samples: np.ndarray) -> 
 
 def _value(path: Path, header: _Header, key: str) -> tuple[int, str]:
     if key not in header:
-        raise InputError(f"{path}:{len(header) or 1}: the header has no line `{key}:` (it has {listed(header, 6)})")
+        raise InputError(
+            f"{path}:{len(header) or 1}: the header has no line `{key}:` (it has {listed(header, 6)}) [E-REC-03]"
+        )
     if not header[key][1]:
-        raise InputError(f"{path}:{header[key][0]}: `{key}:` has no value")
+        raise InputError(f"{path}:{header[key][0]}: `{key}:` has no value [E-REC-03]")
     return header[key]
 
 

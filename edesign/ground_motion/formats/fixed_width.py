@@ -43,7 +43,9 @@ def field_format(text: str, path: Path, line: int) -> FieldFormat:
     """
     match = _FORMAT.search(text)
     if match is None or int(match[1] or 1) < 1 or int(match[3]) < 1:
-        raise InputError(f"{path}:{line}: no format of the numbers such as (8F10.3) or (10I8) is found in this line")
+        raise InputError(
+            f"{path}:{line}: no format of the numbers such as (8F10.3) or (10I8) is found in this line [E-REC-03]"
+        )
     return FieldFormat(int(match[1] or 1), int(match[3]), match[2].upper() == "I")
 
 
@@ -66,7 +68,7 @@ def read_fields(
         if i >= len(lines) or is_end_of_data(lines[i]):
             raise InputError(
                 f"{path}:{min(i + 1, len(lines))}: the data end after {len(values)} of the {count} values announced "
-                f"in line {start}"
+                f"in line {start} [E-REC-05]"
             )
         text = lines[i].rstrip()
         expected = min(layout.fields, count - len(values))
@@ -75,14 +77,14 @@ def read_fields(
             seen = expected
         if seen != expected:
             raise InputError(
-                f"{path}:{i + 1}: {seen} fields of {layout.width} characters; {expected} are expected here"
+                f"{path}:{i + 1}: {seen} fields of {layout.width} characters; {expected} are expected here [E-REC-07]"
             )
         for k in range(expected):
             word = text[k * layout.width : (k + 1) * layout.width].strip()
             value = number(word, path, i + 1, what)
             if not layout.whole and "." not in word:
                 # Fortran would put the point by the format, other readers would not: a factor of 10^d between them
-                raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely")
+                raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely [E-REC-08]")
             values.append(value)
     return values
 
@@ -145,10 +147,10 @@ def read_rows(
         if len(words) != width:
             words = [line[k * 10 : (k + 1) * 10].strip() for k in range(-(-len(line.rstrip()) // 10))]
         if len(words) != width:
-            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has {each}")
+            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has {each} [E-REC-07]")
         rows.append([number(word, path, i) for word in words])
         digits = [last_place(word) for word in words]
         places = [min(place, digit) if place else digit for place, digit in zip(places, digits, strict=True)]
     if len(rows) < 2:
-        raise InputError(f"{path}:{end}: {len(rows)} lines of samples; a record needs at least 2")
+        raise InputError(f"{path}:{end}: {len(rows)} lines of samples; a record needs at least 2 [E-REC-21]")
     return np.array(rows), places

@@ -66,20 +66,25 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
     if title is None:
         raise InputError(
             f"{path}:{start + 1}: a component of a GeoNet file begins with a line such as `Corrected accelerogram ...`"
+            " [E-REC-01]"
         )
     if start + _HEADER >= len(lines):
-        raise InputError(f"{path}:{len(lines)}: the file ends within the {_HEADER} lines of header of a component")
+        raise InputError(
+            f"{path}:{len(lines)}: the file ends within the {_HEADER} lines of header of a component [E-REC-05]"
+        )
     texts = lines[start : start + _TEXTS]
     integers = read_fields(lines, start + _TEXTS, 40, _LAYOUT, path, "a whole number of the header")
     reals = read_fields(lines, start + _TEXTS + 4, 60, _LAYOUT, path, "a real number of the header")
     corrected = title[1].lower() == "corrected"
     count, step = int(integers[_SAMPLES] or integers[_DIGITIZED]), reals[_STEP]
     if count < 2:
-        raise InputError(f"{path}:{start + _TEXTS + 4}: {count} samples; a record needs at least 2")
+        raise InputError(f"{path}:{start + _TEXTS + 4}: {count} samples; a record needs at least 2 [E-REC-21]")
     check_step(f"{path}:{start + _TEXTS + 7}", step)
     for i, text in enumerate(texts, start + 1):
         if (match := _INTERVAL.search(text)) and abs(number(match[1], path, i) - step) > last_place(match[1]):
-            raise InputError(f"{path}:{i}: samples at {match[1]} s, but {step:g} s among the numbers of the header")
+            raise InputError(
+                f"{path}:{i}: samples at {match[1]} s, but {step:g} s among the numbers of the header [E-REC-18]"
+            )
     units = [(i, match[1]) for i, text in enumerate(texts, start + 1) if (match := _UNIT.search(text))]
     unit = number(units[0][1], path, units[0][0], "the unit of the samples in mm/s/s") if units else 1.0
     values = unit * np.array(_samples(path, lines, start + _HEADER, count))
@@ -90,7 +95,9 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
     counts = (count, int(integers[_VELOCITIES]), int(integers[_DISPLACEMENTS])) if corrected else (count,)
     end = start + _HEADER + sum(-(-number // _FIELDS) for number in counts)
     if end > len(lines):
-        raise InputError(f"{path}:{len(lines)}: the file ends within the velocities and displacements of a component")
+        raise InputError(
+            f"{path}:{len(lines)}: the file ends within the velocities and displacements of a component [E-REC-05]"
+        )
     label = next((text.split()[1] for text in texts if re.match(r"\s*Component\s+\S", text)), f"{len(lines)}")
     bearing = () if label.lower() in ("up", "down") else (f"{int(integers[_DIRECTION])}",)
     return Channel(label, bearing, (0.001 * values).tolist(), step, _about(texts, title[1].lower())), end
@@ -103,7 +110,7 @@ def _samples(path: Path, lines: list[str], first: int, count: int) -> list[float
         i, at = first + k // _FIELDS, 8 * (k % _FIELDS)
         word = lines[i][at : at + 8].strip()
         if abs(value) < _WITHOUT_POINT and "." not in word:
-            raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely")
+            raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely [E-REC-08]")
     return values
 
 

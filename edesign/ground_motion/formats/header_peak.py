@@ -35,11 +35,11 @@ def check_peak(where: str, stated: str, found: float, unit: str, rounding: float
         peak = abs(float(stated))
     except ValueError:
         raise InputError(
-            f"{where}: `{stated.strip()[:40]}` is not a number; the peak in {unit} is expected here"
+            f"{where}: `{stated.strip()[:40]}` is not a number; the peak in {unit} is expected here [E-REC-04]"
         ) from None
     # some networks cut the digits that they don't print, others round them: so a whole unit of the last digit
     if abs(peak - abs(found)) > (last_place(stated) + rounding) * (1.0 + 1e-9):
         raise InputError(
             f"{where}: the header has a peak of {stated.strip()} {unit}, the samples {abs(found):g}; "
-            "the file is damaged, or its samples are not what the header says"
+            "the file is damaged, or its samples are not what the header says [E-REC-22]"
         )

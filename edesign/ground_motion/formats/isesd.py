@@ -47,14 +47,16 @@ def channels_of(path: Path) -> list[Channel]:
             header.setdefault(match[1].lower(), (i, match[2]))
     for key in (_STEP, _COUNT, _UNITS):
         if key not in header:
-            raise InputError(f"{path}:{max(1, first)}: the header has no line `{key}:`")
+            raise InputError(f"{path}:{max(1, first)}: the header has no line `{key}:` [E-REC-03]")
     start = next((i for i, title in blocks if re.match(r"corrected\s+acc", title, re.IGNORECASE)), None)
     if start is None:
         seen = ", ".join(title for _, title in blocks) or "no block `-> ...`"
-        raise InputError(f"{path}: `-> corrected acceleration time histories` is expected, but the file has {seen}")
+        raise InputError(
+            f"{path}: `-> corrected acceleration time histories` is expected, but the file has {seen} [E-REC-09]"
+        )
     at, unit = header[_UNITS]
     if not re.match(r"(m/s\*s|m/s2|m/s\^2|m/s/s)", unit, re.IGNORECASE):
-        raise InputError(f"{path}:{at}: units `{unit}`; accelerations in m/s*s are expected first")
+        raise InputError(f"{path}:{at}: units `{unit}`; accelerations in m/s*s are expected first [E-REC-10]")
     at, text = header[_STEP]
     step = number(text.rstrip("sS "), path, at, f"{_STEP} in s")
     check_step(f"{path}:{at}", step, f"{_STEP}: {text}")
@@ -62,7 +64,9 @@ def channels_of(path: Path) -> list[Channel]:
     count = int(number(text, path, at, _COUNT))
     values = _values(path, lines, start + 1, count)
     if len(values) != count:
-        raise InputError(f"{path}:{start + 1}: {len(values)} accelerations below this line, but {count} in line {at}")
+        raise InputError(
+            f"{path}:{start + 1}: {len(values)} accelerations below this line, but {count} in line {at} [E-REC-05]"
+        )
     label = header.get(_ORIENTATION, (0, ""))[1]
     about = ", ".join(
         part
@@ -83,7 +87,7 @@ def _values(path: Path, lines: list[str], start: int, count: int) -> list[float]
         if _BLOCK.match(line) or line.strip().upper().startswith("STOP"):
             break
         if _NUMBER.sub("", line).strip():
-            raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here")
+            raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here [E-REC-08]")
         if found := _NUMBER.findall(line):
             words = found
             values += [number(word, path, i) for word in words]

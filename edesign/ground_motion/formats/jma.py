@@ -43,10 +43,12 @@ def channels_of(path: Path) -> list[Channel]:
     header = {match[1].upper(): (i, match[2]) for i, line in enumerate(lines[:10], 1) if (match := _KEY.match(line))}
     rate_key = next((key for key in _RATES if key in header), None)
     if rate_key is None or _UNIT not in header:
-        raise InputError(f"{path}:1: the header has no `SAMPLING RATE=` or no `UNIT  =` (it has {listed(header)})")
+        raise InputError(
+            f"{path}:1: the header has no `SAMPLING RATE=` or no `UNIT  =` (it has {listed(header)}) [E-REC-03]"
+        )
     at, unit = header[_UNIT]
     if not re.match(r"gal\b", unit, re.IGNORECASE):
-        raise InputError(f"{path}:{at}: UNIT = `{unit}`; gal(cm/s/s) is expected")
+        raise InputError(f"{path}:{at}: UNIT = `{unit}`; gal(cm/s/s) is expected [E-REC-10]")
     at, text = header[rate_key]
     rate = number(re.sub(r"\s*Hz$", "", text, flags=re.IGNORECASE), path, at, f"{rate_key} in Hz")
     check_rate(f"{path}:{at}", rate)
@@ -55,17 +57,21 @@ def channels_of(path: Path) -> list[Channel]:
         first += 1
     labels = [cell.strip() for cell in lines[first].rstrip(" ,").split(",")] if first < len(lines) else []
     if not labels or not all(re.fullmatch(r"[A-Za-z]+[-A-Za-z0-9]*", label) for label in labels):
-        raise InputError(f"{path}:{first + 1}: the names of the columns, such as `NS,EW,UD`, are expected here")
+        raise InputError(
+            f"{path}:{first + 1}: the names of the columns, such as `NS,EW,UD`, are expected here [E-REC-03]"
+        )
     rows = []
     for i, line in enumerate(lines[first + 1 :], first + 2):
         cells = line.strip().rstrip(" ,").split(",")
         if not line.strip(" ,"):
             continue
         if len(cells) != len(labels):
-            raise InputError(f"{path}:{i}: {len(cells)} numbers; each line has one of each of {listed(labels)}")
+            raise InputError(
+                f"{path}:{i}: {len(cells)} numbers; each line has one of each of {listed(labels)} [E-REC-07]"
+            )
         rows.append([number(cell.strip(), path, i) for cell in cells])
     if len(rows) < 2:
-        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples; a record needs at least 2")
+        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples; a record needs at least 2 [E-REC-21]")
     said = [header[key][1] for key in (_START, _SITE) if key in header]
     about = ", ".join(part for part in ("JMA, unprocessed", *said) if part)
     return [

@@ -55,7 +55,7 @@ def channels_of(path: Path) -> list[Channel]:
     if len(lines) <= _HEADER_LINES or not has_key(lines[_HEADER_LINES - 1], "Memo"):
         raise InputError(
             f"{path}:{min(len(lines), _HEADER_LINES)}: a K-NET file has {_HEADER_LINES} lines of header, the last of "
-            "them `Memo.`, and samples after them"
+            "them `Memo.`, and samples after them [E-REC-01]"
         )
     rate = _match(path, lines, RATE, _RATE, "`100Hz`")
     scale = _match(path, lines, SCALE, _SCALE, "`3920(gal)/6182761`")
@@ -63,13 +63,13 @@ def channels_of(path: Path) -> list[Channel]:
     numerator, denominator = (number(scale[k], path, _line(path, lines, SCALE)) for k in (1, 2))
     check_rate(f"{path}:{_line(path, lines, RATE)}", frequency)
     if min(numerator, denominator) <= 0.0:
-        raise InputError(f"{path}:{_line(path, lines, SCALE)}: the scale factor must be greater than zero")
+        raise InputError(f"{path}:{_line(path, lines, SCALE)}: the scale factor must be greater than zero [E-REC-04]")
     counts = np.array(_counts(path, lines))
     duration = number(_value(path, lines, "Duration Time(s)"), path, _line(path, lines, "Duration Time(s)"), "a time")
     if abs(counts.size - duration * frequency) >= 1.0:
         raise InputError(
             f"{path}:{len(lines)}: {counts.size} samples, but {duration:g} s at {frequency:g} Hz are "
-            f"{duration * frequency:g}"
+            f"{duration * frequency:g} [E-REC-05]"
         )
     gal = numerator / denominator * (counts - counts.mean())
     _check_peak(path, lines, gal)
@@ -95,7 +95,7 @@ def _counts(path: Path, lines: list[str]) -> list[float]:
             count = number(word, path, i, "a count of the recorder")
             if count != int(count):
                 raise InputError(
-                    f"{path}:{i}: `{word}` is not a whole number; a count of the recorder is expected here"
+                    f"{path}:{i}: `{word}` is not a whole number; a count of the recorder is expected here [E-REC-08]"
                 )
             counts.append(count)
     return counts
@@ -106,7 +106,7 @@ def _line(path: Path, lines: list[str], key: str) -> int:
     for i, line in enumerate(lines[:_HEADER_LINES], start=1):
         if has_key(line, key):
             return i
-    raise InputError(f"{path}:{_HEADER_LINES}: the header has no line `{key}`")
+    raise InputError(f"{path}:{_HEADER_LINES}: the header has no line `{key}` [E-REC-03]")
 
 
 def _value(path: Path, lines: list[str], key: str) -> str:
@@ -118,7 +118,9 @@ def _match(path: Path, lines: list[str], key: str, pattern: re.Pattern[str], exa
     value = _value(path, lines, key)
     match = pattern.fullmatch(value)
     if match is None:
-        raise InputError(f"{path}:{_line(path, lines, key)}: {key}: `{value}`; a value such as {example} is expected")
+        raise InputError(
+            f"{path}:{_line(path, lines, key)}: {key}: `{value}`; a value such as {example} is expected [E-REC-04]"
+        )
     return match
 
 

@@ -132,7 +132,9 @@ def read_record_file(
         record = NAMING[found].read(path, component, name)
     low, high = _POSSIBLE_PGA
     if record.pga > high or 0.0 < record.pga < low:
-        raise InputError(f"{path}: the peak of {record.pga:g} m/s2 is that of no ground motion; is the unit right?")
+        raise InputError(
+            f"{path}: the peak of {record.pga:g} m/s2 is that of no ground motion; is the unit right? [E-UNIT-03]"
+        )
     return record
 
 
@@ -149,7 +151,7 @@ def component_labels(path: Path, file_format: FileFormat) -> tuple[str, ...]:
 def _known(path: Path, file_format: FileFormat) -> FileFormat:
     if file_format not in FORMATS:
         hint = did_you_mean(str(file_format), FORMATS)
-        raise InputError(f"{path}: unknown format `{file_format}`{hint} (formats: {', '.join(FORMATS)})")
+        raise InputError(f"{path}: unknown format `{file_format}`{hint} (formats: {', '.join(FORMATS)}) [E-VALUE-03]")
     return file_format
 
 
@@ -193,6 +195,7 @@ def detect(path: Path) -> FileFormat:
         return "table"  # below lines of words
     raise InputError(
         f"{path}: no known format fits this file: {describe_text(lines)}. Read are {', '.join(FORMATS.values())}"
+        " [E-REC-01]"
     )
 
 
@@ -205,7 +208,10 @@ def _check_arguments(
     if given and file_format != "table":
         raise InputError(
             f"{path}: {', '.join(given)}: only for tables; a file of the format {FORMATS[file_format]} says this itself"
+            " [E-REC-16]"
         )
     if component is not None and not names_components(file_format):
         instead = "choose the column of accelerations" if file_format == "table" else "its files hold one component"
-        raise InputError(f"{path}: component `{component}`: not for the format {FORMATS[file_format]}; {instead}")
+        raise InputError(
+            f"{path}: component `{component}`: not for the format {FORMATS[file_format]}; {instead} [E-REC-16]"
+        )

@@ -56,7 +56,7 @@ class RecordTable:
         given = given or TableFormat()
         text = table_text(path, "record file", given, ("#", "%"), blank=None)
         if not text.lines:
-            raise InputError(f"{path}: the file has no samples")
+            raise InputError(f"{path}: the file has no samples [E-REC-21]")
         delimiter = given.delimiter or _delimiter(text.lines)
         sign = SIGNS[delimiter]
         if sign:
@@ -69,7 +69,7 @@ class RecordTable:
         if top and units:
             headers = split[top - 2]
         if top == len(split):
-            raise InputError(f"{path}:{text.last}: a record needs at least two samples, not 0")
+            raise InputError(f"{path}:{text.last}: a record needs at least two samples, not 0 [E-REC-21]")
         if headers and not sign:
             headers = header_cells(text.lines[top - (2 if units else 1)], delimiter, len(split[top]))
         form = Form(
@@ -88,7 +88,9 @@ class RecordTable:
             if decimal == "comma":
                 rows = [[cell.replace(",", ".") for cell in row] for row in rows]
         elif given.decimal == "comma":
-            raise InputError(f"{path}:{places[0]}: decimal commas and commas between columns cannot be told apart")
+            raise InputError(
+                f"{path}:{places[0]}: decimal commas and commas between columns cannot be told apart [E-TABLE-09]"
+            )
         return cls(path, headers, split[top - 1] if top and units else [], _clocks(path, rows, places), places, form)
 
     @property
@@ -127,7 +129,7 @@ class RecordTable:
             ):
                 raise InputError(
                     f"{self.path}:{i}: `{row[column][:40]}` is not a number; {what} is expected here "
-                    "(`table: {skip: ...}` leaves lines out that stand above the headers or samples)"
+                    "(`table: {skip: ...}` leaves lines out that stand above the headers or samples) [E-REC-08]"
                 )
         return [number(row[column], self.path, i, what) for row, i in zip(self.rows, self.places, strict=True)]
 
@@ -146,9 +148,13 @@ class RecordTable:
         width = self.width
         for row, line in zip(self.rows, self.places, strict=True):
             if len(row) != width:
-                raise InputError(f"{self.path}:{line}: {len(row)} columns; the lines before have {width}{hint}")
+                raise InputError(
+                    f"{self.path}:{line}: {len(row)} columns; the lines before have {width}{hint} [E-REC-07]"
+                )
         if len(self.rows) < 2:
-            raise InputError(f"{self.where}: a record needs at least two samples, not {len(self.rows)}{hint}")
+            raise InputError(
+                f"{self.where}: a record needs at least two samples, not {len(self.rows)}{hint} [E-REC-21]"
+            )
 
 
 def told(form: Form, given: TableFormat | None) -> str:
@@ -232,10 +238,10 @@ def check_units(table: RecordTable, when: int | None, at: int, unit: str) -> Non
         return
     where = f"{table.path}:{table.form.units_line}"
     if when is not None and (said := _plain(table.units[when])) and said not in _SECONDS:
-        raise InputError(f"{where}: times are read in s, and the unit of `{table.header[when]}` is `{said}`")
+        raise InputError(f"{where}: times are read in s, and the unit of `{table.header[when]}` is `{said}` [E-REC-12]")
     said = _plain(table.units[at])
     if said in ACCELERATION_UNITS and acceleration_factor(unit) != ACCELERATION_UNITS[said]:
-        raise InputError(f"{where}: the unit of `{table.header[at]}` is `{said}`, but `{unit}` is declared")
+        raise InputError(f"{where}: the unit of `{table.header[at]}` is `{said}`, but `{unit}` is declared [E-REC-12]")
 
 
 def _delimiter(lines: list[str]) -> Delimiter:

@@ -52,17 +52,23 @@ def read_sac(path: Path | str, acceleration_unit: str, component: str | None = N
     data = read_file(path, "record file")
     order = _byte_order(data[:_HEADER], len(data))
     if order is None:
-        raise InputError(f"{path}: this is no SAC file: its header, or its length, is not of this format")
+        raise InputError(f"{path}: this is no SAC file: its header, or its length, is not of this format [E-REC-01]")
     factor = acceleration_factor(acceleration_unit) if acceleration_unit else None
     if factor is None:
         seen = f"not `{acceleration_unit}`" if acceleration_unit else "the file does not say it"
-        raise InputError(f"{path}: declare the unit of the accelerations, {listed(ACCELERATION_UNITS)}; {seen}")
+        raise InputError(
+            f"{path}: declare the unit of the accelerations, {listed(ACCELERATION_UNITS)}; {seen} [E-REC-11]"
+        )
     reals = np.frombuffer(data, f"{order}f4", 70)
     integers = np.frombuffer(data, f"{order}i4", 40, _INTEGERS)
     if integers[_TYPE] != _TIME_SERIES or not integers[_EVEN]:
-        raise InputError(f"{path}: only evenly sampled histories are read from SAC files, no spectra or pairs")
+        raise InputError(
+            f"{path}: only evenly sampled histories are read from SAC files, no spectra or pairs [E-REC-09]"
+        )
     if int(integers[_QUANTITY]) in _QUANTITIES:
-        raise InputError(f"{path}: the file holds {_QUANTITIES[int(integers[_QUANTITY])]}; only accelerations are read")
+        raise InputError(
+            f"{path}: the file holds {_QUANTITIES[int(integers[_QUANTITY])]}; only accelerations are read [E-REC-09]"
+        )
     samples = np.frombuffer(data, f"{order}f4", int(integers[_COUNT]), _HEADER).astype(float)
     _check_peaks(path, reals, samples)
     texts = data[_TEXTS:_HEADER].decode("latin-1")

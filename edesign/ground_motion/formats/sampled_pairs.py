@@ -29,11 +29,13 @@ def evenly_sampled(where: str, times: np.ndarray, values: np.ndarray, digit: flo
         InputError: fewer than two pairs, times that do not rise, or a gap in them.
     """
     if times.size < 2:
-        raise InputError(f"{where}: {times.size} pairs of time and acceleration; a record needs at least 2")
+        raise InputError(f"{where}: {times.size} pairs of time and acceleration; a record needs at least 2 [E-REC-21]")
     intervals = np.diff(times)
     if np.any(intervals < 0.0) or times[-1] <= times[0]:
         at = int(np.argmax(intervals < 0.0)) + 1
-        raise InputError(f"{where}: the times must rise, but pair {at + 1} has {times[at]:g} s after {times[at - 1]:g}")
+        raise InputError(
+            f"{where}: the times must rise, but pair {at + 1} has {times[at]:g} s after {times[at - 1]:g} [E-REC-19]"
+        )
     mean = float(times[-1] - times[0]) / intervals.size
     for step in (round(mean, 4), round(mean, 6), mean):
         if step > 0.0 and np.all(np.abs(times - times[0] - step * np.arange(times.size)) <= 1.01 * digit):
@@ -42,7 +44,7 @@ def evenly_sampled(where: str, times: np.ndarray, values: np.ndarray, digit: flo
         at = int(np.argmax(intervals))
         raise InputError(
             f"{where}: {intervals[at]:g} s pass between pairs {at + 1} and {at + 2}, at {times[at]:g} s; "
-            f"across more than {_GAP:g} s no line stands for the motion"
+            f"across more than {_GAP:g} s no line stands for the motion [E-REC-19]"
         )
     median = float(np.median(intervals))
     step = next((usual for usual in _STEPS if usual <= 1.05 * median), _STEPS[-1])  # the median is of rounded times

@@ -44,10 +44,10 @@ def channels_of(path: Path) -> list[Channel]:
     lines = read_lines(path)
     title = TITLE.match(lines[0])
     if title is None:
-        raise InputError(f"{path}:1: an SMC file begins with a line such as `2 CORRECTED ACCELEROGRAM`")
+        raise InputError(f"{path}:1: an SMC file begins with a line such as `2 CORRECTED ACCELEROGRAM` [E-REC-01]")
     if title[2].upper() not in ("UNCORRECTED", "CORRECTED") and "ACCEL" not in title[3].upper():
-        raise InputError(f"{path}:1: the file holds `{lines[0].strip()}`; only accelerograms are read")
-    missing = f"{path}:{len(lines)}: the file ends within its headers of {_TEXTS} + 6 + 10 lines"
+        raise InputError(f"{path}:1: the file holds `{lines[0].strip()}`; only accelerograms are read [E-REC-09]")
+    missing = f"{path}:{len(lines)}: the file ends within its headers of {_TEXTS} + 6 + 10 lines [E-REC-05]"
     if len(lines) < _TEXTS + 17:
         raise InputError(missing)
     integers = read_fields(lines, _TEXTS, _INTEGERS, FieldFormat(8, 10, True), path, "a whole number of the header")
@@ -56,7 +56,7 @@ def channels_of(path: Path) -> list[Channel]:
     comments = 0 if integers[_COMMENTS] == null else int(integers[_COMMENTS])
     count, start = int(integers[_COUNT]), _TEXTS + 16 + comments
     if count < 2:
-        raise InputError(f"{path}:{_TEXTS + 3}: {count} samples; a record needs at least 2")
+        raise InputError(f"{path}:{_TEXTS + 3}: {count} samples; a record needs at least 2 [E-REC-21]")
     if start >= len(lines):
         raise InputError(missing)
     rate, done = reals[_RATE], ""
@@ -65,7 +65,7 @@ def channels_of(path: Path) -> list[Channel]:
     end = start + layout.lines(count)
     rest = [line for line in lines[end:] if line.strip()]
     if len(rest) > (1 if rate == unknown else 0):  # published files of pairs have a line that belongs to nothing
-        raise InputError(f"{path}:{end + 1}: more data than the {count} numbers of line {_TEXTS + 3}")
+        raise InputError(f"{path}:{end + 1}: more data than the {count} numbers of line {_TEXTS + 3} [E-REC-06]")
     accelerations = values if rate != unknown else values[1::2]
     _check_peaks(path, reals, unknown, accelerations)
     if rate == unknown:

@@ -23,10 +23,10 @@ def read_lines(path: Path, otherwise: str = "latin-1") -> list[str]:
     if b"\n" in data and b"\0" not in (kept := data.rstrip(b"\0\x1a \r\n\t\f")):
         data = kept  # old systems filled the last block of a text with zeros
     if not data.strip():
-        raise InputError(f"{path}: the file is empty")
+        raise InputError(f"{path}: the file is empty [E-REC-21]")
     if b"\0" in data:  # in UTF-16
         if seen := describe_binary(data):
-            raise InputError(f"{path}: this is not a text file; {seen}")
+            raise InputError(f"{path}: this is not a text file; {seen} [E-REC-02]")
         text = decoded(path, data)[1]
     else:
         try:

@@ -22,12 +22,12 @@ def check_step(where: str, step: float, said: str = "") -> None:
         InputError: it is not greater than zero, no finite number, or that of no instrument.
     """
     if not step > 0.0:
-        raise InputError(f"{where}: the time step must be greater than zero, not {said or f'{step:g} s'}")
+        raise InputError(f"{where}: the time step must be greater than zero, not {said or f'{step:g} s'} [E-REC-20]")
     shortest, longest = SHORTEST_STEP / _BEYOND, LONGEST_STEP * _BEYOND
     if not shortest <= step <= longest:
         raise InputError(
             f"{where}: a time step of {step:g} s is that of no record; read are {shortest:g} s to {longest:g} s"
-            f"{f' ({said})' if said else ''}"
+            f"{f' ({said})' if said else ''} [E-REC-20]"
         )
 
 
@@ -42,5 +42,5 @@ def check_rate(where: str, rate: float) -> None:
         InputError: it is not greater than zero, or that of no instrument.
     """
     if not rate > 0.0:
-        raise InputError(f"{where}: the sampling rate must be greater than zero, not {rate:g} a second")
+        raise InputError(f"{where}: the sampling rate must be greater than zero, not {rate:g} a second [E-REC-20]")
     check_step(where, 1.0 / rate, f"{rate:g} samples a second")

@@ -64,7 +64,7 @@ def channels_of(path: Path) -> list[Channel]:
         if _TITLE.match(lines[at]) is None:
             raise InputError(
                 f"{path}:{at + 1}: more data than the header announces, or a channel that does not begin with a line "
-                f"such as `UNCORRECTED ACCELEROGRAM DATA`: `{lines[at].strip()[:40]}`"
+                f"such as `UNCORRECTED ACCELEROGRAM DATA`: `{lines[at].strip()[:40]}` [E-REC-06]"
             )
         channel, at = _channel(path, lines, at, len(channels) + 1)
         channels.append(channel)
@@ -78,7 +78,7 @@ def _channel(path: Path, lines: list[str], start: int, position: int) -> tuple[C
     if unit is None or stated is None:
         raise InputError(
             f"{path}:{start + 1}: the {_TEXTS} lines of text from here have no `NO. OF POINTS = ...`, or no "
-            "`UNITS ... SEC AND G/10`"
+            "`UNITS ... SEC AND G/10` [E-REC-03]"
         )
     factor = 0.1 if unit[1] else 1.0
     line, count = stated[0], int(stated[1][1])
@@ -93,10 +93,10 @@ def _channel(path: Path, lines: list[str], start: int, position: int) -> tuple[C
     else:
         raise InputError(
             f"{path}:{end}: {numbers.size} numbers, but the {count} points of line {line} are {count} pairs of time "
-            "and acceleration, or of BHRC as many accelerations"
+            "and acceleration, or of BHRC as many accelerations [E-REC-05]"
         )
     if count < 2:
-        raise InputError(f"{path}:{line}: {count} points; a record needs at least 2")
+        raise InputError(f"{path}:{line}: {count} points; a record needs at least 2 [E-REC-21]")
     check_step(f"{path}:{line}", step)
     for i, text in enumerate(texts, start + 1):
         if match := _PEAK.search(text):
@@ -116,10 +116,12 @@ def _numbers(path: Path, lines: list[str], first: int, count: int) -> tuple[np.n
     Neighbours may touch: all have as many decimals as the first, so each ends with them.
     """
     if first >= len(lines):
-        raise InputError(f"{path}:{len(lines)}: the file ends within the {_HEADER} lines of header of a channel")
+        raise InputError(
+            f"{path}:{len(lines)}: the file ends within the {_HEADER} lines of header of a channel [E-REC-05]"
+        )
     example = _NUMBER.match(lines[first])
     if example is None:
-        raise InputError(f"{path}:{first + 1}: `{lines[first].strip()[:40]}`: the samples are expected here")
+        raise InputError(f"{path}:{first + 1}: `{lines[first].strip()[:40]}`: the samples are expected here [E-REC-08]")
     mantissa, exponent, _ = example[0].strip().upper().partition("E")
     digits = len(mantissa.partition(".")[2])
     pattern = re.compile(rf"\s*([-+]?[0-9]*\.[0-9]{{{digits}}}" + (r"[ED][-+][0-9]{2}" if exponent else "") + ")", re.I)
@@ -134,6 +136,7 @@ def _numbers(path: Path, lines: list[str], first: int, count: int) -> tuple[np.n
         if pattern.sub("", text).strip():
             raise InputError(
                 f"{path}:{at + 1}: `{text.strip()[:60]}`: numbers such as `{example[0].strip()}` are expected"
+                " [E-REC-08]"
             )
         values += [number(word, path, at + 1) for word in words]
         at += 1

@@ -113,7 +113,7 @@ def check_band(target: Spectrum, options: MatchOptions) -> None:
     if options.periods[1] > target.last_period:
         raise InputError(
             f"the band ends at {options.periods[1]:g} s, and {target.label} at {target.last_period:g} s; end the band "
-            "there"
+            "there [E-MATCH-01]"
         )
 
 
@@ -125,17 +125,18 @@ def check_record(record: Record, options: MatchOptions) -> None:
     """
     shortest, longest = options.periods
     if record.pga == 0.0:
-        raise InputError(f"{record.name}: the record is zero throughout; it cannot be matched")
+        raise InputError(f"{record.name}: the record is zero throughout; it cannot be matched [E-REC-23]")
     if shortest < 2.0 * record.time_step:
         raise InputError(
             f"{record.name}: the band begins at {shortest:g} s, but a record with a time step of "
             f"{record.time_step:g} s carries no period below {2.0 * record.time_step:g} s; "
-            "begin the band there or later"
+            "begin the band there or later [E-MATCH-02]"
         )
     if longest * _LEAST_CYCLES > record.duration:
         raise InputError(
             f"{record.name}: the band ends at {longest:g} s, but a record of {record.duration:g} s has no room for two "
             f"cycles of periods above {record.duration / _LEAST_CYCLES:.4g} s; end the band there or earlier"
+            " [E-MATCH-02]"
         )
 
 
@@ -166,7 +167,7 @@ def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> 
     if abs(target.damping - options.damping) > 1e-9:
         raise InputError(
             f"the target {target.label} is a spectrum of {100 * target.damping:g} % damping, "
-            f"but {100 * options.damping:g} % are to be matched"
+            f"but {100 * options.damping:g} % are to be matched [E-MATCH-03]"
         )
     check_band(target, options)
     wanted, zero_period = np.asarray(target.acceleration(periods), dtype=float), float(target.zero_period)
@@ -175,11 +176,12 @@ def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> 
         at = int(np.flatnonzero(~good)[0])
         raise InputError(
             f"the target {target.label} is {wanted[at]:g} m/s2 at {periods[at]:.4g} s; "
-            "within the band it must be greater than zero and finite"
+            "within the band it must be greater than zero and finite [E-MATCH-01]"
         )
     if not (np.isfinite(zero_period) and zero_period > 0.0):
         raise InputError(
             f"the target {target.label} is {zero_period:g} m/s2 at period zero; it must be greater than zero and finite"
+            " [E-MATCH-01]"
         )
     return wanted, zero_period
 

@@ -46,19 +46,23 @@ class MatchOptions:
     def __post_init__(self) -> None:
         if self.method not in METHODS:
             hint = did_you_mean(str(self.method), METHODS)
-            raise InputError(f"matching: there is no method `{self.method}`{hint} (methods: {', '.join(METHODS)})")
+            raise InputError(
+                f"matching: there is no method `{self.method}`{hint} (methods: {', '.join(METHODS)}) [E-VALUE-03]"
+            )
         _positive_pair("periods", self.periods, " s", equal=False)
         _positive_pair("scale_bounds", self.scale_bounds, "", equal=True)
         if self.factor is not None and not (math.isfinite(self.factor) and self.factor > 0.0):
-            raise InputError(f"matching: factor must be greater than zero and finite, not {self.factor:g}")
+            raise InputError(f"matching: factor must be greater than zero and finite, not {self.factor:g} [E-VALUE-02]")
         if not 0.0 < self.damping < 1.0:
-            raise InputError(f"matching: damping must lie between 0 and 1, not {self.damping:g}")
+            raise InputError(f"matching: damping must lie between 0 and 1, not {self.damping:g} [E-VALUE-02]")
         if self.points < 2:
-            raise InputError(f"matching: at least two points (matching periods) are needed, not {self.points}")
+            raise InputError(
+                f"matching: at least two points (matching periods) are needed, not {self.points} [E-VALUE-02]"
+            )
         if self.iterations < 1:
-            raise InputError(f"matching: at least one of iterations is needed, not {self.iterations}")
+            raise InputError(f"matching: at least one of iterations is needed, not {self.iterations} [E-VALUE-02]")
         if not (math.isfinite(self.tolerance) and self.tolerance > 0.0):
-            raise InputError(f"matching: tolerance must be greater than zero, not {self.tolerance:g}")
+            raise InputError(f"matching: tolerance must be greater than zero, not {self.tolerance:g} [E-VALUE-02]")
 
     @property
     def matching_periods(self) -> np.ndarray:
@@ -68,9 +72,11 @@ class MatchOptions:
 
 def _positive_pair(key: str, pair: tuple[float, float], unit: str, equal: bool) -> None:
     if len(pair) != 2:
-        raise InputError(f"matching: {key} needs two values, not {len(pair)}")
+        raise InputError(f"matching: {key} needs two values, not {len(pair)} [E-VALUE-01]")
     low, high = pair
     if not (math.isfinite(low) and math.isfinite(high) and low > 0.0 and high > 0.0):
-        raise InputError(f"matching: {key} must be greater than zero and finite, not {low:g} and {high:g}{unit}")
+        raise InputError(
+            f"matching: {key} must be greater than zero and finite, not {low:g} and {high:g}{unit} [E-VALUE-02]"
+        )
     if low > high or (low == high and not equal):
-        raise InputError(f"matching: {key} must increase; {low:g}{unit} stands before {high:g}{unit}")
+        raise InputError(f"matching: {key} must increase; {low:g}{unit} stands before {high:g}{unit} [E-VALUE-04]")

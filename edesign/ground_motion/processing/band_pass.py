@@ -38,17 +38,19 @@ def band_pass(record: Record, low: float | None, high: float | None, order: int 
     nyquist = 0.5 / record.time_step
     corners = [f for f in (low, high) if f is not None]
     if not corners:
-        raise InputError(f"{record.name}: a filter needs a low or a high corner frequency")
+        raise InputError(f"{record.name}: a filter needs a low or a high corner frequency [E-MOTION-01]")
     for f in corners:
         if not 0.0 < f < nyquist:
             raise InputError(
                 f"{record.name}: a corner frequency must lie between 0 and the Nyquist frequency {nyquist:g} Hz, "
-                f"not {f:g} Hz"
+                f"not {f:g} Hz [E-MOTION-01]"
             )
     if low is not None and high is not None and low >= high:
-        raise InputError(f"{record.name}: the low corner {low:g} Hz must be below the high corner {high:g} Hz")
+        raise InputError(
+            f"{record.name}: the low corner {low:g} Hz must be below the high corner {high:g} Hz [E-MOTION-01]"
+        )
     if not 1 <= order <= 10:
-        raise InputError(f"{record.name}: the order of the filter must be from 1 to 10, not {order}")
+        raise InputError(f"{record.name}: the order of the filter must be from 1 to 10, not {order} [E-VALUE-02]")
     length = _PAD_CYCLES * order / min(corners)
     padded = pad(record, length, length)
     sections = []

@@ -34,7 +34,9 @@ def correct_baseline(record: Record, order: int = 1, fit: Literal["acceleration"
     """
     _check_order(record, order, 0)
     if fit not in ("acceleration", "velocity"):
-        raise InputError(f"{record.name}: a baseline is fitted to `acceleration` or `velocity`, not to `{fit}`")
+        raise InputError(
+            f"{record.name}: a baseline is fitted to `acceleration` or `velocity`, not to `{fit}` [E-VALUE-03]"
+        )
     basis = _legendre(record, order)
     if fit == "acceleration":
         observed, columns = record.acceleration, basis
@@ -89,7 +91,9 @@ def remove_drift(record: Record, order: int = 6) -> Record:
 def _check_order(record: Record, order: int, least: int) -> None:
     highest = min(HIGHEST_ORDER, record.acceleration.size - 1)
     if not least <= order <= highest:
-        raise InputError(f"{record.name}: the order of the polynomial must be from {least} to {highest}, not {order}")
+        raise InputError(
+            f"{record.name}: the order of the polynomial must be from {least} to {highest}, not {order} [E-VALUE-02]"
+        )
 
 
 def _legendre(record: Record, order: int) -> np.ndarray:

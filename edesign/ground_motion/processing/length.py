@@ -30,7 +30,7 @@ def taper(record: Record, start: float, end: float) -> Record:
     if not (start >= 0.0 and end >= 0.0 and start + end <= record.duration * (1.0 + _TOLERANCE)):
         raise InputError(
             f"{record.name}: tapers of {start:g} s and {end:g} s; they must not be negative nor together longer than "
-            f"the record ({record.duration:g} s)"
+            f"the record ({record.duration:g} s) [E-MOTION-02]"
         )
     time = record.time
     weight = _rise(time, start) * _rise(record.duration - time, end)
@@ -59,6 +59,7 @@ def trim(record: Record, start: float, end: float, taper_length: float = 0.5) ->
     if last - first < 1:
         raise InputError(
             f"{record.name}: nothing to keep from {start:g} s to {end:g} s of a record of {record.duration:g} s"
+            " [E-MOTION-02]"
         )
     done = f"cut to {first * record.time_step:.9g} s to {last * record.time_step:.9g} s"
     part = replace(record, acceleration=record.acceleration[first : last + 1], source=f"{record.source}; {done}")
@@ -91,11 +92,15 @@ def trim_to_significant(
     """
     low, high = bounds
     if not 0.0 <= low < high <= 1.0:
-        raise InputError(f"{record.name}: bounds of {low:g} and {high:g}; 0 <= lower < upper <= 1 is needed")
+        raise InputError(
+            f"{record.name}: bounds of {low:g} and {high:g}; 0 <= lower < upper <= 1 is needed [E-VALUE-04]"
+        )
     if not (lead >= 0.0 and tail >= 0.0):
-        raise InputError(f"{record.name}: lead and tail must not be negative, not {lead:g} s and {tail:g} s")
+        raise InputError(
+            f"{record.name}: lead and tail must not be negative, not {lead:g} s and {tail:g} s [E-VALUE-02]"
+        )
     if record.pga == 0.0:
-        raise InputError(f"{record.name}: the record is zero throughout; no part of it is significant")
+        raise InputError(f"{record.name}: the record is zero throughout; no part of it is significant [E-REC-23]")
     growth = husid(record.acceleration, record.time_step)
     first = int(np.searchsorted(growth, low, side="right")) - 1
     last = int(np.searchsorted(growth, high, side="left"))
@@ -116,14 +121,14 @@ def pad(record: Record, before: float = 0.0, after: float = 0.0) -> Record:
         InputError: a length is negative, or so many zeros are no record any more.
     """
     if not (before >= 0.0 and after >= 0.0 and np.isfinite(before + after)):
-        raise InputError(f"{record.name}: pads of {before:g} s and {after:g} s; they must not be negative")
+        raise InputError(f"{record.name}: pads of {before:g} s and {after:g} s; they must not be negative [E-VALUE-02]")
     counts = [int(np.ceil(seconds / record.time_step - _TOLERANCE)) for seconds in (before, after)]
     if counts == [0, 0]:
         return record
     if sum(counts) > _MOST_ZEROS:
         raise InputError(
             f"{record.name}: zeros of {before:g} s and {after:g} s are {sum(counts):.3g} samples of "
-            f"{record.time_step:g} s; {_MOST_ZEROS} are possible"
+            f"{record.time_step:g} s; {_MOST_ZEROS} are possible [E-VALUE-02]"
         )
     samples = np.concatenate((np.zeros(counts[0]), record.acceleration, np.zeros(counts[1])))
     lengths = [count * record.time_step for count in counts]

@@ -43,7 +43,7 @@ def resample_band_limited(record: Record, time_step: float) -> Record:
     if max(ratio.numerator, ratio.denominator) > _LARGEST or abs(float(ratio) - exact) > _TOLERANCE * exact:
         raise InputError(
             f"{record.name}: the steps {record.time_step:g} s and {time_step:g} s are not in a ratio of whole numbers "
-            f"up to {_LARGEST}"
+            f"up to {_LARGEST} [E-MOTION-03]"
         )
     samples = scipy.signal.resample_poly(record.acceleration, ratio.numerator, ratio.denominator, window=_filter(ratio))
     nyquist = 0.5 / max(record.time_step, time_step)

@@ -41,7 +41,9 @@ def _one(record: Record, step: Step) -> Record:
         return band_pass(record, given.low, given.high, given.order, given.keep_pads)
     if step.trim:
         if step.trim.end > record.duration + record.time_step:
-            raise InputError(f"{record.name}: the record ends at {record.duration:g} s, before {step.trim.end:g} s")
+            raise InputError(
+                f"{record.name}: the record ends at {record.duration:g} s, before {step.trim.end:g} s [E-MOTION-02]"
+            )
         return trim(record, step.trim.start, step.trim.end, step.trim.taper)
     if step.significant:
         part = step.significant

@@ -44,7 +44,9 @@ class AsceAction:
         Raises:
             InputError: always; 11.9 is not here.
         """
-        raise InputError(f"there is no vertical spectrum of {find_code(self.hazard.code).title} here (its 11.9)")
+        raise InputError(
+            f"there is no vertical spectrum of {find_code(self.hazard.code).title} here (its 11.9) [E-SPEC-03]"
+        )
 
     def design(self, level: str | None, q: float | None) -> AsceDesignSpectrum | None:
         """Return S_a / (R / I_e).

@@ -78,7 +78,7 @@ class EC8Action:
         if self.hazard.a_gR is not None:
             return self.hazard.a_gR
         if self.hazard.zone is None:
-            raise InputError("hazard: give either `country` and `zone`, or `a_gR`")
+            raise InputError("hazard: give either `country` and `zone`, or `a_gR` [E-KEY-03]")
         return self.national.a_gR(self.hazard.zone)
 
     @property
@@ -169,7 +169,9 @@ class EC8Action:
             return national.gamma_I(given.importance_class)
         if given.gamma_I is not None:
             return given.gamma_I
-        raise InputError(f"hazard.levels.{level}: give probability, return_period, importance_class or gamma_I")
+        raise InputError(
+            f"hazard.levels.{level}: give probability, return_period, importance_class or gamma_I [E-KEY-03]"
+        )
 
     def probability(self, level: str) -> float | None:
         """Return the probability of exceedance of a level in 50 years; None for a level by class or factor.

@@ -80,7 +80,9 @@ class NtcAction:
         if self.hazard.levels[name].limit_state == "SLO":
             if not given:
                 return None
-            raise InputError("--q: for SLO the design spectrum is the elastic one (NTC 2018, 3.2.3.4); leave q out")
+            raise InputError(
+                "--q: for SLO the design spectrum is the elastic one (NTC 2018, 3.2.3.4); leave q out [E-SPEC-04]"
+            )
         return NtcDesignSpectrum(self.elastic(level), q, self._label(name, f"design, q = {q:g}"))
 
     def vertical_design(self, level: str | None, q: float) -> NtcDesignSpectrum:
@@ -98,6 +100,7 @@ class NtcAction:
         if q > LARGEST_VERTICAL_Q:
             raise InputError(
                 f"q = {q:g} is too large for the vertical component: {LARGEST_VERTICAL_Q:g} at most (NTC 2018, 7.3.1)"
+                " [E-SPEC-04]"
             )
         name, _ = self._level(level)
         return NtcDesignSpectrum(self.vertical(level), q, self._label(name, f"design, vertical, q = {q:g}"))

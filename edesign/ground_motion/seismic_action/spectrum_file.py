@@ -40,19 +40,21 @@ def read_spectrum(hazard: Hazard, table: SpectrumFile) -> tuple[tuple[float, ...
     text = yaml_text(hazard.content(table.file, lambda path: read_file(path, _WHAT)), path)
     lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
     if not lines:
-        raise InputError(f"{path}: the {_WHAT} is empty; its first line is like `{EXAMPLE}`")
+        raise InputError(f"{path}: the {_WHAT} is empty; its first line is like `{EXAMPLE}` [E-SPEC-05]")
     first, header = lines[0]
     delimiter = ";" if ";" in header else ","
     headers = [cell.strip() for cell in next(csv.reader([header], delimiter=delimiter))]
     if len(headers) < 2:
-        raise InputError(f"{path}:{first}: two columns are needed, with headers like `{EXAMPLE}`")
+        raise InputError(f"{path}:{first}: two columns are needed, with headers like `{EXAMPLE}` [E-SPEC-05]")
     _period_unit(headers[0], path, first)
     at = _column(headers, table.column, path, first)
     unit = _acceleration_unit(headers[at], path, first)
     periods, ordinates = [], []
     for line, words in ((i, next(csv.reader([row], delimiter=delimiter))) for i, row in lines[1:]):
         if len(words) != len(headers):
-            raise InputError(f"{path}:{line}: there are {len(words)} columns here, and {len(headers)} in line {first}")
+            raise InputError(
+                f"{path}:{line}: there are {len(words)} columns here, and {len(headers)} in line {first} [E-TABLE-07]"
+            )
         periods.append(number(words[0].strip(), path, line, "a period"))
         ordinates.append(number(words[at].strip(), path, line, "a spectral acceleration") * unit)
     return tuple(periods), tuple(ordinates)
@@ -61,7 +63,9 @@ def read_spectrum(hazard: Hazard, table: SpectrumFile) -> tuple[tuple[float, ...
 def _period_unit(header: str, path: Path, line: int) -> None:
     found = _UNIT.search(header)
     if found is None or found[1] != "s":
-        raise InputError(f"{path}:{line}: the first column is `{header}`; it must be the period in s, like `T [s]`")
+        raise InputError(
+            f"{path}:{line}: the first column is `{header}`; it must be the period in s, like `T [s]` [E-SPEC-05]"
+        )
 
 
 def _column(headers: list[str], wanted: str | None, path: Path, line: int) -> int:
@@ -69,7 +73,9 @@ def _column(headers: list[str], wanted: str | None, path: Path, line: int) -> in
         return 1
     if wanted not in headers[1:]:
         hint = did_you_mean(wanted, headers[1:])
-        raise InputError(f"{path}:{line}: there is no column `{wanted}`{hint} (there are: {listed(headers[1:])})")
+        raise InputError(
+            f"{path}:{line}: there is no column `{wanted}`{hint} (there are: {listed(headers[1:])}) [E-SPEC-06]"
+        )
     return headers.index(wanted, 1)
 
 
@@ -79,6 +85,6 @@ def _acceleration_unit(header: str, path: Path, line: int) -> float:
     if unit not in ACCELERATION_UNITS:
         raise InputError(
             f"{path}:{line}: the column `{header}` has no unit of acceleration in brackets, like `Se [g]` (allowed: "
-            f"{listed(ACCELERATION_UNITS)})"
+            f"{listed(ACCELERATION_UNITS)}) [E-SPEC-05]"
         )
     return ACCELERATION_UNITS[unit]

@@ -53,7 +53,9 @@ class UserAction:
         Raises:
             InputError: always; a table is of the horizontal component.
         """
-        raise InputError("a spectrum of the user is that of the horizontal component; there is no vertical one")
+        raise InputError(
+            "a spectrum of the user is that of the horizontal component; there is no vertical one [E-SPEC-03]"
+        )
 
     def design(self, level: str | None, q: float | None) -> DesignOrdinates | None:
         """Refuse a behaviour factor; without one there is no design spectrum.
@@ -65,7 +67,9 @@ class UserAction:
             InputError: q is given; a table does not say how it is reduced.
         """
         if q is not None:
-            raise InputError("--q: a spectrum of the user does not say how it is reduced by a behaviour factor")
+            raise InputError(
+                "--q: a spectrum of the user does not say how it is reduced by a behaviour factor [E-SPEC-04]"
+            )
         return None
 
     def vertical_design(self, level: str | None, q: float) -> DesignOrdinates:
@@ -78,7 +82,9 @@ class UserAction:
         Raises:
             InputError: always; a table is of the horizontal component.
         """
-        raise InputError("a spectrum of the user is that of the horizontal component; there is no vertical one")
+        raise InputError(
+            "a spectrum of the user is that of the horizontal component; there is no vertical one [E-SPEC-03]"
+        )
 
     def factor(self, level: str) -> float:
         """Return the factor of a level on the spectrum of the action; 1 where levels have tables of their own.

@@ -80,19 +80,19 @@ def simulate(
 
 
 def _check(magnitude: float, distance: float, v_s30: float | None, seed: int, time_step: float) -> None:
-    def refuse(what: str, value: object, allowed: str) -> InputError:
-        return InputError(f"simulated ground motion: {what} {value} is out of range: {allowed}")
+    def beyond(what: str, value: object, allowed: str) -> InputError:
+        return InputError(f"simulated ground motion: {what} {value} is out of range: {allowed} [E-SIM-01]")
 
     low, high = _MAGNITUDES
     if not low <= magnitude <= high:
-        raise refuse("the magnitude", f"{magnitude:g}", f"{low:g} to {high:g}")
+        raise beyond("the magnitude", f"{magnitude:g}", f"{low:g} to {high:g}")
     if not 0.0 <= distance <= _LARGEST_DISTANCE:
-        raise refuse("the distance", f"{distance / 1e3:g} km", f"0 to {_LARGEST_DISTANCE / 1e3:g} km")
+        raise beyond("the distance", f"{distance / 1e3:g} km", f"0 to {_LARGEST_DISTANCE / 1e3:g} km")
     low, high = V_S30_RANGE
     if v_s30 is not None and not low <= v_s30 <= high:
-        raise refuse("v_S30", f"{v_s30:g} m/s", f"{low:g} to {high:g} m/s, the range of the data behind the site term")
+        raise beyond("v_S30", f"{v_s30:g} m/s", f"{low:g} to {high:g} m/s, the range of the data behind the site term")
     low, high = _TIME_STEPS
     if not low <= time_step <= high:
-        raise refuse("the time step", f"{time_step:g} s", f"{low:g} to {high:g} s")
+        raise beyond("the time step", f"{time_step:g} s", f"{low:g} to {high:g} s")
     if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
-        raise refuse("the seed", f"`{seed}`", "a whole number, 0 or greater")
+        raise beyond("the seed", f"`{seed}`", "a whole number, 0 or greater")

@@ -31,28 +31,27 @@ def test_a_component_in_gal(tmp_path: Path, component: str, factor: float) -> No
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"),
+    ("changed", "code"),
     [
-        ({"NUMBER": "41"}, ":54: 40 lines of samples, but NUMBER OF DATA = 41 in line 9"),
-        ({"NUMBER": None}, "the header has no line `NUMBER OF DATA`"),
-        ({"SAMPLING": "0"}, ":10: the time step must be greater than zero, not SAMPLING INTERVAL 0"),
-        ({"SAMPLING": "fast"}, ":10: `fast` is not a number"),
-        ({"RAW": ""}, ":11: `RAW PGA VALUES` has no value"),
-        ({"RAW": "(N-S) 67.5 (E-W) 135"}, ":11: the header has a peak of"),
-        ({"RAW": f"(N-S) {PEAK:.3f} (E-W) {2 * PEAK:.3f}"}, ":11: RAW PGA VALUES has no value of U-D"),
+        ({"NUMBER": "41"}, ":54: .*E-REC-05"),
+        ({"NUMBER": None}, "E-REC-03"),
+        ({"SAMPLING": "0"}, ":10: .*E-REC-20"),
+        ({"SAMPLING": "fast"}, ":10: .*E-TABLE-08"),
+        ({"RAW": ""}, ":11: .*E-REC-03"),
+        ({"RAW": "(N-S) 67.5 (E-W) 135"}, ":11: .*E-REC-22"),
+        ({"RAW": f"(N-S) {PEAK:.3f} (E-W) {2 * PEAK:.3f}"}, ":11: .*E-REC-03"),
     ],
 )
-def test_faults_of_the_header(tmp_path: Path, changed: dict[str, str | None], said: str) -> None:
+def test_faults_of_the_header(tmp_path: Path, changed: dict[str, str | None], code: str) -> None:
     path = write(tmp_path, afad_file(motion(40), **changed))
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=code):
         read_record_file(path, component="N-S")
-    assert said in str(caught.value) and str(caught.value).startswith(f"{path}")
 
 
 def test_faults_of_the_samples(tmp_path: Path) -> None:
     text = afad_file(motion(40)).decode("iso-8859-9")
     path = write(tmp_path, text.encode("iso-8859-9"))
-    with pytest.raises(InputError, match="3 components; name one: `N-S`, `E-W`, `U-D`"):
+    with pytest.raises(InputError, match="`N-S`, `E-W`, `U-D`.*E-REC-13"):
         read_record_file(path)
     lines = text.splitlines()
     for changed, said in (
@@ -63,9 +62,9 @@ def test_faults_of_the_samples(tmp_path: Path) -> None:
         with pytest.raises(InputError, match=said):
             read_record_file(path, component="N-S")
     path.write_text(text.replace("(gal)", "(mg)"))
-    with pytest.raises(InputError, match=":11: unknown unit `mg` of RAW PGA VALUES"):
+    with pytest.raises(InputError, match=":11: .*E-REC-10"):
         read_record_file(path, component="N-S")
     exchanged = text.replace("N-S          E-W", "E-W          N-S")
     path.write_text(exchanged)
-    with pytest.raises(InputError, match="its columns are not what the header says"):
+    with pytest.raises(InputError, match="E-REC-22"):
         read_record_file(path, component="N-S")

@@ -187,5 +187,5 @@ def test_numbers_beyond_the_count_that_are_not_zero_are_told(tmp_path: Path) -> 
 
 
 def test_text_that_is_no_number_below_the_samples_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"record\.txt:14: `END` is not a number"):
+    with pytest.raises(InputError, match=r"record\.txt:14: .*E-TABLE-08"):
         read(tmp_path, PEER + EXPONENTS + "END\n", None)

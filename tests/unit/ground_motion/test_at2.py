@@ -35,33 +35,31 @@ def test_both_forms_of_the_header(tmp_path: Path, header: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "place", "said"),
+    ("text", "place", "code"),
     [
-        (TITLE + NEW.replace("7", "8") + DATA, ":6", "ends after 7 samples, but NPTS = 8 in line 4"),
-        (TITLE + NEW.replace(".0100", "1e300") + DATA, ":4", "a time step of 1e+300 s is that of no record"),
-        (TITLE + NEW + DATA.replace(".2500000E+00", "NaN"), ":6", "`NaN` is not a finite number"),
-        (TITLE + NEW + DATA.replace(".2500000E+00", "1e999"), ":6", "`1e999` is not a finite number"),
-        (TITLE + NEW + DATA.replace("  -.2000000E+00", "  broken"), ":5", "`broken` is not a number"),
-        (TITLE + NEW.replace(".0100", "0.0"), ":4", "the time step must be greater than zero, not DT = 0.0"),
-        (TITLE + NEW.replace(".0100", "-.01") + DATA, ":4", "must be greater than zero"),
-        (TITLE + NEW.replace(".0100", "fast") + DATA, ":4", "`fast` is not a number; DT"),
-        (TITLE + NEW.replace("7", "0") + DATA, ":4", "NPTS = 0"),
-        (TITLE + NEW.replace("7", "6.5") + DATA, ":4", "NPTS = 6.5"),
-        (TITLE + DATA, ":4", "none of the first 4 lines has the header"),
-        (TITLE, ":3", "none of the first"),
-        (TITLE + NEW, ":4", "ends after 0 samples"),
-        (TITLE.replace("ACCELERATION", "VELOCITY") + NEW + DATA, ":3", "velocity"),
-        (TITLE.replace("OF G", "OF CM/S/S") + NEW + DATA, ":3", "a unit `cm/s/s`"),
-        ("", "", "the file is empty"),
-        ("\n \n", "", "the file is empty"),
+        (TITLE + NEW.replace("7", "8") + DATA, ":6", "E-REC-05"),
+        (TITLE + NEW.replace(".0100", "1e300") + DATA, ":4", "E-REC-20"),
+        (TITLE + NEW + DATA.replace(".2500000E+00", "NaN"), ":6", "E-TABLE-08"),
+        (TITLE + NEW + DATA.replace(".2500000E+00", "1e999"), ":6", "E-TABLE-08"),
+        (TITLE + NEW + DATA.replace("  -.2000000E+00", "  broken"), ":5", "E-TABLE-08"),
+        (TITLE + NEW.replace(".0100", "0.0"), ":4", "E-REC-20"),
+        (TITLE + NEW.replace(".0100", "-.01") + DATA, ":4", "E-REC-20"),
+        (TITLE + NEW.replace(".0100", "fast") + DATA, ":4", "E-TABLE-08"),
+        (TITLE + NEW.replace("7", "0") + DATA, ":4", "E-REC-04"),
+        (TITLE + NEW.replace("7", "6.5") + DATA, ":4", "E-REC-04"),
+        (TITLE + DATA, ":4", "E-REC-01"),
+        (TITLE, ":3", "E-REC-01"),
+        (TITLE + NEW, ":4", "E-REC-05"),
+        (TITLE.replace("ACCELERATION", "VELOCITY") + NEW + DATA, ":3", "E-REC-09"),
+        (TITLE.replace("OF G", "OF CM/S/S") + NEW + DATA, ":3", "E-REC-09"),
+        ("", "", "E-REC-21"),
+        ("\n \n", "", "E-REC-21"),
     ],
 )
-def test_faults_name_file_and_line(tmp_path: Path, text: str, place: str, said: str) -> None:
+def test_faults_name_file_and_line(tmp_path: Path, text: str, place: str, code: str) -> None:
     path = write(tmp_path, text)
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=f"{path.name}{place}: .*{code}"):
         read_at2(path)
-    assert str(caught.value).startswith(f"{path}{place}: ")
-    assert said in str(caught.value)
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:
@@ -70,5 +68,5 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="this is a folder"):
         read_at2(tmp_path)
     (tmp_path / "binary.AT2").write_bytes(b"\x89HDF\0\0\0")
-    with pytest.raises(InputError, match="not a text file"):
+    with pytest.raises(InputError, match="E-TABLE-01"):
         read_at2(tmp_path / "binary.AT2")

@@ -72,10 +72,10 @@ def test_what_is_no_candidate_is_left_out_with_its_reason(tmp_path: Path) -> Non
     assert set(told) == {
         "broken", "empty.AT2", "good", "quiet", "short", "table.csv", "station.UD", "RSN1_A_B-UP.AT2"
     }  # fmt: skip
-    assert told["good"] == "the same recording as a_copy"
+    assert told["good"] == "the same recording as a_copy [E-SUITE-07]"
     assert told["RSN1_A_B-UP.AT2"] == told["station.UD"] == "it is a vertical component"
-    assert "no room for two cycles of periods above 0.495 s" in told["short"]
-    assert "zero throughout" in told["quiet"]
+    assert "E-MATCH-02" in told["short"]
+    assert "E-REC-23" in told["quiet"]
     assert "the file is empty" in told["empty.AT2"]
     assert told["broken"].startswith("mine/broken.AT2:1: ") and str(tmp_path) not in told["broken"]
     assert "does not say the unit" in told["table.csv"]
@@ -126,7 +126,7 @@ def test_names_are_those_of_files_and_differ(tmp_path: Path) -> None:
     assert len(found[1]) == 64 and found[1].startswith("n" * 55)
     taken = Names()
     assert taken.free("A") == "A" and taken.free("a", "b_a") == "b_a"
-    with pytest.raises(InputError, match="another candidate is called `a` too"):
+    with pytest.raises(InputError, match="E-NAME-02"):
         taken.free("a", "B_A")
 
 
@@ -178,27 +178,26 @@ def test_the_table_that_peer_adds_to_a_download(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
-        ("a,b\n1,2\n", "no line of headers; needed are `rsn` or `file`"),
-        ("rsn,magnitude\n,6\n", ":2: this line names neither"),
-        ("rsn,magnitude\n1,big\n", ":2: `big` is not a number; a magnitude is expected here"),
-        ("rsn,distance_km\n1,-5\n", ":2: `-5` is negative"),
-        ("rsn,distance\n1,5\n", ":1: the header `distance` does not say its unit"),
-        ("rsn,pulse\n1,maybe\n", ":2: `maybe` is neither yes nor no"),
-        ("rsn,magnitude\n1,6\n1,7\n", ":3: the recording 1 has another line already"),
-        ("file,magnitude\na.AT2,6\na.at2,7\n", ":3: `a.at2` has another line already"),
-        ("rsn,magnitude,Earthquake Magnitude\n1,6,6\n", ":1: more than one column says `magnitude`"),
-        ("file,remark\na.AT2,6\n", ":1: no column says what is known of the files"),
-        ("rsn,year\n1.5,1990\n", ":2: `1.5` is not a whole number"),
+        ("a,b\n1,2\n", "E-SUITE-08"),
+        ("rsn,magnitude\n,6\n", ":2: .*E-SUITE-08"),
+        ("rsn,magnitude\n1,big\n", ":2: .*E-TABLE-08"),
+        ("rsn,distance_km\n1,-5\n", ":2: .*E-SUITE-10"),
+        ("rsn,distance\n1,5\n", ":1: .*E-SUITE-08"),
+        ("rsn,pulse\n1,maybe\n", ":2: .*E-SUITE-10"),
+        ("rsn,magnitude\n1,6\n1,7\n", ":3: .*E-SUITE-09"),
+        ("file,magnitude\na.AT2,6\na.at2,7\n", ":3: .*E-SUITE-09"),
+        ("rsn,magnitude,Earthquake Magnitude\n1,6,6\n", ":1: .*E-SUITE-08"),
+        ("file,remark\na.AT2,6\n", ":1: .*E-SUITE-08"),
+        ("rsn,year\n1.5,1990\n", ":2: .*E-SUITE-10"),
     ],
 )
-def test_faults_of_a_flatfile(tmp_path: Path, text: str, said: str) -> None:
+def test_faults_of_a_flatfile(tmp_path: Path, text: str, code: str) -> None:
     path = tmp_path / "flat.csv"
     path.write_text(text)
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=code):
         read_flatfile(path)
-    assert said in str(caught.value) and str(caught.value).startswith(str(path))
 
 
 def test_the_sets_of_fema_p695() -> None:

@@ -49,40 +49,38 @@ def test_times_may_begin_anywhere_and_be_rounded(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
-        ("0,1\n0.01,2\n0.03,3\n", ":3: the times are not evenly spaced"),
-        ("0,1\n0.01,2\n0.02,2\n0.04,2\n0.05,3\n", ":4: the times are not evenly spaced"),
-        ("0,1\n0.01,2\n0.01,3\n", ":3: the time 0.01 s is not after"),
-        ("0,1\n0.01,2\n0.02\n", ":3: 1 columns; the lines before have 2"),
-        ("0,1\n0.01,x\n0.02,3\n", ":2: `x` is not a number"),
-        ("0,1\n0.01,nan\n0.02,3\n", ":2: `nan` is not a finite number"),
-        ("t,a,b\n0,1,2\n0.01,2,3\n", "(1 `t`, 2 `a`, 3 `b`); name the one"),
-        ("time,acc\n0,1\n", "at least two samples, not 1"),
-        ("# only a comment\n", "no samples"),
-        ("1\n2\n", "no column of times; a time step is needed"),
+        ("0,1\n0.01,2\n0.03,3\n", ":3: .*E-REC-19"),
+        ("0,1\n0.01,2\n0.02,2\n0.04,2\n0.05,3\n", ":4: .*E-REC-19"),
+        ("0,1\n0.01,2\n0.01,3\n", ":3: .*E-REC-19"),
+        ("0,1\n0.01,2\n0.02\n", ":3: .*E-REC-07"),
+        ("0,1\n0.01,x\n0.02,3\n", ":2: .*E-REC-08"),
+        ("0,1\n0.01,nan\n0.02,3\n", ":2: .*E-TABLE-08"),
+        ("t,a,b\n0,1,2\n0.01,2,3\n", "E-REC-13"),
+        ("time,acc\n0,1\n", "E-REC-21"),
+        ("# only a comment\n", "E-REC-21"),
+        ("1\n2\n", "E-REC-17"),
     ],
 )
-def test_faults(tmp_path: Path, text: str, said: str) -> None:
-    path = write(tmp_path, text)
-    with pytest.raises(InputError) as caught:
-        read_csv(path, "g")
-    assert str(caught.value).startswith(str(path)) and said in str(caught.value)
+def test_faults(tmp_path: Path, text: str, code: str) -> None:
+    with pytest.raises(InputError, match=code):
+        read_csv(write(tmp_path, text), "g")
 
 
 def test_faults_of_arguments(tmp_path: Path) -> None:
     path = write(tmp_path, "time,acc\n0,1\n0.01,2\n")
-    with pytest.raises(InputError, match="unknown unit `gal`; allowed: g,"):
+    with pytest.raises(InputError, match="E-UNIT-02"):
         read_csv(path, "gal")
-    with pytest.raises(InputError, match="no column `acd`; did you mean `acc`"):
+    with pytest.raises(InputError, match="did you mean `acc`.*E-REC-14"):
         read_csv(path, "g", acceleration_column="acd")
-    with pytest.raises(InputError, match="no column 3; the columns are numbered 1 to 2"):
+    with pytest.raises(InputError, match="E-REC-14"):
         read_csv(path, "g", acceleration_column=3)
-    with pytest.raises(InputError, match="a step of 0.01 s, but 0.02 s is given"):
+    with pytest.raises(InputError, match="0.01 s.* 0.02 s.*E-REC-18"):
         read_csv(path, "g", time_step=0.02)
-    with pytest.raises(InputError, match="must be greater than zero, not 0 s"):
+    with pytest.raises(InputError, match="E-REC-20"):
         read_csv(path, "g", time_step=0.0, acceleration_column=2)
-    with pytest.raises(InputError, match="cannot be both"):
+    with pytest.raises(InputError, match="E-VALUE-04"):
         read_csv(path, "g", time_column=2, acceleration_column=2)
 
 
@@ -111,27 +109,23 @@ def test_the_width_of_the_lines_does_not_matter(tmp_path: Path, width: int, sepa
 
 
 @pytest.mark.parametrize(
-    ("text", "arguments", "said"),
+    ("text", "arguments", "code"),
     [
-        (
-            CASE,
-            {},
-            ":1: 5 columns; name the one that is the acceleration: by --column on the command line, by `columns` in a",
-        ),
-        (CASE, {"acceleration_column": 1}, ":1: 5 numbers a line without headers may be 5 channels, or 5 samples"),
-        (lines_of(WAVE, 2), {}, ":4: the time 0.500395 s is not after"),
-        (lines_of(WAVE, 2), {"time_step": 0.01}, "if both are samples, write `layout: rows` (--layout rows)"),
-        (lines_of(np.arange(20) / 10, 2), {}, "is the first of two numbers a line the time? the step would be 0.2 s"),
-        (lines_of(np.arange(20) / 10, 2), {"time_step": 0.01}, "a step of 0.2 s, but 0.01 s is given; if the first"),
-        (lines_of(np.arange(8) / 100, 2), {}, "is the first of two numbers a line the time? 4 lines do not show it"),
-        (lines_of(WAVE, 8), {}, ":8: 4 columns; the lines before have 8; if the numbers are samples in turn"),
-        ("1 2 3\n", {"time_step": 0.01}, ":1: a record needs at least two samples, not 1; if the numbers are samples"),
+        (CASE, {}, ":1: .*E-REC-13"),
+        (CASE, {"acceleration_column": 1}, ":1: .*E-REC-15"),
+        (lines_of(WAVE, 2), {}, ":4: .*E-REC-19"),
+        (lines_of(WAVE, 2), {"time_step": 0.01}, "E-REC-19"),
+        (lines_of(np.arange(20) / 10, 2), {}, "0.2 s.*E-REC-15"),
+        (lines_of(np.arange(20) / 10, 2), {"time_step": 0.01}, "E-REC-18"),
+        (lines_of(np.arange(8) / 100, 2), {}, "E-REC-15"),
+        (lines_of(WAVE, 8), {}, ":8: .*E-REC-07"),
+        ("1 2 3\n", {"time_step": 0.01}, ":1: .*E-REC-21"),
     ],
 )
-def test_what_may_be_rows_is_refused(tmp_path: Path, text: str, arguments: dict[str, float], said: str) -> None:
-    with pytest.raises(InputError) as caught:
+def test_what_may_be_rows_is_refused(tmp_path: Path, text: str, arguments: dict[str, float], code: str) -> None:
+    with pytest.raises(InputError, match=code) as caught:
         read_csv(write(tmp_path, text), "m/s^2", **arguments)  # type: ignore[arg-type]
-    assert said in str(caught.value) and "`layout: rows` (--layout rows)" in str(caught.value)
+    assert "`layout: rows` (--layout rows)" in str(caught.value)
 
 
 TIMES = 0.05 * np.arange(12)
@@ -140,25 +134,21 @@ PAIRS = np.column_stack((0.005 * np.arange(60), WAVE)).reshape(15, 8)
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "code"),
     [
-        (
-            lines_of(BESIDE_TIMES.ravel(), 6),
-            ":1: in `layout: rows` (--layout rows) every number is a sample, but number 1",
-        ),
-        (lines_of(PAIRS.ravel(), 8), "number 1 of each line rises evenly by 0.02, as times do"),
-        ("a b\n1 2\n3 4\n", ":1: `layout: rows` (--layout rows) is for lines of numbers alone; put # before"),
-        ("1 2 3\n4 5\n6 7 8\n", ":2: 2 samples; the others have 3"),
-        ("1 2 3\n4 5 6 7\n", ":2: 4 samples; the others have 3"),
-        ("1 2 3\n4 x 6\n", ":2: `x` is not a number"),
-        ("1,2,,\n3,4,5,\n", ":1: `` is not a number"),
-        ("1\n", ":1: a record needs at least two samples, not 1"),
+        (lines_of(BESIDE_TIMES.ravel(), 6), ":1: .*E-REC-15"),
+        (lines_of(PAIRS.ravel(), 8), "E-REC-15"),
+        ("a b\n1 2\n3 4\n", ":1: .*E-REC-15"),
+        ("1 2 3\n4 5\n6 7 8\n", ":2: .*E-REC-07"),
+        ("1 2 3\n4 5 6 7\n", ":2: .*E-REC-07"),
+        ("1 2 3\n4 x 6\n", ":2: .*E-TABLE-08"),
+        ("1,2,,\n3,4,5,\n", ":1: .*E-TABLE-08"),
+        ("1\n", ":1: .*E-REC-21"),
     ],
 )
-def test_faults_of_rows(tmp_path: Path, text: str, said: str) -> None:
-    with pytest.raises(InputError) as caught:
+def test_faults_of_rows(tmp_path: Path, text: str, code: str) -> None:
+    with pytest.raises(InputError, match=code):
         read_csv(write(tmp_path, text), "m/s^2", time_step=0.01, layout="rows")
-    assert said in str(caught.value) and str(caught.value).startswith(str(tmp_path / "record.csv"))
 
 
 def test_rows_that_rise_all_are_no_times(tmp_path: Path) -> None:
@@ -174,9 +164,9 @@ def test_the_layout_may_be_said(tmp_path: Path) -> None:
     two = write(tmp_path, "0 1\n0.2 2\n")
     assert read_csv(two, "m/s^2", layout="columns").time_step == 0.2
     assert read_csv(two, "m/s^2", time_step=0.2).acceleration.tolist() == [1.0, 2.0]
-    with pytest.raises(InputError, match="rows. .--layout rows. has no columns, but columns are named"):
+    with pytest.raises(InputError, match="E-KEY-03"):
         read_csv(path, "g", 0.01, None, 1, layout="rows")
-    with pytest.raises(InputError, match="unknown layout `row`; did you mean `rows`"):
+    with pytest.raises(InputError, match="did you mean `rows`.*E-VALUE-03"):
         read_csv(path, "g", 0.01, layout="row")  # type: ignore[arg-type]
-    with pytest.raises(InputError, match="a time step is needed"):
+    with pytest.raises(InputError, match="E-REC-17"):
         read_csv(path, "g", layout="rows")

@@ -87,9 +87,9 @@ def test_scaling() -> None:
 
 @pytest.mark.parametrize("function", [velocity, displacement, husid])
 def test_bad_input(function) -> None:  # type: ignore[no-untyped-def]
-    with pytest.raises(InputError, match=r"at least two samples is needed, not an array of shape \(1,\)"):
+    with pytest.raises(InputError, match="E-SPEC-01"):
         function([1.0], 0.01)
-    with pytest.raises(InputError, match="sample 2 is nan"):
+    with pytest.raises(InputError, match="E-SPEC-01"):
         function([1.0, np.nan], 0.01)
-    with pytest.raises(InputError, match="time step must be greater than zero, not -1 s"):
+    with pytest.raises(InputError, match="E-REC-20"):
         function([1.0, 2.0], -1.0)

@@ -38,42 +38,41 @@ def test_directions_of_kik_net(tmp_path: Path) -> None:
 def test_the_component_must_be_that_of_the_file(tmp_path: Path) -> None:
     path = write(tmp_path, WHOLE)
     assert FORMAT.read(path, "EW").checksum == FORMAT.read(path, "E-W").checksum == FORMAT.read(path).checksum
-    with pytest.raises(InputError, match="no component `NS`; the file has `E-W`"):
+    with pytest.raises(InputError, match="`E-W`.*E-REC-14"):
         FORMAT.read(path, "NS")
 
 
 @pytest.mark.parametrize(
-    ("text", "line", "said"),
+    ("text", "line", "code"),
     [
-        ("".join(WHOLE.splitlines(True)[:12]), 12, "has 17 lines of header"),
-        ("".join(WHOLE.splitlines(True)[:17]), 17, "and samples after them"),
-        (knet_file(COUNTS, Mag=None), 17, "has 17 lines of header"),
-        ("".join(WHOLE.splitlines(True)[:-2]), 28, "88 samples, but 1 s at 100 Hz are 100"),
-        (knet_file(COUNTS, Duration="2"), 30, "100 samples, but 2 s at 100 Hz are 200"),
-        (knet_file(COUNTS, Sampling="fast"), 11, "Sampling Freq(Hz): `fast`; a value such as `100Hz`"),
-        (knet_file(COUNTS, Scale="3920/6182761"), 14, "Scale Factor: `3920/6182761`; a value such as"),
-        (WHOLE.replace("Scale Factor", "Scale       "), 17, "the header has no line `Scale Factor`"),
-        (WHOLE.replace(f"{COUNTS[1]:9d}", "      NaN"), 18, "`NaN` is not a finite number; a count"),
-        (WHOLE.replace(f"{COUNTS[1]:9d}", "      1.5"), 18, "`1.5` is not a whole number"),
-        (WHOLE.replace(f"{COUNTS[1]:9d}", "   broken"), 18, "`broken` is not a number"),
+        ("".join(WHOLE.splitlines(True)[:12]), 12, "E-REC-01"),
+        ("".join(WHOLE.splitlines(True)[:17]), 17, "E-REC-01"),
+        (knet_file(COUNTS, Mag=None), 17, "E-REC-01"),
+        ("".join(WHOLE.splitlines(True)[:-2]), 28, "E-REC-05"),
+        (knet_file(COUNTS, Duration="2"), 30, "E-REC-05"),
+        (knet_file(COUNTS, Sampling="fast"), 11, "E-REC-04"),
+        (knet_file(COUNTS, Scale="3920/6182761"), 14, "E-REC-04"),
+        (WHOLE.replace("Scale Factor", "Scale       "), 17, "E-REC-03"),
+        (WHOLE.replace(f"{COUNTS[1]:9d}", "      NaN"), 18, "E-TABLE-08"),
+        (WHOLE.replace(f"{COUNTS[1]:9d}", "      1.5"), 18, "E-REC-08"),
+        (WHOLE.replace(f"{COUNTS[1]:9d}", "   broken"), 18, "E-TABLE-08"),
     ],
 )
-def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: str) -> None:
+def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, code: str) -> None:
     assert text != WHOLE
     path = write(tmp_path, text)
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=f"{path.name}:{line}: .*{code}"):
         FORMAT.read(path)
-    assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
 
 
 def test_a_frequency_or_scale_of_zero(tmp_path: Path) -> None:
     for changed in ({"Sampling": "0Hz"}, {"Scale": "3920(gal)/0"}):
-        with pytest.raises(InputError, match="must be greater than zero"):
+        with pytest.raises(InputError, match="E-REC-(04|20)"):
             FORMAT.read(write(tmp_path, knet_file(COUNTS, **changed)))
 
 
 def test_another_peak_than_that_of_the_header_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "MYG0041103111446.EW"
     path.write_text(knet_file(COUNTS, Max="1.000"))
-    with pytest.raises(InputError, match=r"EW:15: the header has a peak of 1.000 gal, the samples"):
+    with pytest.raises(InputError, match="EW:15: .*E-REC-22"):
         FORMAT.read(path)

@@ -46,26 +46,26 @@ def quick(**changes: Any) -> MatchOptions:
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "code"),
     [
-        ({"method": "wavelet"}, r"no method `wavelet`; did you mean `wavelets`\?"),
-        ({"periods": (2.0, 0.1)}, "periods must increase; 2 s stands before 0.1 s"),
-        ({"periods": (1.0, 1.0)}, "periods must increase"),
-        ({"periods": (0.0, 1.0)}, "periods must be greater than zero and finite, not 0 and 1 s"),
-        ({"periods": (0.1, np.inf)}, "periods must be greater than zero and finite"),
-        ({"periods": (0.1, 1.0, 2.0)}, "periods needs two values, not 3"),
-        ({"scale_bounds": (2.0, 0.5)}, "scale_bounds must increase; 2 stands before 0.5"),
-        ({"scale_bounds": (-1.0, 2.0)}, "scale_bounds must be greater than zero"),
-        ({"damping": 0.0}, "damping must lie between 0 and 1"),
-        ({"damping": 5.0}, "damping must lie between 0 and 1, not 5"),
-        ({"points": 1}, r"at least two points \(matching periods\) are needed, not 1"),
-        ({"iterations": 0}, "at least one of iterations is needed, not 0"),
-        ({"tolerance": 0.0}, "tolerance must be greater than zero, not 0"),
-        ({"tolerance": np.nan}, "tolerance must be greater than zero, not nan"),
+        ({"method": "wavelet"}, "did you mean `wavelets`.*E-VALUE-03"),
+        ({"periods": (2.0, 0.1)}, "E-VALUE-04"),
+        ({"periods": (1.0, 1.0)}, "E-VALUE-04"),
+        ({"periods": (0.0, 1.0)}, "E-VALUE-02"),
+        ({"periods": (0.1, np.inf)}, "E-VALUE-02"),
+        ({"periods": (0.1, 1.0, 2.0)}, "E-VALUE-01"),
+        ({"scale_bounds": (2.0, 0.5)}, "E-VALUE-04"),
+        ({"scale_bounds": (-1.0, 2.0)}, "E-VALUE-02"),
+        ({"damping": 0.0}, "E-VALUE-02"),
+        ({"damping": 5.0}, "E-VALUE-02"),
+        ({"points": 1}, "E-VALUE-02"),
+        ({"iterations": 0}, "E-VALUE-02"),
+        ({"tolerance": 0.0}, "E-VALUE-02"),
+        ({"tolerance": np.nan}, "E-VALUE-02"),
     ],
 )
-def test_options_that_make_no_sense_are_refused_in_words(change: dict[str, Any], words: str) -> None:
-    with pytest.raises(InputError, match=words):
+def test_options_that_make_no_sense_are_refused_in_words(change: dict[str, Any], code: str) -> None:
+    with pytest.raises(InputError, match=f"{next(iter(change))}.*{code}"):
         MatchOptions(**change)
 
 
@@ -75,32 +75,32 @@ def test_one_scale_is_allowed_and_the_periods_are_even_in_the_logarithm() -> Non
 
 
 @pytest.mark.parametrize(
-    ("target", "words"),
+    ("target", "code"),
     [
-        (Flat(value=0.0), "flat target is 0 m/s2 at 0.1 s; within the band it must be greater than zero and finite"),
-        (Flat(value=-1.0), "flat target is -1 m/s2 at 0.1 s"),
-        (Flat(value=np.nan), "flat target is nan m/s2 at 0.1 s"),
-        (Flat(zero_period=0.0), "flat target is 0 m/s2 at period zero"),
-        (Flat(damping=0.02), "a spectrum of 2 % damping, but 5 % are to be matched"),
+        (Flat(value=0.0), "E-MATCH-01"),
+        (Flat(value=-1.0), "E-MATCH-01"),
+        (Flat(value=np.nan), "E-MATCH-01"),
+        (Flat(zero_period=0.0), "E-MATCH-01"),
+        (Flat(damping=0.02), "E-MATCH-03"),
     ],
 )
-def test_targets_that_cannot_be_matched(target: Flat, words: str) -> None:
-    with pytest.raises(InputError, match=words):
+def test_targets_that_cannot_be_matched(target: Flat, code: str) -> None:
+    with pytest.raises(InputError, match=code):
         match_record(noise(), target, quick())
 
 
 def test_a_record_of_zeros_cannot_be_matched() -> None:
-    with pytest.raises(InputError, match="silence: the record is zero throughout"):
+    with pytest.raises(InputError, match="silence: .*E-REC-23"):
         match_record(Record("silence", np.zeros(2000), 0.01, "test"), Flat(), quick())
 
 
 def test_a_band_below_the_nyquist_period_names_the_shortest_possible() -> None:
-    with pytest.raises(InputError, match=r"a time step of 0\.08 s carries no period below 0\.16 s"):
+    with pytest.raises(InputError, match=r"below 0\.16 s.*E-MATCH-02"):
         match_record(noise(step=0.08), Flat(), quick())
 
 
 def test_a_band_too_long_for_the_record_names_the_longest_possible() -> None:
-    with pytest.raises(InputError, match=r"a record of 3 s has no room for two cycles of periods above 1\.5 s"):
+    with pytest.raises(InputError, match=r"above 1\.5 s.*E-MATCH-02"):
         match_record(noise(seconds=3.0), Flat(), quick())
 
 

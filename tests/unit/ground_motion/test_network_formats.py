@@ -92,7 +92,7 @@ def test_samples_are_those_that_were_written(
 )
 def test_another_peak_than_that_of_the_header_is_refused(tmp_path: Path, file_format: str, text: str) -> None:
     path = write(tmp_path, text)
-    with pytest.raises(InputError, match=r"record\.dat:\d+: the header has a peak of \S+ .*, the samples"):
+    with pytest.raises(InputError, match=r"record\.dat:\d+: .*E-REC-22"):
         read_record_file(path, component="N00E" if file_format == "asa" else None)
 
 
@@ -143,7 +143,7 @@ def test_a_file_that_is_cut_off_or_damaged_is_refused_with_its_line(
 
 def test_corrected_geonet_without_its_displacements_is_refused(tmp_path: Path) -> None:
     text = geonet_component(MOTION)
-    with pytest.raises(InputError, match="the file ends within the velocities and displacements"):
+    with pytest.raises(InputError, match="E-REC-05"):
         read_record_file(write(tmp_path, text[: text.rindex("\n", 0, -2)]))
 
 
@@ -182,22 +182,22 @@ def test_even_times_that_were_rounded_stay_as_they_are(tmp_path: Path) -> None:
 def test_times_that_go_back_are_refused(tmp_path: Path) -> None:
     times = 0.005 * np.arange(40)
     times[20] = 0.05
-    with pytest.raises(InputError, match=r"the times must rise, but pair 21 has 0.05 s after 0.095"):
+    with pytest.raises(InputError, match="pair 21 .*E-REC-19"):
         read_record_file(write(tmp_path, volume_one_channel(0.1 * MOTION, times=times)))
 
 
 def test_a_gap_in_the_times_is_refused(tmp_path: Path) -> None:
     times = 0.005 * np.arange(40)
     times[20:] += 2.0
-    with pytest.raises(InputError, match="2.005 s pass between pairs 20 and 21, at 0.095 s"):
+    with pytest.raises(InputError, match="2.005 s .*E-REC-19"):
         read_record_file(write(tmp_path, volume_one_channel(0.1 * MOTION, times=times)))
 
 
 def test_velocity_and_spectra_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="`3 VELOCITY`; only accelerograms are read"):
+    with pytest.raises(InputError, match="E-REC-09"):
         read_record_file(write(tmp_path, smc_file(MOTION, "3 VELOCITY")))
     spectra = "Response and Fourier amplitude spectra (78 periods,  .04 -  6.0 sec)   for\n1\n2\n"
-    with pytest.raises(InputError, match="volume 3 holds response and Fourier spectra, no accelerations"):
+    with pytest.raises(InputError, match="E-REC-09"):
         read_record_file(write(tmp_path, spectra))
 
 
@@ -208,7 +208,7 @@ def test_the_end_may_be_padded_with_zero_bytes(tmp_path: Path) -> None:
 
 
 def test_another_unit_than_gal_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="UNIDADES DE LOS DATOS: `g`; Gal"):
+    with pytest.raises(InputError, match="E-REC-10"):
         read_record_file(write(tmp_path, asa_file(COLUMNS, unit="g")), component="V")
 
 
@@ -226,15 +226,15 @@ def test_whether_it_is_processed_is_told(tmp_path: Path) -> None:
 
 
 def test_other_contents_of_european_and_chinese_files_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="the file has uncorrected acceleration time histories, corrected velocity"):
+    with pytest.raises(InputError, match="E-REC-09"):
         read_record_file(write(tmp_path, isesd_file(0.01 * MOTION, "uncorrected acceleration")))
-    with pytest.raises(InputError, match=r":16: 40 accelerations below this line, but 41 in line 10"):
+    with pytest.raises(InputError, match=":16: .*E-REC-05"):
         read_record_file(write(tmp_path, isesd_file(0.01 * MOTION, count=41)))
-    with pytest.raises(InputError, match="`CORRECTED VELOCITY .*only accelerations in CM/SEC/SEC are read"):
+    with pytest.raises(InputError, match="E-REC-09"):
         read_record_file(write(tmp_path, csmnc_file(MOTION, quantity="CORRECTED VELOCITY")))
-    with pytest.raises(InputError, match=r"UNIT = `kine`; gal\(cm/s/s\) is expected"):
+    with pytest.raises(InputError, match="E-REC-10"):
         read_record_file(write(tmp_path, jma_file(COLUMNS, unit="kine")), component="NS")
-    with pytest.raises(InputError, match=r":12: 2 numbers; each line has one of each of `NS`, `EW`, `UD`"):
+    with pytest.raises(InputError, match=":12: .*E-REC-07"):
         lines = jma_file(COLUMNS).splitlines()
         read_record_file(write(tmp_path, "\n".join([*lines[:11], "1.0,2.0,,,", *lines[11:]])), component="NS")
 
@@ -251,13 +251,13 @@ def test_european_files_are_known_by_their_sampling_alone(tmp_path: Path) -> Non
 
 def test_an_unknown_text_is_described(tmp_path: Path) -> None:
     text = "A STATION\n090 DEGREES\n" + "   -1.95   -2.05   -2.09\n" * 5 + "   1.00\n"
-    with pytest.raises(InputError, match=r"it has 2 lines of text, then lines of 3 numbers.*`table: \{skip: 2\}`"):
+    with pytest.raises(InputError, match=r"`table: \{skip: 2\}`.*E-REC-01"):
         read_record_file(write(tmp_path, text, "record.044"))
     (tmp_path / "a.zip").write_bytes(b"PK\x03\x04\0\0")
-    with pytest.raises(InputError, match="not a text file; it is compressed; unpack it"):
+    with pytest.raises(InputError, match="compressed.*E-REC-02"):
         read_record_file(tmp_path / "a.zip")
     (tmp_path / "a.mseed").write_bytes(b"000001D BBB    BHZ\0\0")
-    with pytest.raises(InputError, match="it looks like miniSEED: convert it to text"):
+    with pytest.raises(InputError, match="miniSEED.*E-REC-02"):
         read_record_file(tmp_path / "a.mseed")
 
 
@@ -292,7 +292,7 @@ def test_geonet_writes_more_than_9999_mm_as_whole_numbers(tmp_path: Path) -> Non
 
 def test_half_of_a_file_of_pairs_is_not_taken_for_accelerations_alone(tmp_path: Path) -> None:
     lines = volume_one_channel(0.1 * motion(50)).splitlines()  # ten lines of five pairs below 27
-    with pytest.raises(InputError, match="50 numbers, but the 50 points of line 11 are 50 pairs"):
+    with pytest.raises(InputError, match="E-REC-05"):
         read_record_file(write(tmp_path, "\n".join(lines[:32])))
 
 
@@ -301,11 +301,11 @@ def test_asa_may_repeat_its_last_sample_only(tmp_path: Path) -> None:
     last = text.splitlines()[-1]
     whole = read_record_file(write(tmp_path, text), component="V")
     assert read_record_file(write(tmp_path, text + f"{last}\n{last}\n"), component="V").checksum == whole.checksum
-    with pytest.raises(InputError, match="41 lines of samples, but `40`, `40`, `40` in line"):
+    with pytest.raises(InputError, match="E-REC-05"):
         read_record_file(write(tmp_path, text + "    9.0000    9.0000    9.0000\n"), component="V")
 
 
 def test_the_step_of_geonet_is_the_same_in_text_and_numbers(tmp_path: Path) -> None:
     text = geonet_component(MOTION).replace("at 0.020 sec intervals", "at 0.010 sec intervals")
-    with pytest.raises(InputError, match=r":11: samples at 0.010 s, but 0.02 s among the numbers"):
+    with pytest.raises(InputError, match=":11: .*E-REC-18"):
         read_record_file(write(tmp_path, text))

@@ -100,17 +100,17 @@ def test_any_record_ends_at_rest(samples: list[float], order: int) -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "code"),
     [
-        (lambda r: correct_baseline(r, -1), "from 0 to 8, not -1"),
-        (lambda r: correct_baseline(r, 9), "from 0 to 8, not 9"),
-        (lambda r: correct_baseline(r, 1, "displacement"), "not to `displacement`"),
-        (lambda r: remove_drift(r, 2), "from 3 to 8, not 2"),
-        (lambda r: remove_drift(record(np.ones(4)), 6), "from 3 to 3, not 6"),
+        (lambda r: correct_baseline(r, -1), "E-VALUE-02"),
+        (lambda r: correct_baseline(r, 9), "E-VALUE-02"),
+        (lambda r: correct_baseline(r, 1, "displacement"), "E-VALUE-03"),
+        (lambda r: remove_drift(r, 2), "E-VALUE-02"),
+        (lambda r: remove_drift(record(np.ones(4)), 6), "from 3 to 3.*E-VALUE-02"),
     ],
 )
-def test_impossible_baselines(change: Callable[[Record], Record], said: str) -> None:
-    with pytest.raises(InputError, match=said):
+def test_impossible_baselines(change: Callable[[Record], Record], code: str) -> None:
+    with pytest.raises(InputError, match=code):
         change(record(pulse(TIME)))
 
 
@@ -152,16 +152,16 @@ def test_there_and_back() -> None:
 
 
 @pytest.mark.parametrize(
-    ("step", "said"),
+    ("step", "code"),
     [
-        (0.0, "greater than zero"),
-        (np.nan, "greater than zero"),
-        (30.0, "longer than the record"),
-        (np.pi / 300, "ratio"),
+        (0.0, "E-REC-20"),
+        (np.nan, "E-REC-20"),
+        (30.0, "E-MOTION-03"),
+        (np.pi / 300, "E-MOTION-03"),
     ],
 )
-def test_impossible_steps(step: float, said: str) -> None:
-    with pytest.raises(InputError, match=said):
+def test_impossible_steps(step: float, code: str) -> None:
+    with pytest.raises(InputError, match=code):
         resample_band_limited(record(pulse(TIME)), step)
 
 
@@ -206,24 +206,24 @@ def test_pads() -> None:
 
 
 @pytest.mark.parametrize(
-    ("change", "said"),
+    ("change", "code"),
     [
-        (lambda r: taper(r, -1.0, 0.0), "must not be negative"),
-        (lambda r: taper(r, 15.0, 6.0), "longer than the record"),
-        (lambda r: trim(r, 10.0, 5.0), "nothing to keep from 10 s to 5 s"),
-        (lambda r: trim(r, 30.0, 50.0), "nothing to keep"),
-        (lambda r: trim(r, np.nan, 50.0), "nothing to keep from nan s"),
-        (lambda r: trim(r, 5.0, 5.5, 0.5), "longer than the record"),
-        (lambda r: trim_to_significant(r, (0.9, 0.1)), "0 <= lower < upper <= 1"),
-        (lambda r: trim_to_significant(r, (0.1, 1.1)), "0 <= lower < upper <= 1"),
-        (lambda r: trim_to_significant(r, lead=-1.0), "lead and tail must not be negative"),
-        (lambda r: trim_to_significant(record(np.zeros(9))), "zero throughout"),
-        (lambda r: pad(r, -1.0), "must not be negative"),
-        (lambda r: pad(r, 0.0, np.inf), "must not be negative"),
+        (lambda r: taper(r, -1.0, 0.0), "E-MOTION-02"),
+        (lambda r: taper(r, 15.0, 6.0), "E-MOTION-02"),
+        (lambda r: trim(r, 10.0, 5.0), "E-MOTION-02"),
+        (lambda r: trim(r, 30.0, 50.0), "E-MOTION-02"),
+        (lambda r: trim(r, np.nan, 50.0), "E-MOTION-02"),
+        (lambda r: trim(r, 5.0, 5.5, 0.5), "E-MOTION-02"),
+        (lambda r: trim_to_significant(r, (0.9, 0.1)), "E-VALUE-04"),
+        (lambda r: trim_to_significant(r, (0.1, 1.1)), "E-VALUE-04"),
+        (lambda r: trim_to_significant(r, lead=-1.0), "E-VALUE-02"),
+        (lambda r: trim_to_significant(record(np.zeros(9))), "E-REC-23"),
+        (lambda r: pad(r, -1.0), "E-VALUE-02"),
+        (lambda r: pad(r, 0.0, np.inf), "E-VALUE-02"),
     ],
 )
-def test_impossible_lengths(change: Callable[[Record], Record], said: str) -> None:
-    with pytest.raises(InputError, match=said):
+def test_impossible_lengths(change: Callable[[Record], Record], code: str) -> None:
+    with pytest.raises(InputError, match=code):
         change(record(pulse(TIME)))
 
 
@@ -266,18 +266,18 @@ def test_kept_pads_hold_the_drift() -> None:
 
 
 @pytest.mark.parametrize(
-    ("arguments", "said"),
+    ("arguments", "code"),
     [
-        ((None, None), "needs a low or a high corner"),
-        ((0.0, None), "between 0 and the Nyquist frequency 50 Hz"),
-        ((None, 50.0), "between 0 and the Nyquist"),
-        ((5.0, 1.0), "must be below the high corner"),
-        ((1.0, 5.0, 0), "from 1 to 10, not 0"),
-        ((np.nan, 5.0), "between 0 and the Nyquist"),
+        ((None, None), "E-MOTION-01"),
+        ((0.0, None), "E-MOTION-01"),
+        ((None, 50.0), "E-MOTION-01"),
+        ((5.0, 1.0), "E-MOTION-01"),
+        ((1.0, 5.0, 0), "E-VALUE-02"),
+        ((np.nan, 5.0), "E-MOTION-01"),
     ],
 )
-def test_impossible_filters(arguments: tuple, said: str) -> None:
-    with pytest.raises(InputError, match=said):
+def test_impossible_filters(arguments: tuple, code: str) -> None:
+    with pytest.raises(InputError, match=code):
         band_pass(record(pulse(TIME)), *arguments)
 
 

@@ -75,12 +75,9 @@ def test_columns_of_blanks_by_header_and_one_column(tmp_path: Path) -> None:
     )
     ns = read_record_file(path, acceleration_unit="g", time_column="Time (s)", acceleration_column="NS (g)")
     np.testing.assert_allclose(ns.acceleration, np.array([1.0, -0.25, 3.0]) * G, rtol=1e-15)
-    with pytest.raises(InputError, match=r"no column `NS`.*the columns are: Time \(s\), NS \(g\), EW \(g\)"):
+    with pytest.raises(InputError, match=r"Time \(s\), NS \(g\), EW \(g\).*E-REC-14"):
         read_record_file(path, acceleration_unit="g", acceleration_column="NS", time_step=0.01)
-    with pytest.raises(
-        InputError,
-        match=r":3: 3 columns \(1 `Time \(s\)`, 2 `NS \(g\)`, 3 `EW \(g\)`\); name the one that is the accel",
-    ):
+    with pytest.raises(InputError, match=r":3: .*1 `Time \(s\)`, 2 `NS \(g\)`, 3 `EW \(g\)`.*E-REC-13"):
         read_record_file(path, acceleration_unit="g")
     one = write(tmp_path, "a.acc", "  1.0\n  2.0\n -3.0\n")
     assert read_record_file(one, acceleration_unit="m/s^2", time_step=0.02).pga == 3.0
@@ -88,61 +85,56 @@ def test_columns_of_blanks_by_header_and_one_column(tmp_path: Path) -> None:
 
 def test_a_table_needs_its_unit_and_step(tmp_path: Path) -> None:
     path = write(tmp_path, "a.txt", TWO_COLUMNS)
-    with pytest.raises(InputError, match="a table does not say the unit of its accelerations; declare it: g, m/s"):
+    with pytest.raises(InputError, match="E-REC-11"):
         read_record_file(path)
-    with pytest.raises(InputError, match="unknown unit `gal`"):
+    with pytest.raises(InputError, match="E-UNIT-02"):
         read_record_file(path, acceleration_unit="gal")
-    with pytest.raises(InputError, match="a time step is needed"):
+    with pytest.raises(InputError, match="E-REC-17"):
         read_record_file(write(tmp_path, "b.txt", "1\n2\n3\n"), acceleration_unit="g")
-    with pytest.raises(InputError, match=":3: 1 columns; the lines before have 2"):
+    with pytest.raises(InputError, match=":3: .*E-REC-07"):
         read_record_file(write(tmp_path, "c.txt", "0 1\n1 2\n2\n"), acceleration_unit="g")
-    with pytest.raises(InputError, match=":2: `nan` is not a finite number"):
+    with pytest.raises(InputError, match=":2: .*E-TABLE-08"):
         read_record_file(write(tmp_path, "d.txt", "0 1\n1 nan\n2 3\n"), acceleration_unit="g")
 
 
 @pytest.mark.parametrize("form", [AT2_OLD, AT2_NEW])
-@pytest.mark.parametrize(
-    ("name", "quantity", "unit", "said"),
-    [("a.VT2", "VELOCITY", "CM/S", "says velocity"), ("a.DT2", "DISPLACEMENT", "CM", "says displacement")],
-)
+@pytest.mark.parametrize(("name", "quantity", "unit"), [("a.VT2", "VELOCITY", "CM/S"), ("a.DT2", "DISPLACEMENT", "CM")])
 def test_velocity_and_displacement_files_of_peer_are_refused(
-    tmp_path: Path, form: str, name: str, quantity: str, unit: str, said: str
+    tmp_path: Path, form: str, name: str, quantity: str, unit: str
 ) -> None:
     path = write(tmp_path, name, form.format(quantity, unit) + VALUES)
-    with pytest.raises(InputError, match=f":3: the header {said}; only acceleration in g is read from AT2 files"):
+    with pytest.raises(InputError, match=":3: .*E-REC-09"):
         read_record_file(path)
 
 
 def test_arguments_that_do_not_belong_to_the_format(tmp_path: Path) -> None:
     peer = write(tmp_path, "a.AT2", AT2_NEW.format("ACCELERATION", "G") + VALUES)
-    with pytest.raises(InputError, match="acceleration_unit, time_step: only for tables"):
+    with pytest.raises(InputError, match="acceleration_unit, time_step: .*E-REC-16"):
         read_record_file(peer, acceleration_unit="g", time_step=0.01)
-    with pytest.raises(InputError, match="component `1`: not for the format PEER .AT2"):
+    with pytest.raises(InputError, match="E-REC-16"):
         read_record_file(peer, component=1)
-    with pytest.raises(InputError, match="choose the column of accelerations"):
+    with pytest.raises(InputError, match="E-REC-16"):
         read_record_file(write(tmp_path, "a.csv", "1\n2\n"), acceleration_unit="g", time_step=1.0, component="x")
-    with pytest.raises(InputError, match="unknown format `cosmo`; did you mean `cosmos`"):
+    with pytest.raises(InputError, match="did you mean `cosmos`.*E-VALUE-03"):
         read_record_file(peer, file_format="cosmo")  # type: ignore[arg-type]
-    with pytest.raises(InputError, match="a channel of a COSMOS file begins with"):
+    with pytest.raises(InputError, match="E-REC-01"):
         read_record_file(peer, file_format="cosmos")
 
 
 def test_nothing_fits(tmp_path: Path) -> None:
-    with pytest.raises(
-        InputError, match=r"no known format fits this file: it has no lines of numbers. Read are"
-    ) as caught:
+    with pytest.raises(InputError, match="E-REC-01") as caught:
         read_record_file(write(tmp_path, "letter.txt", "Dear colleague,\nthe record follows.\n"))
     assert all(text in str(caught.value) for text in FORMATS.values())
-    with pytest.raises(InputError, match="no known format"):
+    with pytest.raises(InputError, match="E-REC-01"):
         read_record_file(write(tmp_path, "comments.txt", "# 1\n# 2\n"))
-    with pytest.raises(InputError, match="none of the first 4 lines has the header of an AT2 file"):
+    with pytest.raises(InputError, match="E-REC-01"):
         read_record_file(write(tmp_path, "a.at2", "Dear colleague,\nthe record follows.\n"))
-    with pytest.raises(InputError, match="the file is empty"):
+    with pytest.raises(InputError, match="E-REC-21"):
         read_record_file(write(tmp_path, "a.txt", ""))
     with pytest.raises(InputError, match="there is no such record file"):
         read_record_file(tmp_path / "none.V2")
     (tmp_path / "a.mseed").write_bytes(b"000001D \0\0")
-    with pytest.raises(InputError, match="not a text file"):
+    with pytest.raises(InputError, match="E-TABLE-01"):
         read_record_file(tmp_path / "a.mseed")
 
 

@@ -50,11 +50,11 @@ def test_bad_input_is_named_with_its_value(change: dict[str, Any], message: str)
 
 
 def test_rotated_spectra_want_components_of_one_length() -> None:
-    with pytest.raises(InputError, match="one has 1500 and the other 1499"):
+    with pytest.raises(InputError, match="E-SPEC-01"):
         rotated_spectra(MOTION, OTHER[:-1], STEP, [1.0])
-    with pytest.raises(InputError, match="percentile must be from 0 to 100, not 101"):
+    with pytest.raises(InputError, match="E-SPEC-02"):
         rotated_spectra(MOTION, OTHER, STEP, [1.0], percentiles=(50, 101))
-    with pytest.raises(InputError, match="one ratio is needed here, not 2"):
+    with pytest.raises(InputError, match="E-SPEC-02"):
         psa(MOTION, STEP, [1.0], damping=[0.02, 0.05])  # type: ignore[arg-type]
 
 
