@@ -9,6 +9,7 @@ The root comes first, so that the file begins as one of HDF5.
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import os
@@ -16,13 +17,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import ModuleType
-
-fcntl: ModuleType | None
-try:
-    import fcntl
-except ImportError:  # not on this platform; two runs on one archive are then not told apart
-    fcntl = None
 
 _LINE = re.compile(rb'\nedesign archive group: sha256 ([0-9a-f]{64}) of ([0-9]{20}) bytes at ("[ -~]*")\n')
 _BLOCK = 1 << 20
@@ -176,8 +170,7 @@ def _locked(path: Path, flags: int) -> int:
     """Open a file that no other process writes to, and return its descriptor."""
     descriptor = os.open(path, flags, 0o644)
     try:
-        if fcntl is not None:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
         os.close(descriptor)
         raise

@@ -175,7 +175,6 @@ def test_a_partial_file_that_another_program_made_is_left(tmp_path: Path) -> Non
 
 
 def test_two_runs_on_one_archive_exclude_each_other(tmp_path: Path) -> None:
-    pytest.importorskip("fcntl")
     with ArchiveWriter(tmp_path / "a.h5", root()), pytest.raises(ArchiveError, match="another run"):
         ArchiveWriter(tmp_path / "a.h5", root())
 

@@ -56,7 +56,6 @@ def test_a_deleted_file_is_written_again(tmp_path: Path, with_folder: bool, at_t
 
 
 def test_what_is_written_again_excludes_other_runs(tmp_path: Path) -> None:
-    pytest.importorskip("fcntl")
     path = tmp_path / "a.h5"
     with begun(path) as writer:
         partial_path(path).unlink()
