@@ -3,7 +3,7 @@
     python tools/template_data.py
 
 Records go to edesign/project/templates/records; the tests of a programme.yaml go to `tests` beside it.
-tests/unit/project/test_template_data.py simulates them again.
+tests/unit/project/test_templates.py simulates them again.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-# Table 4.2 in N, m, s; k0 in kN/mm (docs/thesis-errata)
+# Table 4.2 in N, m, s; k0 in kN/mm (docs/verification/thesis_errata.md)
 TABLE_4_2 = {
     "k1": 0.515e6,
     "c1": 0.0151e6,
