@@ -28,7 +28,7 @@ from edesign.core.damper import CoreDamper, LawValues, Method
 from edesign.core.errors import CoreError
 from edesign.damper.damper import Damper
 from edesign.damper.fitting.forces import core_predict, fit_forces
-from edesign.damper.fitting.identifiable import HELD
+from edesign.damper.fitting.identifiable import FIXED
 from edesign.damper.fitting.loading import Loading
 from edesign.damper.laws import LAWS
 from edesign.project.project import Project
@@ -125,11 +125,11 @@ def fit_seconds(name: str, values: Mapping[str, float]) -> tuple[float, int]:
         forces += 1
         return force(parameters, loading)
 
-    held = {key: values[key] for key in HELD.get(name, {})}
+    fixed = {key: values[key] for key in FIXED.get(name, {})}
     branches = sum(key.startswith("c") for key in values) if LAWS[name].branch else 1
     start = time.process_time()
     try:
-        fit_forces(LAWS[name], tests, fixed=held, branches=branches, predict=counted)
+        fit_forces(LAWS[name], tests, fixed=fixed, branches=branches, predict=counted)
     except _Enough:
         pass
     return time.process_time() - start, forces // len(tests)

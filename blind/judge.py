@@ -17,7 +17,7 @@ EQUAL: dict[tuple[str, str], tuple[str, ...]] = {
 """Other names for a name and a form that are the same equation: the force of a mass that hangs is an offset of the
 load cell."""
 
-ORDER = ("right", "alike", "equal", "late", "wrong", "nothing")
+ORDER = ("right", "confounded", "equal", "late", "wrong", "nothing")
 """How an effect is named: right; as one its own result says cannot be told apart from it; by another name of the same
 equation, though it does not say so; right but not first; otherwise; not at all."""
 
@@ -49,8 +49,8 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
         "at_own_floor": last is not None and own is not None and last <= FLOORS * own,
         "at_true_floor": last is not None and last <= FLOORS * floor(truth),
         "named": _named(truth["effects"], found),
-        "all_named": _matched(truth["effects"], found, alike=False),
-        "all_named_or_alike": _matched(truth["effects"], found, alike=True),
+        "all_named": _matched(truth["effects"], found, confounded=False),
+        "all_named_or_confounded": _matched(truth["effects"], found, confounded=True),
         "surplus": max(0, len(found) - len(truth["effects"])),
         "parameters": [
             {"effect": e["name"], "form": e["form"], **p}
@@ -91,11 +91,11 @@ def visible(truth: Mapping[str, Any]) -> bool:
 
 
 def match(true: Mapping[str, Any], found: Mapping[str, Any]) -> str:
-    """How an effect of a result names one of the truth: right, alike, equal or wrong."""
+    """How an effect of a result names one of the truth: right, confounded, equal or wrong."""
     if found.get("name") == true["name"] and found.get("kind") == true["kind"]:
         return "right"
     if true["name"] in (found.get("indistinguishable_from") or ()):
-        return "alike"
+        return "confounded"
     if found.get("name") in EQUAL.get((true["name"], true["form"]), ()):
         return "equal"
     return "wrong"
@@ -113,15 +113,15 @@ def _named(true: Sequence[Mapping[str, Any]], found: Sequence[Mapping[str, Any]]
     return first
 
 
-def _matched(true: Sequence[Mapping[str, Any]], found: Sequence[Mapping[str, Any]], alike: bool) -> bool:
+def _matched(true: Sequence[Mapping[str, Any]], found: Sequence[Mapping[str, Any]], confounded: bool) -> bool:
     """Whether the effects of the result are those of the truth, each once, none left, in any order."""
     if len(true) != len(found):
         return False
     if not true:
         return True
-    good = ("right", "alike", "equal") if alike else ("right",)
+    good = ("right", "confounded", "equal") if confounded else ("right",)
     return any(
-        match(true[0], f) in good and _matched(true[1:], [*found[:i], *found[i + 1 :]], alike)
+        match(true[0], f) in good and _matched(true[1:], [*found[:i], *found[i + 1 :]], confounded)
         for i, f in enumerate(found)
     )
 

@@ -21,7 +21,7 @@ PATTERN = (
 UNLISTED = {form.name: form for pair in zip(UNLISTED_DAMPER, UNLISTED_CHANNELS, strict=False) for form in pair} | {
     form.name: form for form in (*UNLISTED_DAMPER, *UNLISTED_CHANNELS)
 }
-_ALIKE = ({"offset", "static_offset", "drift"}, {"ageing", "degradation", "gain"}, {"payne", "mullins"})
+_CONFOUNDED = ({"offset", "static_offset", "drift"}, {"ageing", "degradation", "gain"}, {"payne", "mullins"})
 
 
 @dataclass(frozen=True)
@@ -79,6 +79,6 @@ def _effects(
         return ((name, first[name] + j // len(names)),)
     while True:
         first, second = rng.choice(list(EFFECTS), 2, replace=False)
-        if {first, second}.isdisjoint(names) or any({first, second} <= alike for alike in _ALIKE):
+        if {first, second}.isdisjoint(names) or any({first, second} <= confounded for confounded in _CONFOUNDED):
             continue
         return tuple((str(name), int(rng.integers(12))) for name in (first, second))

@@ -37,17 +37,17 @@ def _overview(scores: Sequence[Score]) -> str:
     parameters = [p for s in scores if not s["failure"] for p in s["parameters"]]
     seconds = sorted(s["seconds"] for s in scores)
     seen, both = [s for s in one if s["visible"]], [s for s in two if s["visible"]]
-    first = [s["named"] in ("right", "alike") for s in one]
+    first = [s["named"] in ("right", "confounded") for s in one]
     rows = [
         ("campaigns", f"{len(scores)}"),
         ("failures of the program", f"{sum(bool(s['failure']) for s in scores)}"),
         ("clean: false alarms", _part([bool(s["found"]) for s in clean])),
         ("one effect: named right, first", _part([s["named"] == "right" for s in one])),
-        ("  .. or told to be alike", _part(first)),
+        ("  .. or told to be confounded", _part(first)),
         ("  .. right, of those above the noise after a refit", _part([s["named"] == "right" for s in seen])),
         ("  .. right and no other beside it", _part([s["all_named"] for s in one])),
         ("two effects: both named, no other", _part([s["all_named"] for s in two])),
-        ("  .. or told to be alike", _part([s["all_named_or_alike"] for s in two])),
+        ("  .. or told to be confounded", _part([s["all_named_or_confounded"] for s in two])),
         ("  .. both named, of those above the noise", _part([s["all_named"] for s in both])),
         ("  .. one named right, first", _part([s["named"] == "right" for s in two])),
         ("unlisted: called explained", _part([s["verdict"] == "explained" for s in unlisted])),

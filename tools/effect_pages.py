@@ -1,7 +1,7 @@
 """Write the tables of docs/reference/effects out of the code: forms, where they act, parameters with their priors.
 
-What stands between `<!-- begin NAME -->` and `<!-- end -->` is written, and all.md whole. Equations and look-alikes are
-text of people; all.md takes the equations from the pages.
+What stands between `<!-- begin NAME -->` and `<!-- end -->` is written, and all.md whole. Equations and confounded
+effects are text of people; all.md takes the equations from the pages.
 
 Usage: python -m tools.effect_pages [--check]
 """
@@ -33,7 +33,7 @@ _TOP = """# All effects in one table
 <!-- written by tools/effect_pages.py -->
 
 Each form of each effect that `edesign calibrate` knows. [The index](README.md) says what the symbols of the priors
-mean; the pages of the effects say what parameters mean, and what looks alike.
+mean; the pages of the effects say what parameters mean, and which effects are confounded.
 
 """
 _HEAD = "| effect | equation | acts on | parameters and priors |\n|---|---|---|---|\n"

@@ -37,7 +37,7 @@ class Form(Generic[A, S]):
         shown: whether a campaign can show it.
         proportional: whether what it does goes with its size, about nothing at zero.
         meanings: of parameters by name, for people, as far as no law file has them.
-        alike: forms of which each does the same in all tests that are fitted, and something else in others; (): none.
+        confounded: forms that do the same in all tests that are fitted, and something else in others; (): none.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Form(Generic[A, S]):
     shown: Callable[[S], bool] = lambda _: True
     proportional: bool = True
     meanings: Mapping[str, str] = field(default_factory=dict)
-    alike: tuple[Form[A, S], ...] = ()
+    confounded: tuple[Form[A, S], ...] = ()
 
     @property
     def label(self) -> str:
@@ -74,8 +74,14 @@ class Form(Generic[A, S]):
         parameters = self.parameters(sizes)
         first = parameters[0] if parameters else None
         linear = self.proportional and first is not None and not first.logarithmic and first.lower <= 0.0 <= first.upper
-        starts, data, alike = self.starts(sizes), self.of(sizes), tuple(one.effect(sizes) for one in self.alike)
-        return Effect(self.name, self.form, self.kind, parameters, starts, linear, self.nuisance, data, alike=alike)
+        starts, data, confounded = (
+            self.starts(sizes),
+            self.of(sizes),
+            tuple(one.effect(sizes) for one in self.confounded),
+        )
+        return Effect(
+            self.name, self.form, self.kind, parameters, starts, linear, self.nuisance, data, confounded=confounded
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -87,7 +87,7 @@ def _problem(campaign: Campaign, threads: int) -> Problem:
 def _outcome(
     campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps
 ) -> DamperOutcome | TableOutcome | StructureOutcome:
-    """Return what the search found, held against all samples of all tests."""
+    """Return what the search found, compared with all samples of all tests."""
     if isinstance(campaign, PropertyCampaign):
         return TableOutcome.of(campaign, found, settings, steps)
     if isinstance(campaign, StructureCampaign):

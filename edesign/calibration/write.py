@@ -180,13 +180,13 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
             "difference": _finite(found.next_test.difference),
             "largest_so_far": _finite(found.next_test.largest),
         },
-        "law_held": found.law_held,
+        "law_held": found.law_fixed,
         **_of_a_damper(found),
         "law_file": _law_file(found.law_file),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in STAGES
         },
-        "held": dict(found.held),
+        "held": dict(found.fixed),
         "seconds": round(found.seconds, 2),
         **(rows_json(found) if isinstance(found, PropertyCalibration) else {}),
     }

@@ -58,7 +58,7 @@ def fit(
         list[str] | None, typer.Option("--fix", metavar="NAME[=VALUE]", help="Hold a parameter, not fit it.")
     ] = None,
     free: Annotated[
-        list[str] | None, typer.Option("--free", metavar="NAME", help="Fit a parameter that is held by default.")
+        list[str] | None, typer.Option("--free", metavar="NAME", help="Fit a parameter that is fixed by default.")
     ] = None,
     branches: Annotated[
         int, typer.Option("--branches", min=1, max=16, help="Maxwell branches of generalised_maxwell.")
@@ -98,7 +98,7 @@ def fit(
         raise InputError("--folds: only with --cross-validate [E-CLI-01]")
     for name in free or []:
         if name in {text.partition("=")[0].strip() for text in fix or []}:
-            raise InputError(f"--free {name}: it is held by --fix; leave one of them out [E-CLI-02]")
+            raise InputError(f"--free {name}: it is fixed by --fix; leave one of them out [E-CLI-02]")
     given = read.read_input(source, against, read.read_specimen(layers, layer_area, layer_thickness))
     if given.table is not None and (cross_validate or figures is not None):
         raise InputError("--cross-validate, --figures: only with forces, not with properties [E-CLI-01]")

@@ -26,7 +26,7 @@ from edesign.damper.testing.signals import sweep_4_4
 MGMM, GMM = LAWS["mgmm"], LAWS["generalised_maxwell"]
 FREQUENCIES = (0.25, 1.0, 4.0)  # three of the table's six
 NRMS = 0.0158  # average of the table
-SHAPE = ("alpha", "u_ref", "v_ref")  # what branches do not bear on; held to save time
+SHAPE = ("alpha", "u_ref", "v_ref")  # what branches do not bear on; fixed to save time
 AMPLITUDE = 0.006  # m: 50 % of 12 mm
 
 

@@ -125,7 +125,7 @@ def test_a_law_that_is_not_to_be_fitted_again_stays_beside_what_is_found(tmp_pat
     loaded = campaign(tmp_path, _ageing, tests=6)
     assert loaded.law is not None
     found = calibrate(replace(loaded, law=replace(loaded.law, refit=False)), threads=1)
-    assert found.law_held and [effect.label for effect in found.effects] == ["ageing.linear"]
+    assert found.law_fixed and [effect.label for effect in found.effects] == ["ageing.linear"]
     assert {name: one.value for name, one in found.parameters["corrected"].items()} == {"k": K, "c": C}
 
 

@@ -13,7 +13,7 @@ from fit_campaign import measured
 
 from edesign.damper.damper import Damper
 from edesign.damper.fitting import Fit, fit_forces
-from edesign.damper.fitting.identifiable import HELD
+from edesign.damper.fitting.identifiable import FIXED
 from edesign.damper.laws import LAWS
 
 NOISE = 0.01
@@ -21,9 +21,9 @@ NOISE = 0.01
 
 def recovered(name: str, noise: float = NOISE, starts: int = 2, seed: int = 7) -> Fit:
     truth = EXAMPLES[name]
-    held = {key: truth[key] for key in HELD.get(name, {})}  # what no data tell is given, all else comes from the data
+    fixed = {key: truth[key] for key in FIXED.get(name, {})}  # what no data tell is given, all else comes from the data
     branches = sum(key.startswith("c") for key in truth) if LAWS[name].branch else 1
-    return fit_forces(LAWS[name], measured(name, truth, noise, seed), fixed=held, starts=starts, branches=branches)
+    return fit_forces(LAWS[name], measured(name, truth, noise, seed), fixed=fixed, starts=starts, branches=branches)
 
 
 SLOW = {"modified_bouc_wen"}  # takes three times as long as any other
@@ -33,7 +33,7 @@ SLOW = {"modified_bouc_wen"}  # takes three times as long as any other
 def test_parameters_come_back(name: str) -> None:
     fit = recovered(name)
     truth = LAWS[name].complete(EXAMPLES[name])
-    assert set(fit.free) | set(fit.at_bound) | set(fit.held) == set(truth)
+    assert set(fit.free) | set(fit.at_bound) | set(fit.fixed) == set(truth)
     for key in fit.free:
         error = max(fit.standard_error_white[key], 1e-6 * abs(truth[key]))  # the integration of the law: 1e-6
         assert abs(fit.values[key] - truth[key]) < 3.0 * error, key
@@ -46,7 +46,7 @@ def test_parameters_come_back(name: str) -> None:
         assert fit.nrms[test.name] == pytest.approx(expected, rel=0.05)
 
 
-def test_the_parameters_held_by_default_are_those_that_no_data_tell() -> None:
+def test_the_parameters_fixed_by_default_are_those_that_no_data_tell() -> None:
     """Eq. 4.29 as printed: k0 and k_b, and c1, k1 and c_b, change together without any change of the force."""
     truth = EXAMPLES["mgmm"]
     tau, shift, factor = truth["c1"] / truth["k1"], 0.1e6, 3.0
@@ -67,7 +67,7 @@ def test_the_parameters_held_by_default_are_those_that_no_data_tell() -> None:
         ("linearised", {"zeta_eff": 3.0, "omega": 3.0}),
     ],
 )
-def test_what_scales_together_is_held(name: str, change: dict[str, float | None]) -> None:
+def test_what_scales_together_is_fixed(name: str, change: dict[str, float | None]) -> None:
     truth = EXAMPLES[name]
     other = {key: value * (change.get(key) or 1.0) for key, value in truth.items()}
     if (
@@ -79,4 +79,4 @@ def test_what_scales_together_is_held(name: str, change: dict[str, float | None]
     for test in measured(name, truth, 0.0):
         one, two = (Damper(LAWS[name], values).force(test.time, test.displacement) for values in (truth, other))
         np.testing.assert_allclose(one, two, rtol=0.0, atol=1e-4 * np.max(np.abs(one)))  # SUNDIALS: 1e-6 a step
-    assert set(HELD[name]) & set(change)
+    assert set(FIXED[name]) & set(change)

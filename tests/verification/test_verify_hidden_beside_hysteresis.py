@@ -53,5 +53,5 @@ def test_a_zero_and_a_late_force_are_found_beside_a_law_without_an_exact_step(tm
     late = lag["lag"] if "lag" in lag else lag["zeta"] / (np.pi * lag["f"])
     assert late == pytest.approx(LATE, rel=0.06)
     # what other parameters do is not fitted, and that is said
-    assert {"A", "gamma"} == set(found.held) and "n" in found.parameters["refit"]
-    assert "A is held: A only scales z" in law_text(found, loaded)
+    assert {"A", "gamma"} == set(found.fixed) and "n" in found.parameters["refit"]
+    assert "A is fixed: A only scales z" in law_text(found, loaded)

@@ -148,12 +148,12 @@ def test_a_table_comes_back_from_a_test() -> None:
     clean = Damper(LAW, truth).force(time, u)
     noise = 0.01 * np.max(np.abs(clean)) * np.random.default_rng(3).standard_normal(clean.size)
     test = DamperTest("cyclic", time, u, clean + noise, 20.0, None, "cyclic", "fit", "")
-    held = {name: truth[name] for name in ("A_sc", "E", "L_wp", "L_y", "strain1", "strain2")}
-    fit = fit_forces(LAW, [test], held, starts=2, branches=2)
+    fixed = {name: truth[name] for name in ("A_sc", "E", "L_wp", "L_y", "strain1", "strain2")}
+    fit = fit_forces(LAW, [test], fixed, starts=2, branches=2)
     assert set(fit.free) | set(fit.at_bound) == {"F_ysc", "KF", "alpha", "omega1", "beta1", "omega2", "beta2"}
     for name in fit.free:
         assert abs(fit.values[name] - truth[name]) < 4.0 * fit.standard_error_white[name], name
     with pytest.raises(InputError, match="`strain2` is needed from you"):
-        fit_forces(LAW, [test], {name: held[name] for name in held if name != "strain2"}, branches=2)
+        fit_forces(LAW, [test], {name: fixed[name] for name in fixed if name != "strain2"}, branches=2)
     with pytest.raises(InputError, match="`L_wp` is needed from you"):
         fit_forces(LAW, [test], {"A_sc": 4e-4, "E": 200e9, "L_y": 0.6, "strain1": 0.006})

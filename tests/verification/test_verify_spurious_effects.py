@@ -32,7 +32,7 @@ def test_the_clearance_is_found_in_three_tests_that_scatter(scattered: tuple[Cam
     assert first.parameters["F_c"].value == pytest.approx(1e3 * SOFT * PLAY / 2.0, rel=0.1)
     assert first.parameters["ratio"].interval[0] < STIFF / SOFT < first.parameters["ratio"].interval[1]
     assert found.errors["corrected"].validate < 0.1 * found.errors["refit"].validate
-    assert set(found.held) == {"N"}
+    assert set(found.fixed) == {"N"}
     law = yaml.safe_load(law_text(found, loaded))
     assert not any(one["name"] == "play" for one in law.get("effects", ()))  # the clearance is the rig's
     assert law["parameters"]["N"] == "150 kN"

@@ -12,7 +12,7 @@ from .unlisted import UNLISTED, draw_unlisted
 ACCEPT = {("offset", 1): ["static_offset"], ("static_offset", 1): ["offset"]}
 
 
-LOOKALIKE = dict(
+CONFOUNDED = dict(
     payne=["mullins", "degradation", "self_heating"],
     mullins=["degradation", "payne"],
     degradation=["ageing", "mullins", "self_heating"],
@@ -154,7 +154,7 @@ def accepted(rng, camp, effects, e, ref, f):
     """Names of the list that leave no more than 0.7 times the noise in the place of e (fitted with the law)."""
     names = list(ACCEPT.get((e["name"], e["form"]), [])) if camp["law"] in ("kelvin_voigt", "zener") else []
     known = [o for o in effects if o is not e]
-    for other in LOOKALIKE[e["name"]]:
+    for other in CONFOUNDED[e["name"]]:
         if other in names or camp["law"] not in fx.SUITS[other]:
             continue
         tries = {

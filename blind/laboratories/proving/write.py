@@ -106,7 +106,7 @@ def write(folder, name, category, info, seed, number, motion):
         noise={k: noise[k] for k in ("force", "disp", "filter", "bits", "force_eff")},
         sampling_rate=c["fs"],
         several_temperatures=info["several"],
-        look_alikes_leave_share=info["near"],
+        confounded_leave_share=info["near"],
         draws=info["attempt"] + 1,
     )
     (folder / f"{name}.truth.json").write_text(

@@ -21,7 +21,7 @@ from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncerta
 from edesign.calibration.form import FormInCampaign, Values
 from edesign.calibration.problems import EffectModel, Predicted, TestedProblem, changed
 from edesign.calibration.search.problem import Effect
-from edesign.damper.fitting.identifiable import HELD, LIMITED_BY, beside
+from edesign.damper.fitting.identifiable import FIXED, LIMITED_BY, beside
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law
 from edesign.damper.law import Parameter as LawParameter
@@ -93,7 +93,7 @@ class DamperProblem(TestedProblem):
 
     @cached_property
     def base(self) -> tuple[Parameter, ...]:
-        """Parameters of the law with priors about what is declared; those that others make needless are held.
+        """Parameters of the law with priors about what is declared; those that others make needless are fixed.
 
         A declared value may be as far off as the tests alone put it: that is the likeliest spread of a prior of which
         one value is known (MacKay 1994, ASHRAE Transactions 100, 1053-1062: automatic relevance determination).
@@ -106,13 +106,13 @@ class DamperProblem(TestedProblem):
                 *(beside(self.law, one, self.declared), self.declared, scales, self.within, self.alone.get(one.name))
             )
             for one in self.law.all_parameters(self.declared)
-            if one.fitted and one.name not in self._held
+            if one.fitted and one.name not in self._fixed
         )
 
     @cached_property
-    def _held(self) -> frozenset[str]:
+    def _fixed(self) -> frozenset[str]:
         limiting = LIMITED_BY.get(self.law.name, {}).values()
-        every = HELD.get(self.law.name, {})
+        every = FIXED.get(self.law.name, {})
         return frozenset(name for name in every if name not in limiting or not self.declared[name])
 
     @property
@@ -124,7 +124,7 @@ class DamperProblem(TestedProblem):
     def effects(self) -> tuple[Effect, ...]:
         """Effects that the campaign can show and the core takes with this law."""
         values = self.law.all_parameters(self.declared)
-        varied = [one.name for one in values if one.fitted and self.declared[one.name] and one.name not in self._held]
+        varied = [one.name for one in values if one.fitted and self.declared[one.name] and one.name not in self._fixed]
         return tuple(form.effect(self.typical) for form in forms(self.typical, varied) if self._suits(form))
 
     def _suits(self, form: EffectForm) -> bool:

@@ -1,4 +1,4 @@
-"""What a search found in a table of moduli: held against all rows, in cycles as those of measured tests."""
+"""What a search found in a table of moduli: compared with all rows, in cycles as those of measured tests."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
-from edesign.damper.fitting.identifiable import reasons_held
+from edesign.damper.fitting.identifiable import reasons_fixed
 from edesign.damper.testing.measured_histories import USES, Use
 from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
 
@@ -109,8 +109,8 @@ class TableOutcome(Evidence[PropertyRows]):
             subject="table",
             law=inner.law.name,
             parameters=law_stages(inner, self.refit, self.final),
-            law_held=not inner.base,
-            held=reasons_held(inner.law, [one.name for one in inner.base]) if inner.refit else {},
+            law_fixed=not inner.base,
+            fixed=reasons_fixed(inner.law, [one.name for one in inner.base]) if inner.refit else {},
             law_file=table_law(self.problem, self.final, self.refit, self.withheld),
         )
 

@@ -1,4 +1,4 @@
-"""What a search found, as the user gets it: fitted to all samples, held against tests for validation, as files.
+"""What a search found, as the user gets it: fitted to all samples, compared with validation tests, as files.
 
 `steps.py` takes the steps of a calibration, `fit.py` fits what was found to all samples; `predictions.py` has the
 errors of each test, `floor.py` what no model can go below, `models.py` which models of the search the tests leave

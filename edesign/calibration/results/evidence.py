@@ -241,12 +241,12 @@ class Evidence(ABC, Generic[T]):
             corrected: NRMS of the validation tests with it.
         """
         effect = model.effects[index]
-        rise, gain, error, alike, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
+        rise, gain, error, confounded, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
         titles: Mapping[str, str] = {}
         if posterior is not None:
             probability = posterior.probability(effect.name)
         if posterior is not None and stands is not None:
-            alike, titles = posterior.indistinguishable_from(effect.name), posterior.titles(effect.name)
+            confounded, titles = posterior.indistinguishable_from(effect.name), posterior.titles(effect.name)
             fewer, ahead = without(posterior, stands)
             if fewer is not None and ahead is not None:
                 gain, error = ahead.total, ahead.error
@@ -263,7 +263,7 @@ class Evidence(ABC, Generic[T]):
             gain=gain,
             gain_error=error,
             probability=probability,
-            indistinguishable_from=alike,
+            indistinguishable_from=confounded,
             not_carried=self.not_carried(model, index),
             meanings=effect.data.meanings,
             titles=titles,
@@ -283,7 +283,7 @@ def why_dropped(one: Dropped) -> str:
         return f"{left} ({100.0 * one.without:.3g} %)"
     own = one.model.effects[one.index].parameters
     values = one.model.fit.values[one.model.places(one.index)].tolist()
-    siblings = {each.name: Estimate.held(value, each.unit) for each, value in zip(own, values, strict=True)}
+    siblings = {each.name: Estimate.fixed(value, each.unit) for each, value in zip(own, values, strict=True)}
     shown = practical(Estimate(values[0], 0.0, own[0].unit, one.interval), siblings)
     low, high = shown.interval
     return f"the 95 % interval of {own[0].name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"

@@ -81,14 +81,14 @@ def effect_estimates(model: FittedModel, every: list[Estimate], index: int) -> M
 
 
 def law_estimates(problem: DamperProblem, model: FittedModel | None) -> dict[str, Estimate]:
-    """Return the parameters of the law by name; those that were not fitted are held.
+    """Return the parameters of the law by name; those that were not fitted are fixed.
 
     Args:
         problem: of the tests.
         model: fitted; None: the declared law.
     """
     units = {one.name: one.unit for one in problem.law.all_parameters(problem.declared)}
-    found = {name: Estimate.held(value, units[name]) for name, value in problem.declared.items()}
+    found = {name: Estimate.fixed(value, units[name]) for name, value in problem.declared.items()}
     if model is not None:
         found |= base_estimates(model)
     return found

@@ -305,7 +305,7 @@ def _head(found: Calibration) -> list[str]:
 
 
 def law_lines(found: Calibration) -> list[str]:
-    """Return what a law file says of itself in comments: what it lacks, what is no part of it, what is held."""
+    """Return what a law file says of itself in comments: what it lacks, what is no part of it, what is fixed."""
     file, lines = found.law_file, list[str]()
     if file.withheld:
         lines.append(f"not the corrected law: {file.withheld}")
@@ -322,7 +322,7 @@ def law_lines(found: Calibration) -> list[str]:
         if one.indistinguishable_from
     ]
     lines += [f"hypothesis, not in this law: {one.effect.label}: {one.why}" for one in found.hypotheses]
-    lines += [f"{name} is held: {why}" for name, why in found.held.items()]
+    lines += [f"{name} is fixed: {why}" for name, why in found.fixed.items()]
     return lines
 
 

@@ -1,7 +1,7 @@
 """Whether a law of another kind, without any effect, predicts the tests better than the declared one.
 
 A law that cannot follow its tests asks for effects that no rig has. So laws of other kinds are fitted to the same
-tests, and held against the declared law by the rule by which effects are adopted.
+tests, and compared with the declared law by the rule by which effects are adopted.
 """
 
 from __future__ import annotations

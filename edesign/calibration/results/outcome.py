@@ -1,4 +1,4 @@
-"""What a search found in tests of a damper: fitted to all samples, held against the validation tests."""
+"""What a search found in tests of a damper: fitted to all samples, compared with the validation tests."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
 from edesign.calibration.signals.noise import least_noise
-from edesign.damper.fitting.identifiable import reasons_held
+from edesign.damper.fitting.identifiable import reasons_fixed
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
@@ -48,7 +48,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
     @staticmethod
     def of(campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps) -> DamperOutcome:
-        """Return the outcome of a search, which is fitted to all samples, and held against the validation tests."""
+        """Return the outcome of a search, which is fitted to all samples, and compared with the validation tests."""
         problem: DamperProblem = found.base.problem  # type: ignore[assignment]
         whole, thin = problem.full_rate, unbounded(problem, settings)
         fitter = unbounded(whole, settings)
@@ -116,8 +116,8 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
             subject="damper",
             law=whole.law.name,
             parameters=law_stages(whole, self.refit, self.final),
-            law_held=not whole.refit,
-            held=reasons_held(whole.law, [one.name for one in whole.base]) if whole.refit else {},
+            law_fixed=not whole.refit,
+            fixed=reasons_fixed(whole.law, [one.name for one in whole.base]) if whole.refit else {},
             law_file=law_file(whole, self.final, self.refit, self.withheld),
             series=self.series,
             lasting=whole.lasting,

@@ -38,7 +38,7 @@ class Estimate:
     not_determined: str = ""
 
     @staticmethod
-    def held(value: float, unit: str) -> Estimate:
+    def fixed(value: float, unit: str) -> Estimate:
         """Return a number that was not fitted."""
         return Estimate(value, 0.0, unit, (value, value))
 
@@ -239,8 +239,8 @@ class Calibrated:
         subject: what was measured.
         law: name of the declared law; "" of a structure on a fixed base.
         parameters: of the law, by stage.
-        law_held: whether the campaign has the declared parameters held.
-        held: parameters of the law that are not fitted, as others do what they do: with the reason.
+        law_fixed: whether the campaign keeps the declared parameters fixed.
+        fixed: parameters of the law that are not fitted, as others do what they do: with the reason.
         law_file: the law as the law file has it; of a structure that of its isolation layer, if it has one.
         series: of each test, or each channel of it; () of a table.
         lasting: whether the law remembers extremes from test to test.
@@ -252,8 +252,8 @@ class Calibrated:
     subject: Subject
     law: str
     parameters: Mapping[Stage, Mapping[str, Estimate]]
-    law_held: bool
-    held: Mapping[str, str] = field(default_factory=dict)
+    law_fixed: bool
+    fixed: Mapping[str, str] = field(default_factory=dict)
     law_file: LawFile
     series: tuple[Series, ...] = ()
     lasting: bool = False
@@ -289,7 +289,7 @@ class Calibration(Calibrated):
         depths: rounds of the search.
         forms: number of forms of effects that the tests may show.
         effort: weighted evaluations that the search took, of at most `most_effort`.
-        next_test: what would separate look-alikes; None: nothing is left to separate, or no test would.
+        next_test: what would separate confounded effects; None: nothing is left to separate, or no test would.
         other_law: a law that does better; None: none does, or none was asked for.
         worst: test that leaves most over its noise, of those that leave more than noise; None: none does.
         seconds: that the calibration took.

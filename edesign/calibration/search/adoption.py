@@ -264,7 +264,7 @@ def placed(model: FittedModel, validate: Validate) -> FittedModel:
     """
     for index, effect in enumerate(model.effects):
         found = []
-        for one in effect.alike:
+        for one in effect.confounded:
             effects = (*model.effects[:index], one, *model.effects[index + 1 :])
             found.append(FittedModel(model.problem, effects, replace(model.fit, model=model.problem.model(effects))))
         model = min(found, key=validate, default=model)

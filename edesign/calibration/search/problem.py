@@ -28,7 +28,7 @@ class Effect:
         nuisance: whether it acts through nuisance amplitudes of each test.
         data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
         cost: of a prediction, in those of the base model.
-        alike: what it may be by the tests that are fitted, which others tell apart; (): one thing alone.
+        confounded: what it may be by the tests that are fitted, which others tell apart; (): one thing alone.
     """
 
     name: str
@@ -40,7 +40,7 @@ class Effect:
     nuisance: bool = False
     data: Any = None
     cost: float = 1.0
-    alike: tuple[Effect, ...] = ()
+    confounded: tuple[Effect, ...] = ()
 
     @property
     def label(self) -> str:

@@ -118,8 +118,10 @@ class Search:
             if leader is not None:
                 self._best = self._adoption.take(self._variants.with_best_forms(leader, noise))
                 return True
-            alike = [one for one in tried if not sure(self._fitter.difference(best, one.model, noise, rest))]
-            self._rivals.append(tuple(alike))
+            indistinguishable = [
+                one for one in tried if not sure(self._fitter.difference(best, one.model, noise, rest))
+            ]
+            self._rivals.append(tuple(indistinguishable))
         return False
 
     def _base(self) -> FittedModel:

@@ -149,7 +149,7 @@ def _law_texts(found: Calibration, campaign: StructureCampaign, head: list[str],
         "isolation layer of " + head[0],
         *head[1:],
         *(f"acts beside it: {name}" for name in beside),
-        *(f"{name} is held: {why}" for name, why in found.held.items()),
+        *(f"{name} is fixed: {why}" for name, why in found.fixed.items()),
         *others,
         *tail,
     ]

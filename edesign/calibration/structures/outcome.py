@@ -1,4 +1,4 @@
-"""What a search found in records of a building: held against all samples of all records."""
+"""What a search found in records of a building: compared with all samples of all records."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from edesign.calibration.structures.corrected import law_file, where_carried
 from edesign.calibration.structures.problem import LEAST_NOISE, StructureProblem
 from edesign.calibration.structures.record import UNITS
 from edesign.calibration.structures.residual_words import describe_residual
-from edesign.damper.fitting.identifiable import reasons_held
+from edesign.damper.fitting.identifiable import reasons_fixed
 from edesign.damper.laws import law as law_of
 from edesign.damper.testing.measured_histories import USES, Use
 
@@ -102,12 +102,12 @@ class StructureOutcome(Evidence[Sequence[np.ndarray]]):
             subject="structure",
             law=campaign.isolation.law if campaign.isolation else "",
             parameters={
-                "declared": {one.name: Estimate.held(one.centre, one.unit) for one in problem.base},
+                "declared": {one.name: Estimate.fixed(one.centre, one.unit) for one in problem.base},
                 "refit": base_estimates(self.refit),
                 "corrected": base_estimates(final),
             },
-            law_held=not problem.base,
-            held=_held(campaign, problem),
+            law_fixed=not problem.base,
+            fixed=_fixed(campaign, problem),
             law_file=law_file(campaign, problem, final, self.errors["corrected"].validate),
             series=self.series,
         )
@@ -167,8 +167,8 @@ class StructureOutcome(Evidence[Sequence[np.ndarray]]):
         return self.problem.building(values)[0].system().first_frequency
 
 
-def _held(campaign: StructureCampaign, problem: StructureProblem) -> dict[str, str]:
+def _fixed(campaign: StructureCampaign, problem: StructureProblem) -> dict[str, str]:
     """Return parameters of the isolation law that are not fitted as others do what they do, with the reason."""
     if campaign.isolation is None or not campaign.isolation.refit:
         return {}
-    return reasons_held(law_of(campaign.isolation.law), [one.name for one in problem.base])
+    return reasons_fixed(law_of(campaign.isolation.law), [one.name for one in problem.base])

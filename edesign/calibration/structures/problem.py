@@ -22,7 +22,7 @@ from edesign.calibration.structures.isolation import IsolationLaw
 from edesign.calibration.structures.record import Channel, Measure, StructureTest
 from edesign.calibration.structures.response import Link, Response, respond
 from edesign.calibration.structures.sizes import StructureSizes
-from edesign.damper.fitting.identifiable import HELD
+from edesign.damper.fitting.identifiable import FIXED
 from edesign.damper.law import Parameter as LawParameter
 from edesign.damper.laws import law as law_of
 from edesign.damper.testing.measured_histories import Use
@@ -81,7 +81,12 @@ class StructureProblem(TestedProblem):
             law = law_of(self.isolation.law)
             for one in law.all_parameters(self.isolation.values):
                 value = self.isolation.values[one.name]
-                if one.name in self.isolation.named and one.fitted and value and one.name not in HELD.get(law.name, {}):
+                if (
+                    one.name in self.isolation.named
+                    and one.fitted
+                    and value
+                    and one.name not in FIXED.get(law.name, {})
+                ):
                     found.append(_about_declared(one, value))
         return tuple(found)
 

@@ -72,9 +72,9 @@ def assemble(
         for name, value in at_bound.items()
     ]
     warnings += [
-        f"{name} is left with nothing beside {other}, which is held above zero: start from {other} = 0"
+        f"{name} is left with nothing beside {other}, which is fixed above zero: start from {other} = 0"
         for name, other in LIMITED_BY.get(law.name, {}).items()
-        if name in at_bound and other in setup.held and values[other] > 0.0
+        if name in at_bound and other in setup.fixed and values[other] > 0.0
     ]
     warnings += identifiability_warnings(names, values, printed, correlation, loose, found.condition)
     if setup.thermal.kind is None and len(setup.thermal.temperatures) > 1:
@@ -88,7 +88,7 @@ def assemble(
         thermal_values={name: value for name, value in values.items() if name in own},
         thermal=setup.thermal,
         free=tuple(names),
-        held=setup.held,
+        fixed=setup.fixed,
         at_bound=at_bound,
         standard_error=printed,
         standard_error_white=white,

@@ -40,7 +40,7 @@ class Fit:
         thermal_values: unknowns of the temperature by name: gamma_25 ..., p1, p2; {} without.
         thermal: how temperature enters.
         free: names of what was fitted, in the order of `correlation`; parameters at a bound are not among them.
-        held: parameters that were not fitted, with the reason.
+        fixed: parameters that were not fitted, with the reason.
         at_bound: parameters that ended at a bound of the law or the user, with that bound, SI.
         standard_error: by name, SI: that of `error_kind`.
         standard_error_white: by name, SI, if errors of samples were independent.
@@ -71,7 +71,7 @@ class Fit:
     thermal_values: dict[str, float]
     thermal: Thermal
     free: tuple[str, ...]
-    held: dict[str, str]
+    fixed: dict[str, str]
     at_bound: dict[str, float]
     standard_error: dict[str, float]
     standard_error_white: dict[str, float]

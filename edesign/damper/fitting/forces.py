@@ -62,11 +62,11 @@ def fit_forces(
     and length.
 
     Args:
-        start: values to start from, SI; those not given come from the data. Held parameters are held at these.
+        start: values to start from, SI; those not given come from the data. Fixed parameters keep these.
         specimen: for the tested range as strain.
         bounds: narrower than the law's own, by name, SI.
-        fixed: names held at their start values, or values to hold, SI; besides those of identifiable.HELD.
-        fit_also: names of identifiable.HELD that are fitted nevertheless.
+        fixed: names fixed at their start values, or values to fix, SI; besides those of identifiable.FIXED.
+        fit_also: names of identifiable.FIXED that are fitted nevertheless.
         loss: "linear" is least squares; the others give errors beyond twice the usual one less weight.
         starts: descents, from the start and the best of a seeded Latin hypercube about it.
         seed: of the hypercube.

@@ -1,4 +1,4 @@
-"""Parameters that force and deformation cannot tell, and the values they are held at by default."""
+"""Parameters that force and deformation cannot tell, and the values they are fixed at by default."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edesign.errors import InputError
 
 
 @dataclass(frozen=True)
-class Held:
+class FixedParameter:
     """A parameter that is not fitted unless the user asks for it.
 
     Attributes:
@@ -26,59 +26,61 @@ class Held:
 
 
 _BOUC_WEN = {
-    "A": Held("A only scales z, as the yield force and yield deformation do", 1.0),
-    "gamma": Held("gamma, beta and the yield deformation scale together; the yield deformation is fitted", 0.5),
+    "A": FixedParameter("A only scales z, as the yield force and yield deformation do", 1.0),
+    "gamma": FixedParameter(
+        "gamma, beta and the yield deformation scale together; the yield deformation is fitted", 0.5
+    ),
 }
 
 _CORE = "it is measured on the brace; force and deformation tell F_ysc A_sc and KF E A_sc / L_wp alone"
 
-HELD: dict[str, dict[str, Held]] = {
+FIXED: dict[str, dict[str, FixedParameter]] = {
     "buckling_restrained": {
-        "A_sc": Held(_CORE, None),
-        "E": Held(_CORE, None),
-        "L_wp": Held(_CORE, None),
-        "L_y": Held(_CORE, None),
-        "strain1": Held("it is where omega1 and beta1 are asked for", None),
+        "A_sc": FixedParameter(_CORE, None),
+        "E": FixedParameter(_CORE, None),
+        "L_wp": FixedParameter(_CORE, None),
+        "L_y": FixedParameter(_CORE, None),
+        "strain1": FixedParameter("it is where omega1 and beta1 are asked for", None),
     },
-    "friction": {"N": Held("only the slip force mu N acts on the damper", 1.0, "force")},
-    "friction_pendulum": {"W": Held("only W/R, f_slow W and f_fast W act on the damper", 10.0, "force")},
-    "ramberg_osgood": {"a": Held("only a / Fy^(n-1) enters the law", 1.0)},
+    "friction": {"N": FixedParameter("only the slip force mu N acts on the damper", 1.0, "force")},
+    "friction_pendulum": {"W": FixedParameter("only W/R, f_slow W and f_fast W act on the damper", 10.0, "force")},
+    "ramberg_osgood": {"a": FixedParameter("only a / Fy^(n-1) enters the law", 1.0)},
     "bouc_wen": _BOUC_WEN,
     "modified_bouc_wen": _BOUC_WEN,
-    "linearised": {"omega": Held("only zeta_eff / omega enters the force", 1.0, "frequency")},
+    "linearised": {"omega": FixedParameter("only zeta_eff / omega enters the force", 1.0, "frequency")},
     "mgmm": {
-        "k0": Held("Eq. 4.29 contains only k0 + k_b, c1/k1 and c1/k1 k0 + c1 + c_b", 0.0),
-        "c_b": Held("Eq. 4.29 contains only k0 + k_b, c1/k1 and c1/k1 k0 + c1 + c_b", 0.0),
+        "k0": FixedParameter("Eq. 4.29 contains only k0 + k_b, c1/k1 and c1/k1 k0 + c1 + c_b", 0.0),
+        "c_b": FixedParameter("Eq. 4.29 contains only k0 + k_b, c1/k1 and c1/k1 k0 + c1 + c_b", 0.0),
     },
 }
-"""Parameters held by default, by law. Values that a start gives are kept: held is a value, not zero."""
+"""Parameters fixed by default, by law. Values that a start gives are kept: fixed is a value, not zero."""
 
 
 LIMITED_BY = {"mgmm": {"c1": "c_b", "k_b": "k0"}}
-"""Parameters that shrink to nothing where data want less than what another one, held above zero, gives already."""
+"""Parameters that shrink to nothing where data want less than what another one, fixed above zero, gives already."""
 
 
 _NOT_BELOW_MINUS = {"bouc_wen": {"beta": "gamma"}, "modified_bouc_wen": {"beta": "gamma"}}
-"""Parameters that are at least minus another one, which is held: z of Bouc-Wen laws has a bound then."""
+"""Parameters that are at least minus another one, which is fixed: z of Bouc-Wen laws has a bound then."""
 
 
-def beside(law: Law, parameter: Parameter, held: Mapping[str, float]) -> Parameter:
-    """Return a parameter with the bounds that it has beside others which are held.
+def beside(law: Law, parameter: Parameter, fixed: Mapping[str, float]) -> Parameter:
+    """Return a parameter with the bounds that it has beside others which are fixed.
 
     A search then stops there as at any bound. Where nothing but refused predictions tells of it, all steps that lead
     beyond it are refused as a whole, and the search stands still in all its parameters.
 
     Args:
         parameter: of the law, or beside it.
-        held: values of parameters, SI; where those that it depends on are not among them, nothing is known of it.
+        fixed: values of parameters, SI; where those that it depends on are not among them, nothing is known of it.
     """
     other = _NOT_BELOW_MINUS.get(law.name, {}).get(parameter.name)
-    if other is None or other not in held:
+    if other is None or other not in fixed:
         return parameter
-    return replace(parameter, lower=-held[other], lower_allowed=True)
+    return replace(parameter, lower=-fixed[other], lower_allowed=True)
 
 
-def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:
+def fixed_by_default(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:
     """Return the values of the parameters that are not fitted by default.
 
     Args:
@@ -93,30 +95,30 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
         InputError: one of them must be given.
     """
     given = dict(start or {})
-    holds = {}
-    for name, held in HELD.get(law.name, {}).items():
-        value = given.get(name, _value(held, scales, force))
+    values = {}
+    for name, fixed in FIXED.get(law.name, {}).items():
+        value = given.get(name, _value(fixed, scales, force))
         if value is None:
-            raise InputError(f"fit of law {law.name}: `{name}` is needed from you: {held.why} [E-FIT-02]")
-        holds[name] = value
-    for name, value in given.items():  # of further branches, whose first is held
-        if _first(name) in holds:
-            holds.setdefault(name, value)
+            raise InputError(f"fit of law {law.name}: `{name}` is needed from you: {fixed.why} [E-FIT-02]")
+        values[name] = value
+    for name, value in given.items():  # of further branches, whose first is fixed
+        if _first(name) in values:
+            values.setdefault(name, value)
     for parameter in law.parameters:
         if not parameter.fitted and parameter.default is not None:
-            holds[parameter.name] = given.get(parameter.name, parameter.default)
-    return holds
+            values[parameter.name] = given.get(parameter.name, parameter.default)
+    return values
 
 
-def why_held(law: Law, name: str) -> str:
-    """Return the reason for which a parameter is held by default; "" if it is not."""
-    held = HELD.get(law.name, {}).get(name) or HELD.get(law.name, {}).get(_first(name))
-    return held.why if held else ""
+def why_fixed(law: Law, name: str) -> str:
+    """Return the reason for which a parameter is fixed by default; "" if it is not."""
+    fixed = FIXED.get(law.name, {}).get(name) or FIXED.get(law.name, {}).get(_first(name))
+    return fixed.why if fixed else ""
 
 
-def reasons_held(law: Law, fitted: Collection[str]) -> dict[str, str]:
-    """Return the parameters that are held by default and were not fitted, with the reason."""
-    return {name: why_held(law, name) for name in HELD.get(law.name, {}) if name not in fitted}
+def reasons_fixed(law: Law, fitted: Collection[str]) -> dict[str, str]:
+    """Return the parameters that are fixed by default and were not fitted, with the reason."""
+    return {name: why_fixed(law, name) for name in FIXED.get(law.name, {}) if name not in fitted}
 
 
 def _first(name: str) -> str:
@@ -124,7 +126,7 @@ def _first(name: str) -> str:
     return f"{name.rstrip('0123456789')}1"
 
 
-def _value(held: Held, scales: Scales, force: float) -> float | None:
-    if held.value is None:
+def _value(fixed: FixedParameter, scales: Scales, force: float) -> float | None:
+    if fixed.value is None:
         return None
-    return held.value * {"": 1.0, "force": force, "frequency": 1.0 / scales.time}[held.of]
+    return fixed.value * {"": 1.0, "force": force, "frequency": 1.0 / scales.time}[fixed.of]

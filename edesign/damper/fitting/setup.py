@@ -1,4 +1,4 @@
-"""What is fitted and what is held: shared by fits to forces and to properties."""
+"""What is fitted and what is fixed: shared by fits to forces and to properties."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import get_args
 import numpy as np
 
 from edesign.damper.fitting.coordinates import ABOVE, Bounds, Coordinates
-from edesign.damper.fitting.identifiable import HELD, beside, default_holds, why_held
+from edesign.damper.fitting.identifiable import FIXED, beside, fixed_by_default, why_fixed
 from edesign.damper.fitting.observed import Observed
 from edesign.damper.fitting.solve import Loss
 from edesign.damper.fitting.start import branches_of, start_values
@@ -30,14 +30,14 @@ class Setup:
         law: the law.
         parameters: all of it, and the unknowns of the temperature.
         coordinates: of what is fitted.
-        held: what is not, with the reason.
+        fixed: what is not, with the reason.
         thermal: how temperature enters.
     """
 
     law: Law
     parameters: tuple[Parameter, ...]
     coordinates: Coordinates
-    held: dict[str, str]
+    fixed: dict[str, str]
     thermal: Thermal
 
     def canonical(self, x: np.ndarray) -> np.ndarray:
@@ -116,22 +116,22 @@ def set_up(
                 f"start of `{name}`: {known[name].written(value)} is out of range: {known[name].allowed} is allowed"
                 " [E-FIT-03]"
             )
-    holds = default_holds(law, begin, observed.scales, observed.largest_force)
+    constants = fixed_by_default(law, begin, observed.scales, observed.largest_force)
     for name in fit_also:
-        if name not in HELD.get(law.name, {}) and name in holds:
+        if name not in FIXED.get(law.name, {}) and name in constants:
             raise InputError(f"fit: `{name}` of law {law.name} is a choice, not a number that data can tell [E-FIT-02]")
-        holds.pop(name, None)
+        constants.pop(name, None)
     own = {name: value for name, value in begin.items() if name not in {p.name for p in heat.parameters}}
-    values = start_values(law, observed, {**own, **holds}, branches)
+    values = start_values(law, observed, {**own, **constants}, branches)
     values |= {p.name: begin.get(p.name, p.default or 1.0) for p in heat.parameters}
-    reasons = {name: why_held(law, name) or "a choice" for name in holds}
-    reasons |= {name: "held by the user" for name in fixed}
+    reasons = {name: why_fixed(law, name) or "a choice" for name in constants}
+    reasons |= {name: "fixed by the user" for name in fixed}
     values = _within(values, bounds, begin, known)
     values = _apart(values, ABOVE.get(law.name, {}), begin)
     free = [name for name in values if name not in reasons]
     if not free:
-        raise InputError(f"all parameters of law {law.name} are held; nothing is left to fit [E-FIT-04]")
-    parameters = tuple(beside(law, one, holds) for one in parameters)
+        raise InputError(f"all parameters of law {law.name} are fixed; nothing is left to fit [E-FIT-04]")
+    parameters = tuple(beside(law, one, constants) for one in parameters)
     coordinates = Coordinates(parameters, free, values, observed.scales, bounds, ABOVE.get(law.name))
     return Setup(law, parameters, coordinates, reasons, heat)
 

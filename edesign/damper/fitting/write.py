@@ -41,7 +41,7 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
         head,
         f"# NRMS (of measured forces) {100.0 * fit.nrms_overall:.4g} %; standard errors: {fit.error_kind}",
     ]
-    lines += [f"# {name}: held; {why}" for name, why in fit.held.items() if name in fit.values and why != "a choice"]
+    lines += [f"# {name}: fixed; {why}" for name, why in fit.fixed.items() if name in fit.values and why != "a choice"]
     lines += [f"# {warning}" for warning in fit.warnings]
     return "\n".join(lines) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 
@@ -55,7 +55,7 @@ def fit_json(fit: Fit) -> dict[str, Any]:
         "units": {parameter.name: parameter.unit for parameter in fit.law.all_parameters(fit.values)},
         "temperature": {"kind": fit.thermal.kind, "reference_C": fit.thermal.reference_C, **fit.thermal_values},
         "fitted": list(fit.free),
-        "held": fit.held,
+        "held": fit.fixed,
         "at_bound": fit.at_bound,
         "standard_error": _finite(fit.standard_error),
         "standard_error_white_noise": _finite(fit.standard_error_white),

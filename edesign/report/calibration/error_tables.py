@@ -86,8 +86,8 @@ def errors_table(calibration: Calibration) -> Table:
     rows: list[Row] = [(label, finite(one.fit), finite(one.validate)) for label, one in errors.items()]
     rows.append(("noise floor", finite(calibration.noise_floor_fit), finite(calibration.noise_floor)))
     notes = [NRMS_NOTES[calibration.subject]]
-    if calibration.law_held:
-        notes.append("refitted: as declared, as the campaign has the parameters held (`refit: false`)")
+    if calibration.law_fixed:
+        notes.append("refitted: as declared, as the campaign keeps the parameters fixed (`refit: false`)")
     if calibration.fitted_first:
         notes.append("as declared: the campaign names no parameters, so the law was fitted to the tests first")
     return ERRORS.of(rows, notes=notes, model=MODELS[calibration.subject])

@@ -38,7 +38,7 @@ def _gain(one: _Found) -> str | None:
     return f"{effect.gain:.1f} ± {effect.gain_error:.1f}" if math.isfinite(effect.gain) else None
 
 
-def _alike(one: _Found) -> str:
+def _confounded(one: _Found) -> str:
     others = one.effect.indistinguishable_from.items()
     return ", ".join(f"{name_of(name)} ({probability_text(p)})" for name, p in others) or _NOTHING
 
@@ -53,7 +53,7 @@ EFFECTS = TableSpec[_Found](
         col("without it", PERCENT, bounded("without"), 3),
         col("gain", ONE, _gain),
         col("probability", ONE, lambda one: probability_text(one.effect.probability)),
-        text("cannot be told from", _alike, broken=2),
+        text("cannot be told from", _confounded, broken=2),
     ),
     keys=3,
 )
@@ -197,9 +197,9 @@ def law_table(calibration: Calibration) -> Table:
         notes.append("storey_stiffness, storey_damping: factors of what is declared")
     for stage, label in (("refit", "refitted"), ("corrected", "corrected")):
         notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
-    if calibration.law_held:
-        notes.append("the campaign has the declared parameters held (`refit: false`)")
-    notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
+    if calibration.law_fixed:
+        notes.append("the campaign keeps the declared parameters fixed (`refit: false`)")
+    notes += [f"{name} is fixed as declared: {why}" for name, why in calibration.fixed.items()]
     return LAW.of(rows, notes=notes, title=", and ".join(titles))
 
 
@@ -226,5 +226,5 @@ def _known(effect: Effect) -> Mapping[str, Parameter]:
 def _parameters(effect: Effect) -> dict[str, Estimate]:
     """All numbers of an effect; those that the campaign fixes where their unit is known."""
     known = _known(effect)
-    fixed = {name: Estimate.held(value, known[name].unit) for name, value in effect.fixed.items() if name in known}
+    fixed = {name: Estimate.fixed(value, known[name].unit) for name, value in effect.fixed.items() if name in known}
     return {**effect.parameters, **fixed}

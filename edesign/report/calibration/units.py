@@ -40,11 +40,11 @@ def value_cell(estimate: Estimate) -> Value:
 
 
 def error_text(estimate: Estimate) -> str:
-    """The standard error; "held" of a value that was not searched."""
+    """The standard error; "fixed" of a value that was not searched."""
     error = estimate.standard_error
     if not math.isfinite(error):
         return UNKNOWN
-    return _with_places(error, error) if error > 0.0 else "held"
+    return _with_places(error, error) if error > 0.0 else "fixed"
 
 
 def interval_text(estimate: Estimate) -> str:
@@ -55,7 +55,7 @@ def interval_text(estimate: Estimate) -> str:
     if not math.isfinite(error):
         return UNKNOWN
     if error == 0.0:
-        return "held"
+        return "fixed"
     return " to ".join(_with_places(end, error) for end in estimate.interval)
 
 
@@ -63,7 +63,7 @@ def plus_minus(estimate: Estimate) -> str:
     """Value, standard error and unit: 4.00 ± 0.10 ms."""
     unit = f" {estimate.unit}" if estimate.unit else ""
     error = error_text(estimate)
-    if error == "held":
+    if error == "fixed":
         return f"{value_text(estimate)}{unit}"
     if error == UNKNOWN:
         why = f"{UNKNOWN}: {estimate.not_determined}" if estimate.not_determined else f"uncertainty {UNKNOWN}"

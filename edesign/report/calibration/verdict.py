@@ -15,7 +15,7 @@ from edesign.report.calibration.error_tables import LAW_FILES, MODELS
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.words import effect_text, name_of, probability_text, searched
 
-_TOLD = 2  # look-alikes of an effect in a sentence
+_TOLD = 2  # effects confounded with one, in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _WHOLE = 1e3  # from here on numbers in sentences are whole
@@ -54,9 +54,9 @@ def other_law_text(calibration: Calibration) -> str:
     if other is None:
         return ""
     blamed = [effect for effect in calibration.effects if effect.kind != "damper"]
-    how = "held as declared" if calibration.law_held else "fitted again"
+    how = "fixed as declared" if calibration.law_fixed else "fitted again"
     advice = f"Calibrate with `law: {{type: {other.law}}}`, and judge effects beside that law."
-    if calibration.law_held:
+    if calibration.law_fixed:
         advice = f"Calibrate without `refit: false` first: {calibration.law} with other parameters may do as well."
     texts = [
         f"Another law does better: {other.law} ({other.title}), without any effect, leaves an NRMS of "
@@ -86,7 +86,7 @@ def ended(calibration: Calibration) -> list[str]:
 def _found(calibration: Calibration) -> str:
     effects = "; and ".join(effect_text(effect) + _or_others(effect) for effect in calibration.effects)
     tests = _TESTS[calibration.subject]
-    again = "" if calibration.law_held else " once its parameters are fitted again"
+    again = "" if calibration.law_fixed else " once its parameters are fitted again"
     return {
         "none": f"None: no effect is missing from {_model(calibration)}{again}.",
         "explained": f"Explained: the {tests} show {effects}. Only noise is left.",
@@ -111,7 +111,7 @@ def _errors(calibration: Calibration) -> str:
         f"the corrected {name}"
         if calibration.effects
         else f"the {name}"
-        if calibration.law_held
+        if calibration.law_fixed
         else f"the {name} fitted again"
     )
     texts = [
@@ -119,7 +119,7 @@ def _errors(calibration: Calibration) -> str:
         f"{percent(corrected)} % of the {_MEASURED[calibration.subject]} ({percent(math.sqrt(corrected), 2)} % in "
         f"rms), as declared it leaves {percent(declared)} %"
     ]
-    if calibration.effects and not calibration.law_held:
+    if calibration.effects and not calibration.law_fixed:
         texts.append(f", fitted again without effects {percent(refit)} %")
     texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %.")
     if not calibration.effects and declared * _CHANGED < refit:
@@ -179,7 +179,7 @@ def _file(calibration: Calibration) -> str:
     file = calibration.law_file
     carried = " and ".join(one.label for one in file.effects)
     what = LAW_FILES[file.stage]
-    if calibration.law_held and file.stage == "refit":
+    if calibration.law_fixed and file.stage == "refit":
         what = "the law as declared"
     text = f"law.yaml has {what}"
     if carried:
@@ -197,7 +197,7 @@ def _structure_file(calibration: Calibration) -> str:
     """What structure.yaml has, and what stands in comments of it."""
     lacking = calibration.law_file.lacking
     text = "structure.yaml has the building as " + ("corrected" if calibration.effects else "fitted again")
-    if calibration.law_held and not calibration.effects:
+    if calibration.law_fixed and not calibration.effects:
         text = "structure.yaml has the building as declared"
     if lacking:
         text += f", but no key of it, or of a law, carries {', '.join(lacking)}: comments tell"
@@ -211,15 +211,15 @@ def _model(calibration: Calibration) -> str:
 
 
 def _open(calibration: Calibration) -> list[str]:
-    """Look-alikes, the next test, and effects that held-out tests do not bear out."""
+    """Confounded effects, the next test, and effects that held-out tests do not bear out."""
     texts = []
     for effect in calibration.effects:
         if effect.indistinguishable_from:
-            alike = " or ".join(
+            confounded = " or ".join(
                 f"{name_of(name)} ({probability_text(p)}, if it is one of the two)"
                 for name, p in effect.indistinguishable_from.items()
             )
-            texts.append(f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} from {alike}.")
+            texts.append(f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} from {confounded}.")
     with_it = calibration.errors["corrected"].validate
     texts += [
         f"Without {name_of(effect.name)} the validation tests are predicted better "
@@ -236,10 +236,10 @@ def _open(calibration: Calibration) -> list[str]:
 
 
 def no_next_test(calibration: Calibration) -> str:
-    """Return why no further test is named though effects look alike; "" if one is, none do, or none was sought."""
-    alike = any(effect.indistinguishable_from for effect in calibration.effects)
+    """Return why no further test is named though effects are confounded; "" if one is, none do, or none was sought."""
+    confounded = any(effect.indistinguishable_from for effect in calibration.effects)
     asked = calibration.subject == "damper" and calibration.ending != "interrupted"
-    if not alike or calibration.next_test or not asked or NEXT_TEST in calibration.failed:
+    if not confounded or calibration.next_test or not asked or NEXT_TEST in calibration.failed:
         return ""
     return "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
 

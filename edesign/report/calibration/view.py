@@ -41,7 +41,7 @@ class View:
         """Before and after in words; only before if nothing was changed."""
         if self.calibration.effects:
             return {"declared": "as declared", "corrected": "corrected"}
-        if self.calibration.law_held:
+        if self.calibration.law_fixed:
             return {"declared": "as declared"}
         return {"declared": "as declared", "corrected": "fitted again"}
 

@@ -227,8 +227,8 @@ def _law(choice: LawChoice | None) -> str:
         return "none named"
     given = choice.parameters
     shown = given if isinstance(given, str) else "parameters given" if given else "no parameters"
-    held = "" if choice.refit else ", held"
-    return f"{choice.type} ({law_of(choice.type).title}), {shown}{held}"
+    fixed = "" if choice.refit else ", fixed"
+    return f"{choice.type} ({law_of(choice.type).title}), {shown}{fixed}"
 
 
 def warnings_of(warnings: Sequence[str]) -> dict[str, str]:

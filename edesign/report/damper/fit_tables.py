@@ -84,10 +84,10 @@ def parameter_table(fit: Fit) -> Table:
             share = fit.standard_error[name] / abs(fit.all_values[name]) if fit.all_values[name] else math.inf
             errors: Row = (_bare(printed[name]), _bare(white[name]), Quantity(share, PERCENT, form=".2g"))
         else:
-            errors = ("at bound" if name in fit.at_bound else "held", None, None)
+            errors = ("at bound" if name in fit.at_bound else "fixed", None, None)
         rows.append((name, value, unit, *errors))
     notes = [f"std. error: {ERROR_KINDS[fit.error_kind]}; white noise: as if all errors were independent"]
-    notes += [f"held: {name}: {why}" for name, why in fit.held.items() if why != "a choice"]
+    notes += [f"fixed: {name}: {why}" for name, why in fit.fixed.items() if why != "a choice"]
     for i, first in enumerate(fit.free):
         for other in fit.free[:i]:
             rho = fit.correlation_of(other, first)

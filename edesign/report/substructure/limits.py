@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.report.drawing.captions import plain
 from edesign.report.substructure.results import SubstructureResults
-from edesign.report.substructure.tables import HELD_THERE, LIMIT_COLUMNS, limits_met, outcome_of
+from edesign.report.substructure.tables import LIMIT_COLUMNS, LIMITED_THERE, limits_met, outcome_of
 from edesign.report.tables.cell import Rounded
 from edesign.report.tables.column import text
 from edesign.report.tables.table import Row, Table, TableSpec
@@ -24,7 +24,7 @@ LIMITS = TableSpec[Row](
     "limits_met",
     "Limits that were met",
     LIMIT_COLUMNS,
-    notes=("Of coefficients: least or largest value, or largest rate.", *wrapped(HELD_THERE)),
+    notes=("Of coefficients: least or largest value, or largest rate.", *wrapped(LIMITED_THERE)),
     keys=3,
 )
 UNDETERMINED = TableSpec[Row](

@@ -1,4 +1,4 @@
-"""The judge of blind tests: what counts as right, alike, late, wrong; floors, intervals, tables, runs that fail."""
+"""The judge of blind tests: what counts as right, confounded, late, wrong; floors, intervals, tables, failed runs."""
 
 from __future__ import annotations
 
@@ -38,8 +38,14 @@ def truth(*effects: dict[str, Any], kind: str = "one", floor: float = 1e-5, **ch
     }
 
 
-def effect(name: str, kind: str, *alike: str, **parameters: dict[str, Any]) -> dict[str, Any]:
-    return {"name": name, "kind": kind, "form": "form", "parameters": parameters, "indistinguishable_from": list(alike)}
+def effect(name: str, kind: str, *confounded: str, **parameters: dict[str, Any]) -> dict[str, Any]:
+    return {
+        "name": name,
+        "kind": kind,
+        "form": "form",
+        "parameters": parameters,
+        "indistinguishable_from": list(confounded),
+    }
 
 
 def result(
@@ -64,7 +70,7 @@ LAG = true_effect("lag", "instrument", "force_late", delay=(0.004, "s"))
     [
         ([effect("friction", "rig")], "right"),
         ([effect("friction", "damper")], "wrong"),
-        ([effect("play", "rig", "friction")], "alike"),
+        ([effect("play", "rig", "friction")], "confounded"),
         ([effect("play", "rig"), effect("friction", "rig")], "late"),
         ([effect("play", "rig"), effect("lag", "instrument")], "wrong"),
         ([], "nothing"),
@@ -74,13 +80,13 @@ def test_naming_of_one(found: list[dict[str, Any]], expected: str) -> None:
     judged = judge(truth(FRICTION), result(*found), OUTCOME)
     assert judged["named"] == expected
     assert judged["all_named"] == (expected == "right")
-    assert judged["all_named_or_alike"] == (expected in ("right", "alike"))
+    assert judged["all_named_or_confounded"] == (expected in ("right", "confounded"))
 
 
 def test_same_equation_under_another_name() -> None:
     assert judge(truth(HANGING), result(effect("offset", "instrument")), OUTCOME)["named"] == "equal"
     told = judge(truth(HANGING), result(effect("offset", "instrument", "static_offset")), OUTCOME)
-    assert told["named"] == "alike" and not told["all_named"] and told["all_named_or_alike"]
+    assert told["named"] == "confounded" and not told["all_named"] and told["all_named_or_confounded"]
     assert judge(truth(FRICTION), result(effect("offset", "instrument")), OUTCOME)["named"] == "wrong"
 
 
@@ -92,7 +98,7 @@ def test_two_effects_are_a_set() -> None:
     assert judge(both, result(lag), OUTCOME)["named"] == "right"
     surplus = judge(both, result(lag, friction, play), OUTCOME)
     assert not surplus["all_named"] and surplus["surplus"] == 1
-    assert judge(both, result(play, lag), OUTCOME)["all_named_or_alike"]
+    assert judge(both, result(play, lag), OUTCOME)["all_named_or_confounded"]
     assert not judge(both, result(lag, lag), OUTCOME)["all_named"]
 
 
@@ -190,7 +196,7 @@ def test_table_counts() -> None:
     ]
     lines = {line[:52].strip(): line[52:].strip() for line in summary(scores).splitlines()}
     assert lines["one effect: named right, first"] == "1 of 2"
-    assert lines[".. or told to be alike"] in ("2 of 2", "0 of 1")
+    assert lines[".. or told to be confounded"] in ("2 of 2", "0 of 1")
     assert lines["clean: false alarms"] == "0 of 1"
     assert lines["two effects: both named, no other"] == "0 of 1"
     assert lines["unlisted: called explained"] == "0 of 1"

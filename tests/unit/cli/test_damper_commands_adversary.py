@@ -181,7 +181,7 @@ def test_properties_of_a_campaign_with_sweeps(folder: Path, capsys: pytest.Captu
     ("words", "said"),
     [
         (["--start", "k1=5 kN/mm", "--start", "k1=6 kN/mm"], "--start k1: the parameter is named twice"),
-        (["--free", "k0", "--fix", "k0=1 kN/mm"], "--free k0: it is held by --fix"),
+        (["--free", "k0", "--fix", "k0=1 kN/mm"], "--free k0: it is fixed by --fix"),
         (["--start", "k1=1e300 kN/mm"], "--start k1: `1e300 kN/mm` is beyond what a stiffness"),
         (
             ["--law", "fractional_zener", "--start", "a=1 s^alpha", "--start", "b=0.5 s^alpha", "--start", "alpha=0.5"],

@@ -91,7 +91,7 @@ def test_start_and_fix(campaign: Path, capsys: pytest.CaptureFixture[str]) -> No
     assert command.main(words) == 0
     result = json.loads(capsys.readouterr().out)
     assert result["parameters"]["k0"] == pytest.approx(4.5e6, rel=1e-12)
-    assert result["held"] == {"k0": "held by the user"}
+    assert result["held"] == {"k0": "fixed by the user"}
     assert result["fitted"] == ["k1", "c1"]
 
 

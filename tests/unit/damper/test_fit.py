@@ -128,11 +128,11 @@ def test_the_users_bound_holds_and_is_named() -> None:
     assert fit.at_bound == {"k": pytest.approx(7e6)}
 
 
-def test_held_parameters_stay() -> None:
+def test_fixed_parameters_stay() -> None:
     fit = fit_forces(KELVIN, histories_with(), fixed={"k": 7.5e6}, predict=kelvin_voigt)
     assert fit.values["k"] == 7.5e6
     assert fit.free == ("c",)
-    assert fit.held == {"k": "held by the user"}
+    assert fit.fixed == {"k": "fixed by the user"}
 
 
 def test_what_cannot_be_told_apart_is_named() -> None:

@@ -86,8 +86,8 @@ def payne() -> Effect:
         "tau_a": estimate(5.0, 0.5, "s"),
     }
     title = "softening with amplitude of the whole force"
-    alike = {"mullins": 0.02, "self_heating": 5e-5}
-    base = replace(gain(), signature="the secant stiffness falls with the amplitude", indistinguishable_from=alike)
+    confounded = {"mullins": 0.02, "self_heating": 5e-5}
+    base = replace(gain(), signature="the secant stiffness falls with the amplitude", indistinguishable_from=confounded)
     carried = replace(base, kind="damper", not_carried="")
     return replace(carried, name="payne", form="whole", title=title, parameters=parameters)
 
@@ -103,7 +103,7 @@ def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE)
         for stage in stages
     }
     floors = [one.noise**2 / float(np.mean(one.measured**2)) for one in series]
-    exact = {"k": Estimate.held(K, "N/m"), "c": Estimate.held(C, "N*s/m")}
+    exact = {"k": Estimate.fixed(K, "N/m"), "c": Estimate.fixed(C, "N*s/m")}
     refit = {"k": estimate(1.04 * K, 3e3, "N/m"), "c": estimate(1.04 * C, 250.0, "N*s/m")}
     found = (gain(),) if effects is None else effects
     labels = tuple(one.label for one in found)
@@ -132,7 +132,7 @@ def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE)
         most_effort=20_000.0,
         law_file=LawFile("corrected", {"k": K, "c": C}, (), None, ("gain.force (instrument)",), (), floors[1]),
         parameters={"declared": exact, "refit": refit, "corrected": exact},
-        law_held=True,
+        law_fixed=True,
         series=series,
         seconds=1.5,
     )
@@ -162,13 +162,13 @@ def more_is_left() -> Calibration:
         errors=errors,
         unexplained_share=1.0,
         unexplained_shape=shape,
-        law_held=False,
+        law_fixed=False,
         law_file=replace(found.law_file, stage="refit", measurement_effects=()),
         parameters=dict(found.parameters) | {"corrected": found.parameters["refit"]},
     )
 
 
-def look_alikes() -> Calibration:
-    """An effect with look-alikes, and the test that would separate them."""
+def confounded() -> Calibration:
+    """An effect with confounded effects, and the test that would separate them."""
     further = NextTest("12 cycles of 2 mm at 5 Hz, 35 degC", ("payne", "self_heating"), 0.02, 1e-4)
     return replace(calibration((payne(),)), next_test=further)

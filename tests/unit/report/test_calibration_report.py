@@ -135,8 +135,8 @@ def test_digits_follow_the_error_and_lost_signs_are_no_minus_zero() -> None:
     assert (percent(0.012), percent(2.4e-5), percent(math.nan)) == ("1.20", "0.00240", "-")
 
 
-def test_an_effect_is_told_with_its_evidence_and_look_alikes() -> None:
-    found = example.look_alikes()
+def test_an_effect_is_told_with_its_evidence_and_confounded_effects() -> None:
+    found = example.confounded()
     cells = row(effects_table(found), "softening with amplitude of the whole force")
     assert cells[1:3] == ["payne.whole", "damper"]
     without = 100.0 * (closed_form(2.0, 0.002, 0.0) + 1.1e-4)
@@ -201,7 +201,7 @@ def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
 
 
 def test_a_law_that_is_another_one_with_the_effects_is_questionable() -> None:
-    found = replace(example.calibration(), law_held=False)
+    found = replace(example.calibration(), law_fixed=False)
     times = {name: estimate(7.0 * one.value, 1.0, one.unit) for name, one in found.parameters["refit"].items()}
     text = verdict_text(replace(found, parameters={**found.parameters, "corrected": times}))
     assert "With the effects the law is another one: k is 7 times, c is 7 times that of the one fitted alone" in text
@@ -210,11 +210,11 @@ def test_a_law_that_is_another_one_with_the_effects_is_questionable() -> None:
 
 def test_another_law_that_does_better_is_told_first() -> None:
     other = OtherLaw("maxwell", "spring and dashpot in series", 250.0, 20.0, 1e-5, 1e-3, 2e-5, 2e-3)
-    held = replace(example.calibration(), other_law=other)
-    assert "the law kelvin_voigt held as declared" in verdict_text(held)
-    assert "Calibrate without `refit: false` first" in verdict_text(held)
-    assert any("`refit: false`" in note for note in errors_table(held).notes)
-    text = verdict_text(replace(held, law_held=False))
+    fixed = replace(example.calibration(), other_law=other)
+    assert "the law kelvin_voigt fixed as declared" in verdict_text(fixed)
+    assert "Calibrate without `refit: false` first" in verdict_text(fixed)
+    assert any("`refit: false`" in note for note in errors_table(fixed).notes)
+    text = verdict_text(replace(fixed, law_fixed=False))
     assert text.startswith("Another law does better: maxwell (spring and dashpot in series), without any effect")
     assert (
         "Calibrate with `law: {type: maxwell}`" in text and "gain of the force channel (instrument): that may" in text
@@ -228,24 +228,24 @@ def test_an_effect_that_makes_the_validation_tests_worse_is_questionable() -> No
 
 
 def test_parameters_that_others_make_needless_are_told() -> None:
-    found = replace(example.calibration(), held={"N": "only the slip force mu N acts on the damper"})
+    found = replace(example.calibration(), fixed={"N": "only the slip force mu N acts on the damper"})
     notes = law_table(found).notes
-    assert "N is held as declared: only the slip force mu N acts on the damper" in notes
+    assert "N is fixed as declared: only the slip force mu N acts on the damper" in notes
 
 
-def test_law_parameters_stand_with_their_intervals_or_as_held() -> None:
+def test_law_parameters_stand_with_their_intervals_or_as_fixed() -> None:
     table = law_table(example.calibration())
-    assert row(table, "k") == ["k", "kN/mm", "2", "2.0800", "2.0740 to 2.0860", "2", "held"]
-    assert any("declared parameters held" in note for note in table.notes)
+    assert row(table, "k") == ["k", "kN/mm", "2", "2.0800", "2.0740 to 2.0860", "2", "fixed"]
+    assert any("declared parameters fixed" in note for note in table.notes)
     assert row(law_table(example.more_is_left()), "k")[5:] == ["2.0800", "2.0740 to 2.0860"]
 
 
 def test_what_a_law_file_cannot_carry_is_told() -> None:
-    found = example.look_alikes()
+    found = example.confounded()
     lacks = replace(found, law_file=replace(found.law_file, lacking=("payne.whole",)))
     assert "law.yaml has the corrected law, but lacks payne.whole, which law files cannot carry" in verdict_text(lacks)
     why = "with the effects the validation tests are predicted worse (0.2 %) than without them (0.1 %)"
-    withheld = replace(found, law_file=replace(found.law_file, stage="refit", withheld=why), law_held=False)
+    withheld = replace(found, law_file=replace(found.law_file, stage="refit", withheld=why), law_fixed=False)
     assert f"law.yaml has the refitted law: {why}" in verdict_text(withheld)
 
 
@@ -261,7 +261,7 @@ def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
     )
     assert errors.endswith("what no model can predict is 0.00427 %.")
     assert file == "law.yaml has the corrected law; what the rig and the instruments did is no part of it."
-    verdict = verdict_text(example.look_alikes())
+    verdict = verdict_text(example.confounded())
     assert "cannot tell payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %" in verdict
     assert "in its place" not in verdict  # neither is near
     assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
@@ -269,15 +269,17 @@ def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
 
 def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
     titles = {"offset": "zero of the force channel, the same in all tests (instrument)"}
-    alike = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02}, titles=titles)
-    found = replace(example.calibration((alike,)), next_test=None)
+    confounded = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02}, titles=titles)
+    found = replace(example.calibration((confounded,)), next_test=None)
     text = verdict_text(found)
     assert text.startswith("Explained: the tests show gain of the force channel (instrument, g = ")
     assert f"), or {titles['offset']} in its place. Only noise is left." in text
     none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
     assert f"{none}." in text and none in text_of(page_text_of(found))
     assert "the tests cannot tell gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
-    many = replace(alike, titles={}, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04})
+    many = replace(
+        confounded, titles={}, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04}
+    )
     assert "), or offset, or lag, or others in its place." in verdict_text(example.calibration((many,)))
     assert none not in verdict_text(replace(found, ending="interrupted"))  # none was sought then
 
@@ -348,7 +350,7 @@ def test_every_case_has_its_figures(found: Calibration, curves: bool) -> None:
 
 
 def test_an_effect_of_the_damper_is_drawn_as_its_factor() -> None:
-    ((_, _, figure),) = effect_figures(View(example.look_alikes()))
+    ((_, _, figure),) = effect_figures(View(example.confounded()))
     line = figure.axes[0].get_lines()[0]
     amplitude, factor = line.get_xdata(), line.get_ydata()
     assert (amplitude[0], factor[0]) == (0.0, 1.0)
@@ -357,7 +359,7 @@ def test_an_effect_of_the_damper_is_drawn_as_its_factor() -> None:
 
 
 def test_the_page_tells_all_numbers_without_script_or_links() -> None:
-    page = page_text_of(example.look_alikes())
+    page = page_text_of(example.confounded())
     assert "<script" not in page and not re.search(r"(?:src|href)=\"(?!#|data:)", page)
     ids = re.findall(r'<section id="([^"]+)"', page)
     assert ids == ["verdict", "errors", "effects", "open", "residual", "tests", "law", "provenance"]

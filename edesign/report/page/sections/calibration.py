@@ -110,7 +110,7 @@ def verdict(view: View) -> Section:
     declared, corrected = (found.errors[stage].validate for stage in ("declared", "corrected"))
     effects = ", ".join(name_of(effect.name) for effect in found.effects)
     kinds = ", ".join(dict.fromkeys(effect.kind for effect in found.effects))
-    changed = bool(found.effects) or not found.law_held
+    changed = bool(found.effects) or not found.law_fixed
     error = f"{percent(declared)} → {percent(corrected)} %" if changed else f"{percent(declared)} %"
     file = found.law_file
     tiles = (
@@ -145,7 +145,7 @@ def effects(view: View) -> Section:
 
 
 def open_questions(view: View) -> Section:
-    """Return what is left, look-alikes, and the test that would separate them."""
+    """Return what is left, confounded effects, and the test that would separate them."""
     found = view.calibration
     rows = [
         ("Left", found.unexplained_shape or f"only noise, an NRMS of {percent(found.noise_floor)} %"),

@@ -42,7 +42,7 @@ def hardening_loops(displacement: np.ndarray, force: float, length: float) -> np
     return np.array(found)
 
 
-def test_a_fit_goes_along_the_bound_that_a_held_parameter_sets():
+def test_a_fit_goes_along_the_bound_that_a_fixed_parameter_sets():
     """beta is at least -gamma. Loops that harden ask for less: the other parameters are fitted at that bound."""
     tests = problem("bouc_wen", values={"n": 1.0})
     hard = [replace(one, force=hardening_loops(one.motion.displacement, 2e4, 3e-3)) for one in tests.experiments]
@@ -57,7 +57,7 @@ def test_a_fit_goes_along_the_bound_that_a_held_parameter_sets():
     assert abs(one - other) < 1.0
 
 
-def test_zeros_that_an_mgmm_declares_are_held_where_others_make_them_needless():
+def test_zeros_that_an_mgmm_declares_are_fixed_where_others_make_them_needless():
     names = [one.name for one in problem("mgmm", values={"k0": 0.0, "c_b": 0.0}).base]
     assert "k0" not in names and "c_b" not in names
 

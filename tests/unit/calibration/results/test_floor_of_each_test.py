@@ -1,4 +1,4 @@
-"""No verdict is better than the worst test allows: each test is held against its own noise."""
+"""No verdict is better than the worst test allows: each test is compared with its own noise."""
 
 from __future__ import annotations
 

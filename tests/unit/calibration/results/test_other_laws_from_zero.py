@@ -40,7 +40,7 @@ def _left_by_powers(tests: Campaign) -> float:
     return float(min(errors) / (force @ force))
 
 
-def test_a_law_that_ends_at_zero_is_held_against_others(tmp_path: Path) -> None:
+def test_a_law_that_ends_at_zero_is_compared_with_others(tmp_path: Path) -> None:
     tests = campaign(tmp_path, _no_spring, tests=5)
     declared = LawChoice("kelvin_voigt", {"k": "0 kN/mm", "c": "0.2 kN*s/mm"})
     found = calibrate(replace(tests, law=declared), replace(SETTINGS, effort=60.0), 1)

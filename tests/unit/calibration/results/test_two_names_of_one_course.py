@@ -16,7 +16,7 @@ from edesign.calibration.search.settings import SETTINGS
 NOISE = 10.0  # N, that of the channels of `problem`
 
 
-def test_wear_with_the_path_and_softening_without_recovery_are_look_alikes():
+def test_wear_with_the_path_and_softening_without_recovery_are_confounded():
     # F (1 - d (1 - exp(-s/s0))) is (1 - d) F (1 + d/(1 - d) exp(-s/s0)): the law takes the factor
     clean = problem("kelvin_voigt", 6, threads=1)
     (worn,) = (effect for effect in clean.effects if effect.label == "degradation.path")

@@ -274,7 +274,7 @@ def test_no_motion_makes_a_mass_likely_that_no_floor_has(folder: Path) -> None:
     assert found[-1] <= mass.upper and error[0] > 10.0 * 0.003**2  # 1.8 times is no explanation
 
 
-def test_mass_and_stiffness_look_alike(folder: Path) -> None:
+def test_mass_and_stiffness_are_confounded(folder: Path) -> None:
     # base motion sees the ratio of stiffness to mass only: of a building that is fitted, all masses are no effect
     assert "mass_error.total" not in {one.label for one in blank_problem(load(folder, FIXED)).effects}
     held = problem(
