@@ -58,9 +58,9 @@ static void check_link(void)
   for (int as_link = 0; as_link < 2; as_link++) {
     ed_model *model = frame_model(FRAME);
     if (as_link) {
-      const int top = frame_node(FRAME, 0, 1), foot = ed_model_node(model, "foot", 0.0, 3.5);
-      ed_model_fix(model, foot, 1, 1, 1);
-      CHECK(ed_model_link(model, "spring", foot, top, STIFF, 0.0, 0.0, 0.0) >= 0);
+      const int top = frame_node(FRAME, 0, 1), base = ed_model_node(model, "base", 0.0, 3.5);
+      ed_model_fix(model, base, 1, 1, 1);
+      CHECK(ed_model_link(model, "spring", base, top, STIFF, 0.0, 0.0, 0.0) >= 0);
     } else
       damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
     ed_analysis *a = frame_analysis(model);
@@ -199,12 +199,12 @@ enum { MASS_NODE = 1 };
 static ed_model *oscillator(double mass, double k, int law, int n, const double *parameters)
 {
   ed_model *model = ed_model_new();
-  const int foot = ed_model_node(model, "foot", 0.0, 0.0), top = ed_model_node(model, "top", 1.0, 0.0), degree = 0;
+  const int base = ed_model_node(model, "base", 0.0, 0.0), top = ed_model_node(model, "top", 1.0, 0.0), degree = 0;
   const double one = 1.0;
-  ed_model_fix(model, foot, 1, 1, 1);
+  ed_model_fix(model, base, 1, 1, 1);
   ed_model_fix(model, top, 0, 1, 1);
   ed_model_mass(model, top, mass, 0.0, 0.0);
-  ed_model_link(model, "spring", foot, top, k, 0.0, 0.0, 0.0);
+  ed_model_link(model, "spring", base, top, k, 0.0, 0.0, 0.0);
   ed_model_pattern(model);
   ed_model_nodal_load(model, 0, top, 1.0, 0.0, 0.0);
   CHECK_INT(ed_model_damper(model, "damper", law, n, parameters, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
@@ -344,13 +344,13 @@ static void check_pressed(void)
   for (int i = 0; i <= STEPS; i++) /* slowly, beside the 11 Hz of the mass on the spring */
     lift[i] = i < STEPS / 2 ? 3.0 * i / (STEPS / 2) : 3.0;
   ed_model *model = ed_model_new();
-  const int foot = ed_model_node(model, "foot", 0.0, 0.0), top = ed_model_node(model, "top", 0.0, 0.0);
-  ed_model_fix(model, foot, 1, 1, 1);
+  const int base = ed_model_node(model, "base", 0.0, 0.0), top = ed_model_node(model, "top", 0.0, 0.0);
+  ed_model_fix(model, base, 1, 1, 1);
   ed_model_fix(model, top, 0, 0, 1);
   ed_model_mass(model, top, mass, mass, 0.0);
-  const int spring = ed_model_spring(model, "bearing", foot, top, up, ED_SPRING_CONTACT, 2, contact);
+  const int spring = ed_model_spring(model, "bearing", base, top, up, ED_SPRING_CONTACT, 2, contact);
   const double pull[] = {-1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, soft[] = {1.0};
-  ed_model_spring(model, "soft", foot, top, pull, ED_SPRING_MULTILINEAR, 1, soft); /* holds it along the dashpot */
+  ed_model_spring(model, "soft", base, top, pull, ED_SPRING_MULTILINEAR, 1, soft); /* holds it along the dashpot */
   ed_model_pattern(model);
   ed_model_nodal_load(model, 0, top, 0.0, -weight, 0.0);
   CHECK_INT(ed_model_damper(model, "dashpot", ED_LAW_VISCOUS, 1, dashpot, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);

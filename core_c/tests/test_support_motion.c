@@ -38,11 +38,11 @@ static void check_returns(void)
     ed_model *model = frame_model(OPTIONS);
     add_dampers(model, OPTIONS);
     ed_analysis *a = frame_analysis(model);
-    const int foot = frame_node(OPTIONS, 2, 0);
+    const int base = frame_node(OPTIONS, 2, 0);
     prepare(a);
-    CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_OK);
+    CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_OK);
     add_channel(a, ED_DISPLACEMENT, frame_node(OPTIONS, 0, 2), 0);
-    add_channel(a, ED_DISPLACEMENT, foot, 0);
+    add_channel(a, ED_DISPLACEMENT, base, 0);
     double *both = calloc(2 * (N + 1), sizeof *both);
     ed_run_buffers(a, 1, NULL, both, energy);
     for (int i = 0; i < N; i++) {
@@ -71,13 +71,13 @@ static void check_halving(void)
 {
   ed_model *model = frame_model(OPTIONS);
   ed_analysis *a = frame_analysis(model);
-  const int foot = frame_node(OPTIONS, 1, 0);
+  const int base = frame_node(OPTIONS, 1, 0);
   CHECK_STATUS(ed_set(a, ED_MAX_ITERATIONS, 4), ED_OK);
   CHECK_STATUS(ed_set(a, ED_TOLERANCE, 1e-9), ED_OK);
   prepare(a);
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_OK);
-  CHECK_STATUS(ed_history_support(a, foot, 1, d, v, acc), ED_OK);
-  const int across = add_channel(a, ED_DISPLACEMENT, foot, 0), speed = add_channel(a, ED_VELOCITY, foot, 1);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_OK);
+  CHECK_STATUS(ed_history_support(a, base, 1, d, v, acc), ED_OK);
+  const int across = add_channel(a, ED_DISPLACEMENT, base, 0), speed = add_channel(a, ED_VELOCITY, base, 1);
   ed_run_buffers(a, 1, NULL, NULL, energy);
   CHECK_STATUS(run_to_end(a, N), ED_OK);
   ed_statistics s;
@@ -92,14 +92,14 @@ static void check_halving(void)
   ed_model_free(model);
 }
 
-/* The state of a run with a foot aside goes into another analysis of the model, where it stays aside. */
+/* The state of a run with a base aside goes into another analysis of the model, where it stays aside. */
 static void check_restart(void)
 {
   ed_model *model = frame_model(OPTIONS);
   ed_analysis *a = frame_analysis(model), *b = frame_analysis(model);
-  const int foot = frame_node(OPTIONS, 0, 0);
+  const int base = frame_node(OPTIONS, 0, 0);
   prepare(a);
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_OK);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_OK);
   CHECK_STATUS(ed_run_advance(a, N / 2), ED_OK);
   ed_run_end(a);
   double *state = malloc((size_t)ed_state_size(a) * sizeof *state);
@@ -107,7 +107,7 @@ static void check_restart(void)
   CHECK_STATUS(ed_state_set(b, state), ED_OK);
   double last[1], other[1];
   CHECK_STATUS(ed_history_begin(b, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
-  const int channel = add_channel(b, ED_DISPLACEMENT, foot, 0);
+  const int channel = add_channel(b, ED_DISPLACEMENT, base, 0);
   CHECK_STATUS(ed_run_advance(b, 3), ED_OK);
   ed_extremes(b, other, other, other, other, last);
   CHECK_INT(channel, 0);
@@ -122,27 +122,27 @@ static void check_refusals(void)
 {
   ed_model *model = frame_model(OPTIONS);
   ed_analysis *a = frame_analysis(model);
-  const int foot = frame_node(OPTIONS, 0, 0), degree[] = {0, 0}, both[] = {frame_node(OPTIONS, 0, 1), foot};
+  const int base = frame_node(OPTIONS, 0, 0), degree[] = {0, 0}, both[] = {frame_node(OPTIONS, 0, 1), base};
   const double one[] = {1.0, -1.0};
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_E_STATE);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_E_STATE);
   prepare(a);
-  CHECK_STATUS(ed_history_support(a, foot, 3, d, v, acc), ED_E_ID);
+  CHECK_STATUS(ed_history_support(a, base, 3, d, v, acc), ED_E_ID);
   CHECK_STATUS(ed_history_support(a, -1, 0, d, v, acc), ED_E_ID);
   CHECK_STATUS(ed_history_support(a, both[0], 0, d, v, acc), ED_E_ARGUMENT);
   CHECK_CONTAINS(ed_analysis_message(a), "is not held");
   d[N] += NAN;
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_E_NOT_FINITE);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_E_NOT_FINITE);
   make_motion();
   v[0] = 1.0;
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_E_ARGUMENT);
   CHECK_CONTAINS(ed_analysis_message(a), "at rest");
   make_motion();
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_OK);
-  CHECK_STATUS(ed_history_support(a, foot, 0, d, v, acc), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_OK);
+  CHECK_STATUS(ed_history_support(a, base, 0, d, v, acc), ED_E_ARGUMENT);
   CHECK_CONTAINS(ed_analysis_message(a), "already");
   CHECK_STATUS(ed_history_force(a, 2, both, degree, one), ED_E_ARGUMENT);
   CHECK_STATUS(ed_run_advance(a, 1), ED_OK);
-  CHECK_STATUS(ed_history_support(a, foot, 1, d, v, acc), ED_E_STATE);
+  CHECK_STATUS(ed_history_support(a, base, 1, d, v, acc), ED_E_STATE);
   ed_analysis_free(a); /* during the run */
   ed_model_free(model);
 }

@@ -131,7 +131,7 @@ class Device:
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
         design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
         restrained: all braces that stand at its place, of its length; None: its law is another.
-        foot: name of the node of an isolated base that it acts on from the ground; "": it is no such one.
+        column_base: name of the node of an isolated base that it acts on from the ground; "": it is no such one.
         carries: whether it acts from the beginning, under the gravity loads too.
     """
 
@@ -152,7 +152,7 @@ class Device:
     brace_bar: BraceBar | None = None
     design_deformation: float | None = None
     restrained: RestrainedBrace | None = None
-    foot: str = ""
+    column_base: str = ""
     carries: bool = False
 
 
@@ -301,17 +301,17 @@ def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str
                 terms = (*top, (-0.5, low_left, UX), (-0.5, low_right, UX))
                 yield _Place(name, storey, index, terms, height, 1.0, 1)
             elif run.kind == "chevron":
-                # the apex moves with the mean of the feet and tilts with their difference
+                # the apex moves with the mean of the lower ends and tilts with their difference
                 tilt = 0.5 * height / (0.5 * width)
-                feet = ((-0.5, low_left, UX), (-0.5, low_right, UX), (-tilt, low_left, UY), (tilt, low_right, UY))
+                lower_ends = ((-0.5, low_left, UX), (-0.5, low_right, UX), (-tilt, low_left, UY), (tilt, low_right, UY))
                 length = math.hypot(0.5 * width, height)
-                yield _Place(name, storey, index, (*top, *feet), length, 0.5 * width / length, 2)
+                yield _Place(name, storey, index, (*top, *lower_ends), length, 0.5 * width / length, 2)
             elif run.kind == "chevron_braces":
                 length = math.hypot(0.5 * width, height)
                 apex = _node(nodes, names.beam_name(bay, storey), where)
-                for one, foot, way in zip((name, *others), (low_left, low_right), (1.0, -1.0), strict=True):
+                for one, lower_end, way in zip((name, *others), (low_left, low_right), (1.0, -1.0), strict=True):
                     c, s = way * 0.5 * width / length, height / length
-                    terms = ((c, apex, UX), (s, apex, UY), (-c, foot, UX), (-s, foot, UY))
+                    terms = ((c, apex, UX), (s, apex, UY), (-c, lower_end, UX), (-s, lower_end, UY))
                     yield _Place(one, storey, index, terms, length, 1.0, 1)
             else:
                 length = math.hypot(width, height)

@@ -1,4 +1,4 @@
-"""The footings of a project as springs and dashpots at the feet of its columns."""
+"""The footings of a project as springs and dashpots at its column bases."""
 
 from __future__ import annotations
 

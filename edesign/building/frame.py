@@ -51,8 +51,8 @@ def build_frame(
         outside: names of dampers that stand elsewhere, in a laboratory.
         footings: by lines of columns; without one that is a footing in the project, the line is fixed. None: those of
             the project.
-        weights: on the feet of an isolated base under the gravity combination, N, by node, where its isolators need
-            them; None: the base is held horizontally, and has no isolators.
+        weights: on the column bases of an isolated base under the gravity combination, N, by node, where its isolators
+            need them; None: the base is held horizontally, and has no isolators.
 
     Returns:
         The model of the frame, with the numbers of its parts in the core.
@@ -97,8 +97,8 @@ def build_frame(
     for name, footing in built_footings.items():
         weight = project.loads.gravity.G * footing.springs.mass * STANDARD_GRAVITY
         model.nodal_load(gravity, nodes[name], 0.0, -weight, 0.0)
-    on_feet = {} if isolation is None else base_loads(frame, isolation, project.loads.gravity)
-    for name, load in on_feet.items():
+    on_bases = {} if isolation is None else base_loads(frame, isolation, project.loads.gravity)
+    for name, load in on_bases.items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
     leaning = add_leaning_column(project, model, nodes, gravity)
     isolated = None
@@ -128,7 +128,7 @@ def build_frame(
         leaning,
         built_footings,
         isolated,
-        on_feet,
+        on_bases,
     )
 
 
@@ -176,7 +176,7 @@ def _supports(
     isolation: Isolation | None,
     base_held: bool,
 ) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, Grounds], dict[str, BuiltFooting]]:
-    """Hold the feet of the columns; returns what is held, where springs that hold it stand, and the footings.
+    """Hold the column bases; returns what is held, where springs that hold it stand, and the footings.
 
     An isolated base is held by its isolators, or with `base_held` by fixed supports in their place.
     """

@@ -12,7 +12,7 @@ import numpy as np
 from edesign.building.devices import Device
 from edesign.building.hinges import EndSpring
 from edesign.building.isolation import (
-    IsolatedFeet,
+    IsolatedBases,
 )
 from edesign.building.leaning_column import LeaningStruts
 from edesign.building.loads import Stretches
@@ -92,7 +92,8 @@ class FrameModel:
         leaning: its leaning column, whose nodes and struts are none of the above.
         footings: by the supported nodes that stand on them.
         isolated: its isolated base, whose devices are among its dampers; None: it stands on its supports.
-        on_feet: loads of the gravity combination on the feet of an isolated base, N downwards, by the name of the node.
+        on_bases: loads of the gravity combination on the column bases of an isolated base, N downwards, by the name of
+            the node.
     """
 
     frame: Frame
@@ -109,8 +110,8 @@ class FrameModel:
     panels: dict[str, BuiltPanel] = field(default_factory=dict)
     leaning: LeaningStruts | None = None
     footings: dict[str, BuiltFooting] = field(default_factory=dict)
-    isolated: IsolatedFeet | None = None
-    on_feet: Mapping[str, float] = field(default_factory=dict)
+    isolated: IsolatedBases | None = None
+    on_bases: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
@@ -147,7 +148,7 @@ class FrameModel:
         node = self.nodes[support]
         pushed = [node] if degree == 2 else [node, *self.moving_with.get(node, ())]
         terms = tuple((1.0, "reaction", at, degree) for at in pushed)
-        load = self.on_feet.get(support, 0.0) if degree == 1 else 0.0
+        load = self.on_bases.get(support, 0.0) if degree == 1 else 0.0
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
 
     def of_kind(self, kind: Kind) -> list[Member]:

@@ -1,4 +1,4 @@
-"""Members with springs at their ends: plastic hinges, and joints that turn."""
+"""Members with springs at their ends: plastic hinges, and semi-rigid joints."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ UX = 0
 
 
 @dataclass(frozen=True)
-class IsolatedFeet:
+class IsolatedBases:
     """Devices of an isolated base in a model.
 
     Attributes:
@@ -37,19 +37,19 @@ class IsolatedFeet:
     isolators: tuple[Device, ...]
     weighed: frozenset[str]
 
-    def at(self, foot: str) -> tuple[int, ...]:
-        """Return the numbers in the core of all that acts at a foot.
+    def at(self, column_base: str) -> tuple[int, ...]:
+        """Return the numbers in the core of all that acts at a column base.
 
         Args:
-            foot: name of its node.
+            column_base: name of its node.
         """
-        return tuple(device.number for device in self.devices if device.foot == foot)
+        return tuple(device.number for device in self.devices if device.column_base == column_base)
 
 
 def base_loads(frame: Frame, isolation: Isolation, factors: Combination) -> dict[str, float]:
-    """Return the loads of an isolated base on the feet of the columns, N downwards, by node.
+    """Return the loads of an isolated base on the column bases, N downwards, by node.
 
-    A foot carries half of what lies between it and its neighbours.
+    A column base carries half of what lies between it and its neighbours.
 
     Args:
         frame: of the project.
@@ -61,7 +61,7 @@ def base_loads(frame: Frame, isolation: Isolation, factors: Combination) -> dict
 
 
 def base_masses(project: Project) -> dict[str, float]:
-    """Return the mass of an isolated base at the feet of the columns, kg, by node."""
+    """Return the mass of an isolated base at the column bases, kg, by node."""
     frame, isolation, masses = project.frame, project.isolation, project.masses
     if isolation is None:
         return {}
@@ -75,7 +75,7 @@ def base_masses(project: Project) -> dict[str, float]:
 
 
 def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSprings:
-    """Return how the foot of a line is held in other directions than the horizontal one.
+    """Return how the base of a line is held in other directions than the horizontal one.
 
     Args:
         frame: of the project.
@@ -97,9 +97,9 @@ def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSp
 
 
 def add_base_beams(project: Project, model: Model, nodes: Mapping[str, int]) -> None:
-    """Add the beams of an isolated base, if it has any, from the foot of each column to the next one.
+    """Add the beams of an isolated base, if it has any, from each column base to the next one.
 
-    They stay elastic, and are no members: they carry what the feet turn with to the isolators.
+    They stay elastic, and are no members: they carry what the column bases turn with to the isolators.
 
     Args:
         model: has the nodes and the materials already.
@@ -111,8 +111,8 @@ def add_base_beams(project: Project, model: Model, nodes: Mapping[str, int]) -> 
     shape = cross_section(project, beams.section, beams.axis)
     E = project.materials[beams.material].E
     section = model.elastic_section(E * shape.area, E * (shape.inertia or 0.0))
-    feet = [foot for line in project.frame.lines if (foot := names.node_name(line, 0)) in nodes]
-    for left, right in pairwise(feet):
+    column_bases = [column_base for line in project.frame.lines if (column_base := names.node_name(line, 0)) in nodes]
+    for left, right in pairwise(column_bases):
         name = f"beam of the base from {left} to {right}"
         model.beam_column(name, nodes[left], nodes[right], section, geometry="linear")
 
@@ -139,14 +139,14 @@ def add_isolation(
     nodes: Mapping[str, int],
     laws: Mapping[str, DeviceLaw],
     weights: Mapping[str, float],
-) -> IsolatedFeet:
+) -> IsolatedBases:
     """Add the isolators of a project, which act from the beginning, and what acts beside them.
 
     Args:
         project: the validated project, with an isolation.
         model: has the nodes already.
         nodes: ids by name.
-        weights: on the feet under the gravity combination, N, by node; of those whose isolator needs it.
+        weights: on the column bases under the gravity combination, N, by node; of those whose isolator needs it.
 
     Raises:
         InputError: a size or a weight that the law does not know, or an isolator without weight.
@@ -167,8 +167,8 @@ def add_isolation(
             law = laws[item.law]
             _check_size(item, law, where)
             for line in item.lines.names(frame.lines):
-                foot = names.node_name(line, 0)
-                if foot not in nodes:
+                column_base = names.node_name(line, 0)
+                if column_base not in nodes:
                     continue
                 size = DeviceSize(item.number, item.layers, item.layer_area, item.layer_thickness, item.scale or 1.0)
                 force_scale, deformation_scale, thickness = size.scales(law)
@@ -177,13 +177,13 @@ def add_isolation(
                 taken.add(name)
                 pressed_by = None
                 if isinstance(item, Isolator) and goes_with_weight(item, law):
-                    weight = _weight(weights, foot, where)
+                    weight = _weight(weights, column_base, where)
                     force_scale = law.property_factor * weight / law.law.values[0]
                     if item.weight == "varying":
-                        pressed_by = model.element_names.index(vertical_spring(foot)), weight
+                        pressed_by = model.element_names.index(vertical_spring(column_base)), weight
                     else:
                         weighed.add(name)
-                terms = ((1.0, nodes[foot], UX),)
+                terms = ((1.0, nodes[column_base], UX),)
                 scales = (force_scale, deformation_scale)
                 number = model.damper(name, law.law, terms, 0.0, *scales, carries=True, pressed_by=pressed_by)
                 device = Device(
@@ -200,22 +200,22 @@ def add_isolation(
                     0.0,
                     tested_strain=law.tested_strain,
                     design_deformation=isolation.design_displacement,
-                    foot=foot,
+                    column_base=column_base,
                 )
                 found.append(device)
                 isolators += [device] if carries else []
-    return IsolatedFeet(tuple(found), tuple(isolators), frozenset(weighed))
+    return IsolatedBases(tuple(found), tuple(isolators), frozenset(weighed))
 
 
 def _widths(frame: Frame) -> dict[str, float]:
-    """Half of the distances from each foot to its neighbours, m, by node; of an only foot 1 m."""
-    feet = [(names.node_name(line, 0), x) for line, x in zip(frame.lines, frame.x, strict=True)]
-    feet = [(node, x) for node, x in feet if node in frame.nodes]
-    if len(feet) == 1:
-        return {feet[0][0]: 1.0}
-    spans = [right - left for (_, left), (_, right) in zip(feet, feet[1:], strict=False)]
+    """Half of the distances from each column base to its neighbours, m, by node; of an only column base 1 m."""
+    column_bases = [(names.node_name(line, 0), x) for line, x in zip(frame.lines, frame.x, strict=True)]
+    column_bases = [(node, x) for node, x in column_bases if node in frame.nodes]
+    if len(column_bases) == 1:
+        return {column_bases[0][0]: 1.0}
+    spans = [right - left for (_, left), (_, right) in zip(column_bases, column_bases[1:], strict=False)]
     halves = zip([0.0, *spans], [*spans, 0.0], strict=True)
-    return {node: 0.5 * (before + after) for (node, _), (before, after) in zip(feet, halves, strict=True)}
+    return {node: 0.5 * (before + after) for (node, _), (before, after) in zip(column_bases, halves, strict=True)}
 
 
 def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
@@ -237,11 +237,11 @@ def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
         raise InputError(f"{where}: scale: {message}")
 
 
-def _weight(weights: Mapping[str, float], foot: str, where: str) -> float:
-    weight = weights.get(foot, 0.0)
+def _weight(weights: Mapping[str, float], column_base: str, where: str) -> float:
+    weight = weights.get(column_base, 0.0)
     if not weight > 0.0:
         message = (
-            f"the isolator under {foot} carries {weight:.4g} N under gravity; it needs a weight for its friction"
+            f"the isolator under {column_base} carries {weight:.4g} N under gravity; it needs a weight for its friction"
             " [E-DEVICE-03]"
         )
         raise InputError(f"{where}: {message}")

@@ -1,4 +1,4 @@
-"""Springs and footings under the feet of the columns."""
+"""Springs and footings under the column bases."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ class Project(RecordFiles, FileModel):
         masses: masses of the nodes, given or taken from the loads; all analyses but `gravity` need them.
         elements: how members are modelled: integration points, geometry, rigid ends.
         hinges: plastic hinges lumped at the ends of members.
-        joints: joints that turn, as springs between the ends of members and their nodes.
+        joints: semi-rigid joints, as springs between the ends of members and their nodes.
         panel_zones: joints whose panel shears.
         soils: soils by name, on which footings stand.
         dampers: dampers, tuned masses and isolators of the frame.

@@ -229,8 +229,8 @@ def _foundations(design: ElasticDesign) -> Group:
     text = "reactions to the seismic action without sign, with second-order effects and accidental torsion"
     group.add("seismic", ("axis", "support", "component"), of.seismic, _UNITS, text)
     group.add("factor", ("axis", "support"), of.factor, "1", "gamma_Rd Omega (EN 1998-1, 4.4.2.6(4))")
-    text = "1: Omega is that of the hinge at the foot, 0: that of the dissipative members of the direction"
-    group.add("of_foot", ("axis", "support"), of.of_foot.astype(int), "1", text)
+    text = "1: Omega is that of the hinge at the column base, 0: that of the dissipative members of the direction"
+    group.add("of_foot", ("axis", "support"), of.of_base.astype(int), "1", text)
     for name in ("least", "largest"):
         text = f"{name} design action, E_F,G -+ gamma_Rd Omega E_F,E"
         group.add(name, ("combination", "support", "component"), getattr(of, name), _UNITS, text)

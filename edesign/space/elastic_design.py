@@ -40,7 +40,7 @@ from edesign.space.analysis.sway import SwayAnalysis, SwayStability, sway_criter
 from edesign.space.analysis.vertical_component import vertical_combinations, vertical_component
 from edesign.space.analysis.yielded_braces import with_yielded_braces, yielded_combinations
 from edesign.space.checks.capacity import ROUNDING, Joint, Overstrength, dissipative_members, joints, overstrength
-from edesign.space.checks.column_feet import feet_criteria, hinged_feet
+from edesign.space.checks.column_bases import base_criteria, hinged_bases
 from edesign.space.checks.foundations import Foundations, foundation_factors, foundations, supports
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
 from edesign.space.checks.regularity import regularity, shape
@@ -198,7 +198,7 @@ class ElasticAnalysis:
         self.bracing = bracing(self.frame)
         self._single = single_diagonals(self.frame, self.bracing)
         self.supports = supports(self.frame, self.bracing)
-        self._feet = {axis: hinged_feet(self.frame, axis) for axis in AXES}
+        self._bases = {axis: hinged_bases(self.frame, axis) for axis in AXES}
         level = self._design.level or next(iter(hazard.levels), None)
         self._elastic = elastic_spectrum(hazard, level)
         self._vertical = vertical_component(self.frame, vertical_spectrum(hazard, level), self._national.beta)
@@ -372,8 +372,8 @@ class ElasticAnalysis:
                 highest = allowed_class(design, q[axis], q_limit[axis], regular)
                 criteria += connection_criteria(design, axis, q[axis])
                 criteria += joint_criteria(of_joints[axis], axis)
-                criteria += feet_criteria(
-                    frame, steel, acting, checked.amplified, self._feet[axis], axis, highest, gamma_M0
+                criteria += base_criteria(
+                    frame, steel, acting, checked.amplified, self._bases[axis], axis, highest, gamma_M0
                 )
                 criteria += panel_criteria(of_panels[axis], len(of_joints[axis]), axis, design.members.doubler_plates)
             else:

@@ -155,7 +155,7 @@ def test_an_interrupted_run_goes_on_to_the_same_results(
 def test_modes_with_the_dampers_stiffness(results_of: Results) -> None:
     """Rayleigh's quotient with the dampers' stiffness added on the shape found gives its frequency again.
 
-    k_d of each chevron acts on its storey's drift of the mode, whose verticals at the feet are small: 2 %.
+    k_d of each chevron acts on its storey's drift of the mode, whose verticals at the lower ends are small: 2 %.
     """
     bare, damped = results_of("chevron_mgmm", "modes_bare"), results_of("chevron_mgmm", "modes")
     k = value(damped, "damper_storage_stiffness")

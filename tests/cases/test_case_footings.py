@@ -63,8 +63,8 @@ def test_weight_of_frame_and_footings_reaches_the_ground(results_of: Results) ->
 
 
 def test_the_frame_is_softer_on_its_footings(results_of: Results) -> None:
-    """The first period is longer than on fixed feet. One mass on a rigid base bounds it from below: it leaves out that
-    each foot turns on its own."""
+    """The first period is longer than on fixed bases. One mass on a rigid base bounds it from below: it leaves out that
+    each column base turns on its own."""
     modes = results_of(CASE, "modes").attributes
     assert modes["period_ratio"] > modes["closed_period_ratio"] > 1.0
     assert 0.0 < modes["closed_foundation_damping"] < modes["foundation_damping"] < 0.01

@@ -71,10 +71,10 @@ def test_joint_and_spring_under_the_column(results_of: Results) -> None:
         expected = np.sign(rotation) * (300e3 + 0.01 * (abs(expected) - 300e3))
     assert moment == pytest.approx(expected, rel=1e-9)
     assert moment == pytest.approx(values(group, "hinge_moment_final")["B_1_2:end"], rel=1e-7)
-    at_feet = group.variables["support_reaction_moment_final"].values
+    at_bases = group.variables["support_reaction_moment_final"].values
     turned = group.variables["support_rotation_final"].values
-    assert at_feet[0] == pytest.approx(-120e6 * turned[0], rel=1e-6)
-    assert abs(at_feet[1]) <= 500e3 * (1.0 + 1e-9)
+    assert at_bases[0] == pytest.approx(-120e6 * turned[0], rel=1e-6)
+    assert abs(at_bases[1]) <= 500e3 * (1.0 + 1e-9)
 
 
 def test_panels_lie_on_their_lines(results_of: Results) -> None:

@@ -1,4 +1,4 @@
-"""The case of a passing wave: delays by hand, displacements of the feet by integration, sums of reactions, balance."""
+"""Wave passage: delays by hand, displacements of the supports by integration, sums of reactions, balance."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Results = Callable[[str, str], Group]
 CASE = "wave_passage"
 
 
-def test_feet_move_as_the_record_does_later(results_of: Results) -> None:
+def test_supports_move_as_the_record_does_later(results_of: Results) -> None:
     """20 m at 400 m/s are 50 ms. The ground displacement is integrated here from the archived acceleration."""
     group = results_of(CASE, "passing")
     assert group.variables["foot_delay"].values == pytest.approx([0.0, 0.025, 0.05])
@@ -39,7 +39,7 @@ def test_delays_are_what_the_velocity_makes(results_of: Results) -> None:
     assert results_of(CASE, "leftwards").variables["foot_delay"].values == pytest.approx([0.05, 0.025, 0.0])
 
 
-def test_feet_that_move_apart_pull_at_each_other(results_of: Results) -> None:
+def test_supports_that_move_apart_pull_at_each_other(results_of: Results) -> None:
     """The reaction of line A is another, and the sum of all is the base shear still."""
     group, still = results_of(CASE, "passing"), results_of(CASE, "at_once")
     apart = group.variables["support_horizontal_reaction"].values

@@ -41,7 +41,7 @@ def ground() -> np.ndarray:
 
 
 def test_history_of_a_portal_on_footings() -> None:
-    """Displacement of the roof and of a foot, and the rotation of the foot: both programs use average acceleration."""
+    """Displacement of the roof and of a base, and the rotation of the base: both programs use average acceleration."""
     structure = make_structure(parse_project(TEXT))
     frame = structure.frame
     structure.install_dampers()
@@ -66,11 +66,11 @@ def of_opensees(footing: object) -> np.ndarray:
         ops.uniaxialMaterial("Elastic", 1 + degree, footing.stiffness[degree])
         ops.uniaxialMaterial("Viscous", 11 + degree, footing.dashpot[degree], 1.0)
         ops.uniaxialMaterial("Parallel", 21 + degree, 1 + degree, 11 + degree)
-    for tag, (foot, soil) in enumerate(((1, 5), (2, 6)), start=11):
+    for tag, (base, soil) in enumerate(((1, 5), (2, 6)), start=11):
         ops.fix(soil, 1, 1, 1)
-        ops.element("zeroLength", tag, soil, foot, "-mat", 21, 22, 23, "-dir", 1, 2, 6, "-doRayleigh", 0)
-        ops.mass(foot, footing.mass, footing.mass, footing.inertia)
-        ops.mass(foot + 2, MASS, MASS, 0.0)
+        ops.element("zeroLength", tag, soil, base, "-mat", 21, 22, 23, "-dir", 1, 2, 6, "-doRayleigh", 0)
+        ops.mass(base, footing.mass, footing.mass, footing.inertia)
+        ops.mass(base + 2, MASS, MASS, 0.0)
     ops.geomTransf("Linear", 1)
     ops.element("elasticBeamColumn", 1, 1, 3, A, E, I_C, 1)
     ops.element("elasticBeamColumn", 2, 2, 4, A, E, I_C, 1)

@@ -1,6 +1,6 @@
 """A portal with hinges at the ends of its beam, beside OpenSeesPy with the same springs, from a project's own builder.
 
-Pinned feet, elastic columns, no damping; the beam bends in double curvature alone, in which n = 10 with a prismatic
+Pinned bases, elastic columns, no damping; the beam bends in double curvature alone, in which n = 10 with a prismatic
 beam of (n + 1) / n times E I (OpenSees) and a member that leaves out its springs (here) are the same.
 """
 

@@ -1,4 +1,4 @@
-"""A portal whose second foot is reached later, beside OpenSeesPy with MultipleSupport excitation.
+"""A portal whose second support is reached later, beside OpenSeesPy with MultipleSupport excitation.
 
 OpenSees computes absolute displacements, and damps by absolute velocities. Damping proportional to stiffness is the
 same in both: the whole frame moving along is not damped.
@@ -31,7 +31,7 @@ def ground() -> np.ndarray:
 
 
 def test_multiple_support_excitation() -> None:
-    """Sway of both tops and of the late foot, and the shear in the columns. Average acceleration of absolute and of
+    """Sway of both tops and of the late support, and the shear in the columns. Average acceleration of absolute and of
     relative displacements differs by the square of the step: 1e-4 of the largest at 5 ms, a quarter of it here."""
     theirs = of_opensees()
     m = Model()

@@ -55,16 +55,16 @@ def test_problem_1_022_periods() -> None:
 
 
 def test_problem_1_022_lateral_loads() -> None:
-    """Top displacement 1.45076 in, axial force 69.99 kip and moment 2324.68 kip in at the foot of the first column."""
+    """Top displacement 1.45076 in, axial force 69.99 kip and moment 2324.68 kip in at the base of the first column."""
     f, grid = seven_storeys()
     nodal = np.zeros((1, len(f.nodes), 6))
     nodal[0, grid[1:, 0], 0] = (2.5, 5.0, 7.5, 10.0, 12.5, 15.0, 20.0)
     result = f.model().static(nodal)
     # a unit of the last digit: OpenSees prints 1.451 as SeismoStruct does, the prototype of this core 1.450757
     assert result.displacements[0, grid[7, 0], 0] == pytest.approx(1.45076, abs=1e-5)
-    foot = result.end_forces[0, 0]
-    assert abs(foot[0]) == pytest.approx(69.99, abs=5e-3)
-    assert abs(foot[4]) == pytest.approx(2324.68, abs=5e-3)
+    base = result.end_forces[0, 0]
+    assert abs(base[0]) == pytest.approx(69.99, abs=5e-3)
+    assert abs(base[4]) == pytest.approx(2324.68, abs=5e-3)
 
 
 def two_storeys() -> SpaceModel:

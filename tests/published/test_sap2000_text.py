@@ -150,7 +150,7 @@ END TABLE DATA
 
 
 def test_a_portal_in_the_plane_y_z_has_the_thrust_of_kleinlogel(tmp_path: Path) -> None:
-    """Fixed feet, uniform load q: M = q L^2 / (12 (k + 2)) at the feet, H = 3 M / h, k = I_b h / (I_c L).
+    """Fixed bases, uniform load q: M = q L^2 / (12 (k + 2)) at the column bases, H = 3 M / h, k = I_b h / (I_c L).
 
     Source: Kleinlogel, Rahmenformeln, frame 43. Axial strains count for nothing at an area of 1000 m2.
     """

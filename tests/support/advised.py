@@ -294,7 +294,7 @@ ANALYSES = (
     _row(
         "small",
         (_SHAKE, f"{_SHAKE}, wave_passage: {{delays: {{B: 0.1 s}}, direction: left}}"),
-        "the `delays` say which way the wave runs; leave this key out",
+        "the `delays` say which way the wave propagates; leave this key out",
         (", direction: left", ""),
     ),
     _row(

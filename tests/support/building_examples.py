@@ -131,7 +131,7 @@ design:
 
 
 PINNED = ("supports: fixed", "supports: pinned")
-"""A change of these files: all feet on hinges."""
+"""A change of these files: all column bases on hinges."""
 NO_TORSION = "  accidental_torsion: none\n"
 """Key of a design; without it buildings have the accidental torsion of 5 %."""
 

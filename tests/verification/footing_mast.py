@@ -39,12 +39,12 @@ def mast(
     turned: bool = False,
     radiation: bool = True,
 ) -> tuple[Project, float, float, float]:
-    """Return the project, its mass m (kg), height h (m) and stiffness on a fixed foot k (N/m).
+    """Return the project, its mass m (kg), height h (m) and stiffness on a fixed base k (N/m).
 
     Args:
         h: height, m.
         width, length: of the footing across and along the frame, m; turned: the other way round.
-        stiffness_ratio: h / (V_s T) of the mast on a fixed foot.
+        stiffness_ratio: h / (V_s T) of the mast on a fixed base.
         embedment: m.
         damping: of the soil.
         poisson: of the soil.

@@ -1,4 +1,4 @@
-"""Buckling-restrained braces as members of the frame: on footings, under passing waves, and from the beginning.
+"""Buckling-restrained braces as members of the frame: on footings, under wave passage, and from the beginning.
 
 Before they yield, elastic struts of the same stiffness in their places are the same frame. A frame that stands by its
 braces alone has a critical load and periods in closed form.
@@ -107,8 +107,8 @@ RESPONSE = ("floor_displacement", "floor_acceleration", "base_shear", "column_ax
 
 @pytest.mark.parametrize("name", ["shake", "wave"])
 def test_histories(name: str) -> None:
-    """Damping acts on what moves beyond the frame that follows its feet slowly, with its braces. Equilibrium within
-    1e-10 leaves 1e-6 of the largest response."""
+    """Damping acts on what moves beyond the frame that follows its column bases slowly, with its braces. Equilibrium
+    within 1e-10 leaves 1e-6 of the largest response."""
     found = run(frame(struts=False), name)
     same(found, run(frame(struts=True), name), 1e-6, *RESPONSE)
     # what the dashpots of footings do is not counted as work of the braces

@@ -1,7 +1,7 @@
 """Dampers between floors: the moment by which a frame overturns, by statics, and what its columns lack of it.
 
 Statics: loads and inertia forces at the floors times their heights. A damper between floors pushes them apart with F,
-and F times the height of the storey is the couple that a chevron has in its feet.
+and F times the height of the storey is the couple that a chevron has in its lower ends.
 """
 
 from __future__ import annotations

@@ -127,7 +127,7 @@ def chevrons(one: Project, storeys: list[int]) -> FrameModel:
 
 @pytest.mark.parametrize("storeys", ["1", "2", "1-2"])
 def test_chevron_is_an_apex_with_two_bars(storeys: str) -> None:
-    """The apex is condensed out of the model; the feet get the vertical forces of the bars, up and down."""
+    """The apex is condensed out of the model; the lower ends get the vertical forces of the bars, up and down."""
     there = {"1": [1], "2": [2], "1-2": [1, 2]}[storeys]
     device = f"{{kind: chevron, bays: 1, storeys: {storeys}, law: spring, brace: {{section: strut, material: steel}}}}"
     one = project(device)
@@ -165,7 +165,7 @@ def test_without_diaphragm_a_chevron_pulls_at_both_ends_of_the_beam() -> None:
     model.fix(middle, uy=True, rz=True)
     model.link("spring", apex, middle, (K, 0.0, 0.0))
     for line in "AB":
-        model.truss(f"foot{line}", frame.nodes[f"{line}0"], apex, steel, AREA)
+        model.truss(f"end{line}", frame.nodes[f"{line}0"], apex, steel, AREA)
         model.truss(f"half{line}", frame.nodes[f"{line}1"], middle, steel, area)
     exact = responses(frame, dampers=False)
 

@@ -12,11 +12,11 @@ def column(load_along: float, upwards: bool, geometry: str, scale: float = 1.0) 
     """Sway of a pinned column that leans on a lateral spring, under a load along it; lengths times `scale`, N."""
     m = Model()
     height, spring, push = 4.0 * scale, 2e5 / scale, 1e3
-    foot, top, wall = m.node("foot", 0, 0), m.node("top", 0, height), m.node("wall", 1.0 * scale, height)
-    m.fix(foot, True, True, False)
+    column_base, top, wall = m.node("base", 0, 0), m.node("top", 0, height), m.node("wall", 1.0 * scale, height)
+    m.fix(column_base, True, True, False)
     m.fix(wall, True, True, True)
     section = m.elastic_section(1e12, 1e12 * scale**2)
-    ends = (foot, top) if upwards else (top, foot)
+    ends = (column_base, top) if upwards else (top, column_base)
     e = m.beam_column("column", *ends, section, geometry=geometry)
     m.link("spring", top, wall, (spring, 0.0, 0.0))
     g = m.pattern()
@@ -31,7 +31,7 @@ def column(load_along: float, upwards: bool, geometry: str, scale: float = 1.0) 
 @pytest.mark.parametrize("upwards", [True, False])
 @pytest.mark.parametrize("geometry", ["p_delta", "corotational"])
 def test_load_along_a_leaning_column(upwards: bool, geometry: str) -> None:
-    """Moment about the foot: (k h - W/2) u = H h whichever end comes first; corotational differs by (u/h)^2 = 3e-6."""
+    """Moment about the base: (k h - W/2) u = H h whichever end comes first; corotational differs by (u/h)^2 = 3e-6."""
     weight = 4e5
     assert column(weight, upwards, geometry) == pytest.approx(1e3 * 4.0 / (2e5 * 4.0 - weight / 2), rel=1e-5)
 
@@ -62,9 +62,9 @@ def test_ties_make_one_group_in_any_order() -> None:
         section = m.elastic_section(1e9, 1e7)
         tops = [m.node(f"t{i}", 4.0 * i, 3.0) for i in range(3)]
         for i, top in enumerate(tops):
-            foot = m.node(f"f{i}", 4.0 * i, 0.0)
-            m.fix(foot, True, True, True)
-            m.beam_column(f"c{i}", foot, top, section)
+            column_base = m.node(f"f{i}", 4.0 * i, 0.0)
+            m.fix(column_base, True, True, True)
+            m.beam_column(f"c{i}", column_base, top, section)
         for node, master in pairs:
             m.tie(tops[node], tops[master], ux=True)
         assert len({int(e) for e in Analysis(m).equations[tops, 0]}) == 1
@@ -91,9 +91,9 @@ def test_critical_load_in_any_unit_of_length(scale: float) -> None:
     for share, stands in ((0.9, True), (1.1, False)):
         m = Model()
         length, EI = 3.0 * scale, 1e6 * scale**2
-        foot, top = m.node("foot", 0, 0), m.node("top", 0, length)
-        m.fix(foot, True, True, True)
-        m.beam_column("c", foot, top, m.elastic_section(1e9, EI))
+        column_base, top = m.node("base", 0, 0), m.node("top", 0, length)
+        m.fix(column_base, True, True, True)
+        m.beam_column("c", column_base, top, m.elastic_section(1e9, EI))
         g = m.pattern()
         m.nodal_load(g, top, fx=1.0, fy=-share * 3 * EI / length**2)  # one member: 3 EI / L^2
         assert (Analysis(m).static(g).status == "completed") is stands
@@ -102,10 +102,10 @@ def test_critical_load_in_any_unit_of_length(scale: float) -> None:
 def test_energy_switched_on_later_starts_balanced() -> None:
     """Gravity without the balance, then a history with it: what is stored counts as put in (elastic: exact)."""
     m = Model()
-    foot, top = m.node("foot", 0, 0), m.node("top", 0, 3)
-    m.fix(foot, True, True, True)
+    column_base, top = m.node("base", 0, 0), m.node("top", 0, 3)
+    m.fix(column_base, True, True, True)
     steel = m.material(Bilinear(2.1e11, 1e12))
-    m.beam_column("c", foot, top, m.fibre_section(np.linspace(-0.2, 0.2, 16), np.full(16, 1e-3), steel))
+    m.beam_column("c", column_base, top, m.fibre_section(np.linspace(-0.2, 0.2, 16), np.full(16, 1e-3), steel))
     m.mass(top, 2e4)
     g = m.pattern()
     m.nodal_load(g, top, fy=-2e5)
@@ -119,9 +119,9 @@ def test_energy_switched_on_later_starts_balanced() -> None:
 def test_pushover_that_cannot_move_its_degree_is_refused_at_once() -> None:
     """A lateral load on a cantilever does not lift its top: said before the first step."""
     m = Model()
-    foot, top = m.node("foot", 0, 0), m.node("top", 0, 3)
-    m.fix(foot, True, True, True)
-    m.beam_column("c", foot, top, m.elastic_section(1e9, 1e7), geometry="linear")
+    column_base, top = m.node("base", 0, 0), m.node("top", 0, 3)
+    m.fix(column_base, True, True, True)
+    m.beam_column("c", column_base, top, m.elastic_section(1e9, 1e7), geometry="linear")
     g = m.pattern()
     m.nodal_load(g, top, fx=1.0)
     with pytest.raises(CoreError, match="do not move the controlled degree"):
@@ -131,9 +131,9 @@ def test_pushover_that_cannot_move_its_degree_is_refused_at_once() -> None:
 def test_channel_names_are_unique() -> None:
     """Two channels of one name would overwrite each other."""
     m = Model()
-    foot, top = m.node("foot", 0, 0), m.node("top", 0, 3)
-    m.fix(foot, True, True, True)
-    m.beam_column("c", foot, top, m.elastic_section(1e9, 1e7))
+    column_base, top = m.node("base", 0, 0), m.node("top", 0, 3)
+    m.fix(column_base, True, True, True)
+    m.beam_column("c", column_base, top, m.elastic_section(1e9, 1e7))
     g = m.pattern()
     twice = [Channel("u", ((1.0, "displacement", top, d),)) for d in (0, 1)]
     with pytest.raises(ValueError, match="same name: u"):

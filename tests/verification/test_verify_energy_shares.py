@@ -24,7 +24,7 @@ from edesign.study.run.analyses import run_analysis
 
 RHO = 1.0  # (I / L) of the beam over (I / h) of a column
 STIFFNESS = 24.0 * E * INERTIA / HEIGHT**3 * (6.0 * RHO + 1.0) / (6.0 * RHO + 4.0)
-"""N/m. Source: portal on fixed feet, Chopra, Dynamics of Structures (2012), section 1.3, with rho = 4 times his."""
+"""N/m. Source: portal on fixed bases, Chopra, Dynamics of Structures (2012), section 1.3, with rho = 4 times his."""
 OMEGA = np.sqrt(STIFFNESS / MASS)
 INHERENT, ADDED = 0.05, 0.15
 """Damping ratios of the frame and of its damper: the damper takes 3/4 of the input."""

@@ -84,17 +84,17 @@ def test_rotational_springs_at_supports() -> None:
     springs = "{default: {rotation: 15 MN*m/rad}}"
     group = run("push", supports=springs)
     assert stiffness(group) == pytest.approx(portal_stiffness(6.0 * E * BEAM / SPAN, 15e6), rel=1e-6)
-    feet = group.variables["member_bending_moment"].values[-1, 0, 0]
+    column_bases = group.variables["member_bending_moment"].values[-1, 0, 0]
     resting = run("gravity", supports=springs, G="1.0")
     assert np.sum(resting.variables["reaction_y_final"].values) == pytest.approx(80e3, rel=1e-9)
-    at_feet = resting.variables["member_bending_moment_max"].values[:2, 0]
+    at_bases = resting.variables["member_bending_moment_max"].values[:2, 0]
     other = resting.variables["member_bending_moment_min"].values[:2, 0]
-    np.testing.assert_allclose(resting.variables["reaction_moment_final"].values, at_feet + other, rtol=1e-7)
-    assert abs(feet) > 1e3
+    np.testing.assert_allclose(resting.variables["reaction_moment_final"].values, at_bases + other, rtol=1e-7)
+    assert abs(column_bases) > 1e3
 
 
 def test_horizontal_and_vertical_springs_at_supports() -> None:
-    """Vertical springs sink by 40 kN / 20 kN/mm under each foot; horizontal ones add their flexibility to the sway."""
+    """Vertical springs sink by 40 kN / 20 kN/mm under each base; horizontal ones add their flexibility to the sway."""
     springs = "{default: {horizontal: 5 kN/mm, vertical: 20 kN/mm}}"
     resting = run("gravity", supports=springs, G="1.0")
     np.testing.assert_allclose(resting.variables["node_displacement_y_final"].values[:2], -40.0 / 20e3, rtol=1e-6)
@@ -107,10 +107,11 @@ def test_horizontal_and_vertical_springs_at_supports() -> None:
     assert shear > 0.0
 
 
-def test_a_foot_that_lifts_off() -> None:
-    """Pushed until one foot lifts: there the vertical force is none, and the other carries all of the load.
+def test_a_base_that_lifts_off() -> None:
+    """Pushed until one column base lifts: there the vertical force is none, and the other carries all of the load.
 
-    The portal then turns about the other foot: H h = W L / 2 holds the push, but for 1e-4 of it that the springs of
+    The portal then turns about the other column base: H h = W L / 2 holds the push, but for 1e-4 of it that the springs
+        of
     1 kN m/rad carry, without which nothing would hold it at the limit.
     """
     springs = "{default: {vertical: {stiffness: 200 kN/mm, uplift: true}, rotation: 1 kN*m/rad}}"
@@ -135,7 +136,7 @@ def test_hinges_do_not_change_the_elastic_frame(place: str) -> None:
 
 
 def test_mechanism_of_hinges_with_other_strengths_sagging_and_hogging() -> None:
-    """Pinned feet, hinges in the beam: H h = M_sagging + M_hogging, whatever the gravity load.
+    """Pinned bases, hinges in the beam: H h = M_sagging + M_hogging, whatever the gravity load.
 
     The hinges are elastic-plastic but for 0.1 % of hardening, without which a mechanism is singular: sagging 400 kN m,
     hogging 250 kN m.

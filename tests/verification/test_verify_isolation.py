@@ -35,7 +35,7 @@ dampers:
   laws: {isolator: @law@}
   isolation:
     isolators: [{lines: all, law: isolator@more@}]
-    base: {G: 12.5 kN/m, mass: 30 t, @feet@}
+    base: {G: 12.5 kN/m, mass: 30 t, @bases@}
     design_displacement: 150 mm
 analyses:
   - {name: modes, kind: modal, modes: 2}
@@ -48,14 +48,16 @@ PENDULUM = (
 LEAD = "{type: lead_rubber, parameters: {Q: 18 kN, K_d: 0.35 kN/mm, Y: 8 mm}}"
 
 
-def isolated(law: str, more: str = "", storeys: int = 1, stiff: bool = False, feet: str = "rotation: fixed") -> Project:
-    return parse_project(isolated_text(law, more, storeys, stiff, feet))
+def isolated(
+    law: str, more: str = "", storeys: int = 1, stiff: bool = False, bases: str = "rotation: fixed"
+) -> Project:
+    return parse_project(isolated_text(law, more, storeys, stiff, bases))
 
 
 def isolated_text(
-    law: str, more: str = "", storeys: int = 1, stiff: bool = False, feet: str = "rotation: fixed"
+    law: str, more: str = "", storeys: int = 1, stiff: bool = False, bases: str = "rotation: fixed"
 ) -> str:
-    text = shear_frame_text(storeys) + REST.replace("@law@", law).replace("@more@", more).replace("@feet@", feet)
+    text = shear_frame_text(storeys) + REST.replace("@law@", law).replace("@more@", more).replace("@bases@", bases)
     if stiff:  # a rigid body above the isolators: its columns are 1e7 times as stiff
         text = text.replace("inertia: 1e-4 m^4", "inertia: 1e3 m^4")
     return text
@@ -223,16 +225,17 @@ def test_isolators_hold_the_base_under_horizontal_loads_of_gravity() -> None:
     assert value(group, "reaction_x_final") == pytest.approx([-4e3, -4e3], rel=1e-6)
 
 
-def test_beams_of_the_base_bring_the_moments_of_the_feet_to_the_isolators() -> None:
-    """8 kN at 2 m press and relieve the isolators, 8 m apart, by 2 kN; feet that are held keep a part of the 16 kNm.
+def test_beams_of_the_base_bring_the_moments_of_the_bases_to_the_isolators() -> None:
+    """8 kN at 2 m press and relieve the isolators, 8 m apart, by 2 kN; column bases that are held keep a part of the 16
+    kNm.
 
-    Equal columns in a floor that does not bend share 8 kN; the one under 2 kN/m has w h^2 / 12 more at its foot, so the
-    moments of both feet are w h^2 / 4 + w h^2 / 12 (their shears at mid-height are half of all).
+    Equal columns in a floor that does not bend share 8 kN; the one under 2 kN/m has w h^2 / 12 more at its column base,
+    so the moments of both column bases are w h^2 / 4 + w h^2 / 12 (their shears at mid-height are half of all).
     """
     weight = np.array([-0.5 * WEIGHT] * 2)
     beams = "beams: {section: rigid, material: steel}"
-    for feet, moments in (("rotation: fixed", 2e3 * 4.0**2 / 3.0), (beams, 0.0)):
-        project = isolated(LEAD, feet=feet)
+    for bases, moments in (("rotation: fixed", 2e3 * 4.0**2 / 3.0), (beams, 0.0)):
+        project = isolated(LEAD, bases=bases)
         project = project.with_values("loads.columns", [{"lines": "A", "storeys": 1, "G": "2 kN/m"}])
         group = run_analysis(project, project.analyses[1])
         change = (16e3 - moments) / 8.0
@@ -287,10 +290,10 @@ def test_rigid_superstructure_is_an_oscillator(text: str, law: LawValues, scale:
     assert frame.isolated is not None
     structure.apply_gravity()
     structure.install_dampers()
-    foot = frame.nodes[frame.isolated.isolators[0].foot]
+    base = frame.nodes[frame.isolated.isolators[0].column_base]
     numbers = [device.number for device in frame.isolated.devices]
     channels = [
-        Channel("u", ((1.0, "displacement", foot, 0),)),
+        Channel("u", ((1.0, "displacement", base, 0),)),
         Channel("F", tuple((1.0, "damper_force", number, 0) for number in numbers)),
     ]
     response = structure.analysis.history(MOTION, 0.002, channels=channels)
@@ -312,7 +315,7 @@ def test_friction_under_the_weight_of_the_moment() -> None:
     mu, R = 0.05, 1.5
     varying = ", weight: varying, vertical: {stiffness: 2000 kN/mm, uplift: true}"
     text = shear_frame_text(1).replace("directions: horizontal", "directions: both")
-    text += REST.replace("@law@", pendulum(mu, mu)).replace("@more@", varying).replace("@feet@", "rotation: fixed")
+    text += REST.replace("@law@", pendulum(mu, mu)).replace("@more@", varying).replace("@bases@", "rotation: fixed")
     project = parse_project(text).with_values("masses.given[0].mass", f"{300e3 / G!r} kg")
     project = project.with_values("dampers.isolation.base.mass", f"{100e3 / G!r} kg")
     structure = make_structure(project, dampers=True)
@@ -323,7 +326,7 @@ def test_friction_under_the_weight_of_the_moment() -> None:
     devices = frame.isolated.devices
     channels = [Channel("u", ((1.0, "displacement", frame.nodes["A0"], 0),))]
     channels += [Channel(f"F{i}", ((1.0, "damper_force", one.number, 0),)) for i, one in enumerate(devices)]
-    channels += [Channel(f"N{i}", frame.reaction(one.foot, 1)) for i, one in enumerate(devices)]
+    channels += [Channel(f"N{i}", frame.reaction(one.column_base, 1)) for i, one in enumerate(devices)]
     up = 8.8 * np.sin(2.0 * np.pi * 0.7 * np.arange(MOTION.size) * 0.002)
     response = structure.analysis.history(MOTION, 0.002, channels=channels, vertical=up)
     assert response.status == "completed", response.reason

@@ -124,13 +124,13 @@ def test_loads_on_panel_zones_stand_on_the_joints() -> None:
     assert group.variables["reaction_y_final"].values.sum() == pytest.approx(loads_between(0.0, SPAN)[0], rel=1e-8)
 
 
-FEET = "supports: {A: {rotation: 20 MN*m/rad, vertical: 200 kN/mm, horizontal: 40 kN/mm}, B: fixed}"
-COLUMN_FEET = f"hinges: [{{columns: {{storeys: 1}}, ends: start, parameters: {HINGE}}}]"
+SUPPORTS = "supports: {A: {rotation: 20 MN*m/rad, vertical: 200 kN/mm, horizontal: 40 kN/mm}, B: fixed}"
+BASE_HINGES = f"hinges: [{{columns: {{storeys: 1}}, ends: start, parameters: {HINGE}}}]"
 
 
-def test_reactions_of_springs_and_hinged_feet_overturn() -> None:
+def test_reactions_of_springs_and_hinged_bases_overturn() -> None:
     """Linear: moment of all reactions about the middle of the base = push times height + that of the loads."""
-    group = run("push", frame=FEET, more=COLUMN_FEET)
+    group = run("push", frame=SUPPORTS, more=BASE_HINGES)
     values = {name: group.variables[name].values for name in ("lateral_load", "base_shear", "overturning_moment")}
     total, about_left = loads_between(0.0, SPAN)
     np.testing.assert_allclose(values["base_shear"], values["lateral_load"], rtol=1e-8, atol=1e-3)
@@ -141,10 +141,10 @@ def test_reactions_of_springs_and_hinged_feet_overturn() -> None:
 
 
 def test_a_leaning_column_overturns_by_what_it_pulls() -> None:
-    """P-Delta: its load P adds P u to what the frame's feet resist; its own foot is none of the supports."""
-    feet = "supports: {A: {rotation: 20 MN*m/rad}, B: {vertical: 200 kN/mm}}"
-    frame = f"{feet}\n  leaning_column: {{G: 900 kN}}\n  diaphragms: all"
-    group = run("push", frame=frame, more=COLUMN_FEET, geometry="p_delta")
+    """P-Delta: its load P adds P u to what the frame's column bases resist; its own base is none of the supports."""
+    bases = "supports: {A: {rotation: 20 MN*m/rad}, B: {vertical: 200 kN/mm}}"
+    frame = f"{bases}\n  leaning_column: {{G: 900 kN}}\n  diaphragms: all"
+    group = run("push", frame=frame, more=BASE_HINGES, geometry="p_delta")
     push, drift = (group.variables[name].values for name in ("lateral_load", "storey_drift"))
     np.testing.assert_allclose(group.variables["base_shear"].values, push, rtol=1e-8, atol=1e-3)
     total, about_left = loads_between(0.0, SPAN)

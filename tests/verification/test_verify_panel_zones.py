@@ -26,7 +26,7 @@ def joint(K: float, EI_B: float, EI_C: float, geometry: str, axial: float = 0.0)
     places = {
         "top": (0.0, 0.5 * H),
         "J": (0.0, 0.0),
-        "foot": (0.0, -0.5 * H),
+        "base": (0.0, -0.5 * H),
         "left": (-0.5 * L, 0.0),
         "right": (0.5 * L, 0.0),
     }
@@ -34,11 +34,11 @@ def joint(K: float, EI_B: float, EI_C: float, geometry: str, axial: float = 0.0)
     sections = {"C": m.elastic_section(EA, EI_C), "B": m.elastic_section(EA, EI_B)}
     panel = Panel(D_B, D_C, K, 1e9, 2e9, 0.03)
     panels = PanelBuilder(m, nodes, {node: places[name] for name, node in nodes.items()}, {"J": panel})
-    for name, ends in (("C1", ("foot", "J")), ("C2", ("J", "top")), ("B1", ("left", "J")), ("B2", ("J", "right"))):
+    for name, ends in (("C1", ("base", "J")), ("C2", ("J", "top")), ("B1", ("left", "J")), ("B2", ("J", "right"))):
         EI = EI_C if name[0] == "C" else EI_B
         of = geometry if name[0] == "C" else "linear"
         m.beam_column(name, *panels.ends(name, ends, EI, of), sections[name[0]], geometry=of)
-    m.fix(nodes["foot"], True, True, False)
+    m.fix(nodes["base"], True, True, False)
     for name in ("left", "right"):
         m.fix(nodes[name], False, True, False)
     weight, push = m.pattern(), m.pattern()

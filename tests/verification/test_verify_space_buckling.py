@@ -15,10 +15,10 @@ H = 4.0
 EI = E * SECTION["I_z"]  # the weaker plane
 
 
-def column(foot: str, head: str, parts: int, ends: tuple[float, ...] = RIGID, **section: float) -> float:
+def column(base: str, head: str, parts: int, ends: tuple[float, ...] = RIGID, **section: float) -> float:
     """Critical force of a column of `parts` members; springs at its ends."""
     f = Frame()
-    a, b = f.node(0, 0, 0, fixed=foot), f.node(0, 0, H, fixed=head)
+    a, b = f.node(0, 0, 0, fixed=base), f.node(0, 0, H, fixed=head)
     chain = f.line(a, b, parts, **section)
     f.rows[chain[0]]["ends"] = (*ends[:2], *((inf, inf) if parts > 1 else ends[2:]))
     if parts > 1:
@@ -42,11 +42,11 @@ def test_euler(name: str) -> None:
     The bows of a member have polynomials to the sixth degree in the slope. Held ends ask most of them: Rayleigh's
     quotient of the best polynomial is 5.9e-4 too large there, 1.1e-5 with one hinge, below 5e-7 elsewhere.
     """
-    foot, head, factor = EULER[name]
+    base, head, factor = EULER[name]
     exact = factor * EI / H**2
     most = {"fixed, fixed": 6e-4, "fixed, hinge": 1.1e-5}.get(name, 5e-7)
-    assert 0.0 <= column(foot, head, 1) / exact - 1.0 <= most
-    assert abs(column(foot, head, 2) / exact - 1.0) <= 5e-9
+    assert 0.0 <= column(base, head, 1) / exact - 1.0 <= most
+    assert abs(column(base, head, 2) / exact - 1.0) <= 5e-9
 
 
 @pytest.mark.parametrize("k", [0.3, 3.0, 30.0])
@@ -71,15 +71,15 @@ def test_shear_flexible_column(name: str, share: float) -> None:
 
     `share`: P_E / (G A_s). Polynomials as in test_euler: 3e-6 is the largest error over all shares from 0 to 10.
     """
-    foot, head, factor = EULER[name]
+    base, head, factor = EULER[name]
     euler = factor * EI / H**2
     A_s = euler / share / G
-    assert column(foot, head, 1, A_y=A_s, A_z=A_s, I_y=1.0) == pytest.approx(euler / (1.0 + share), rel=3e-6)
+    assert column(base, head, 1, A_y=A_s, A_z=A_s, I_y=1.0) == pytest.approx(euler / (1.0 + share), rel=3e-6)
 
 
 @pytest.mark.parametrize(("fixed", "ratio"), [(True, 1.0), (True, 5.0), (False, 1.0), (False, 0.2)])
 def test_sway_portal(fixed: bool, ratio: float) -> None:
-    """Fixed feet: u cot u = -6 k; hinged: u tan u = 6 k; k = I_b h / (I_c L).
+    """Fixed bases: u cot u = -6 k; hinged: u tan u = 6 k; k = I_b h / (I_c L).
 
     Polynomials as in test_euler; lengths give by 1e-5.
     """
@@ -91,9 +91,9 @@ def test_sway_portal(fixed: bool, ratio: float) -> None:
         u = brentq(lambda u: u * np.sin(u) - 6 * k * np.cos(u), 1e-6, pi / 2)
     exact = u**2 * E * SECTION["I_y"] / H**2
     f = Frame()
-    feet = [f.node(x, 0, 0, fixed="all" if fixed else "ux uy uz rx rz") for x in (0.0, span)]
+    bases = [f.node(x, 0, 0, fixed="all" if fixed else "ux uy uz rx rz") for x in (0.0, span)]
     tops = [f.node(x, 0, H, fixed="uy rx rz") for x in (0.0, span)]
-    for a, b in zip(feet, tops, strict=True):
+    for a, b in zip(bases, tops, strict=True):
         f.member(a, b, A=10.0, I_z=100.0 * SECTION["I_z"])  # the plane of the portal decides
     f.member(*tops, I_y=ratio * SECTION["I_y"], A=10.0)
     assert f.model().critical_factor([-1.0, -1.0, 0.0]) == pytest.approx(exact, rel=1.1e-5)
@@ -119,16 +119,16 @@ def test_leaning_columns() -> None:
     assert together == pytest.approx(u**2 * EI / H**2 / 2e4, rel=1e-7)
 
 
-@pytest.mark.parametrize(("feet", "K"), [("all", 1.16), ("ux uy uz rx rz", 2.33)])
-def test_published_buckling_lengths(feet: str, K: float) -> None:
-    """Square portals with members of one section that sway: K = 1.16 on fixed feet, 2.33 on hinges, as printed.
+@pytest.mark.parametrize(("bases", "K"), [("all", 1.16), ("ux uy uz rx rz", 2.33)])
+def test_published_buckling_lengths(bases: str, K: float) -> None:
+    """Square portals with members of one section that sway: K = 1.16 on fixed bases, 2.33 on hinges, as printed.
 
     Source: Chen & Lui, Structural Stability (1987), chapter 4: P_cr = 7.38 EI / h^2 and 1.82 EI / h^2.
     """
     f = Frame()
     tops = [f.node(x, 0, H, fixed="uy rx rz") for x in (0.0, H)]
     for x, top in zip((0.0, H), tops, strict=True):
-        f.member(f.node(x, 0, 0, fixed=feet), top, A=10.0, I_z=100.0 * SECTION["I_z"])
+        f.member(f.node(x, 0, 0, fixed=bases), top, A=10.0, I_z=100.0 * SECTION["I_z"])
     f.member(*tops, A=10.0)
     found = pi * np.sqrt(E * SECTION["I_y"] / f.model().critical_factor([-1.0, -1.0, 0.0])) / H
     assert found == pytest.approx(K, abs=0.005)  # the digits printed

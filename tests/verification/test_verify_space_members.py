@@ -132,9 +132,9 @@ def test_portal_sways() -> None:
     """Fixed portal, stiff in length: 24 EI / h^3 (1 + 6 k) / (4 + 6 k), k = I_b h / (I_c L), by joint rotations."""
     h, span, ratio = 4.0, 6.0, 1.7
     f = Frame()
-    feet = [f.node(x, 0, 0, fixed="all") for x in (0.0, span)]
+    bases = [f.node(x, 0, 0, fixed="all") for x in (0.0, span)]
     tops = [f.node(x, 0, h, fixed="uy rx rz") for x in (0.0, span)]
-    for a, b in zip(feet, tops, strict=True):
+    for a, b in zip(bases, tops, strict=True):
         f.member(a, b, A=1e3)
     f.member(*tops, A=1e3, I_y=ratio * SECTION["I_y"])
     k = ratio * h / span
@@ -149,8 +149,8 @@ def test_diaphragm_turns_as_a_rigid_body() -> None:
     f = Frame(masters=[(b / 2, d / 2)])
     for x in (0.0, b):
         for y in (0.0, d):
-            foot = f.node(x, y, 0, fixed="all")
-            f.member(foot, f.node(x, y, h, fixed="uz rx ry", floor=0), I_t=1e-12)
+            base = f.node(x, y, 0, fixed="all")
+            f.member(base, f.node(x, y, h, fixed="uz rx ry", floor=0), I_t=1e-12)
     k_x, k_y = 12 * EI_y / h**3, 12 * EI_z / h**3
     u = f.model().static(f.force(1, ux=P)).displacements[0]
     turn = P * d / 2 / (4 * k_x * (d / 2) ** 2 + 4 * k_y * (b / 2) ** 2)
@@ -321,7 +321,7 @@ def hinged_storey() -> SpaceModel:
     return f.model()
 
 
-def hinged_foot() -> SpaceModel:
+def hinged_base() -> SpaceModel:
     f = Frame()
     f.member(f.node(0, 0, 0, fixed="ux uy uz rx rz"), f.node(0, 0, 3))
     return f.model()
@@ -332,7 +332,7 @@ def hinged_foot() -> SpaceModel:
     [
         (lambda: cut_loose(cantilever()), "ED_E_DISCONNECTED", "1 node is not connected to any support: N2"),
         (hinged_storey, "ED_E_MECHANISM", "moves freely at .* of the diaphragm of N1"),
-        (hinged_foot, "ED_E_MECHANISM", "moves freely at N0.ry, N1.ux, N1.ry"),
+        (hinged_base, "ED_E_MECHANISM", "moves freely at N0.ry, N1.ux, N1.ry"),
         (lambda: cantilever(A=0.0).model(), "ED_E_ARGUMENT", "member M0: A is 0; it must be a finite number above 0"),
         (
             lambda: cantilever(A_y=-1.0).model(),

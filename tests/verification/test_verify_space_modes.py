@@ -36,9 +36,9 @@ def eccentric_storey(e: float, om: float, radius: float) -> tuple[Frame, np.ndar
     """One storey of stiffness k along y and k om^2 radius^2 in torsion, with its mass e off its centre."""
     k = 4e7
     f = Frame(masters=[(0.0, 0.0)])
-    foot = f.node(0, 0, 0, fixed="all")
+    base = f.node(0, 0, 0, fixed="all")
     f.node(0, 0, 3.0, fixed="uz rx ry", floor=0, springs=(1e12, k, 0, 0, 0, k * om**2 * radius**2))
-    f.member(foot, 1, axial_only=True)
+    f.member(base, 1, axial_only=True)
     mass = 2e5
     # two masses that have the radius of gyration about their centre
     f.node(e - radius, 0, 3.0, floor=0)

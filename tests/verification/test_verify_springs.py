@@ -29,15 +29,15 @@ def steel_hinge(stiffness: float = 1.0e7, Lambda: float = 0.8) -> DeterioratingS
 def base_spring_cantilever(k: float, mass: float = 0.0, n: float = 0.0) -> tuple[Model, int, int, int]:
     """An upright cantilever on a rotational spring; n > 0: that is (n + 1) 6EI/L, and the member leaves it out."""
     m = Model()
-    ground, foot, top = m.node("ground", 0.0, 0.0), m.node("foot", 0.0, 0.0), m.node("top", 0.0, L)
+    ground, base, top = m.node("ground", 0.0, 0.0), m.node("base", 0.0, 0.0), m.node("top", 0.0, L)
     m.fix(ground, True, True, True)
-    m.tie(foot, ground, ux=True, uy=True)
-    column = m.beam_column("C", foot, top, m.elastic_section(EA, EI), geometry="linear")
+    m.tie(base, ground, ux=True, uy=True)
+    column = m.beam_column("C", base, top, m.elastic_section(EA, EI), geometry="linear")
     law = MultilinearSpring(k)
     if n:
         k = (n + 1.0) * 6.0 * EI / L
         law = MultilinearSpring(0.0, ((1e5 / k, 1e5),))
-    spring = m.spring("S", ground, foot, TURN, law)
+    spring = m.spring("S", ground, base, TURN, law)
     if n:
         m.without_flexibility(column, 1.0 / k, 0.0)
         m.damping_factor(column, (n + 1.0) / n)
@@ -209,8 +209,8 @@ def shaken(m: Model, top: int, spring: int, peak: float) -> tuple[Analysis, dict
 def test_energy_of_a_deteriorating_hinge_under_ground_motion() -> None:
     """Input = kinetic + stored + dissipated over a history in which half of the strength is lost."""
     m, top, _, _ = base_spring_cantilever(1.0, 5e4)
-    ground, foot = 0, 1
-    spring = m.spring("hinge", ground, foot, TURN, steel_hinge(Lambda=0.4))
+    ground, base = 0, 1
+    spring = m.spring("hinge", ground, base, TURN, steel_hinge(Lambda=0.4))
     analysis, found = shaken(m, top, spring, 2.0)
     assert found["left"][-1] < 0.8
     assert np.max(np.abs(found["rotation"])) > 0.025
@@ -252,8 +252,9 @@ def test_damping_of_a_hinged_member() -> None:
 def test_no_spurious_moment_beside_a_yielding_hinge(kind: str) -> None:
     """Zareian & Medina 2010: with the springs left out of the damping, inertia balances what the hinge can carry.
 
-    The hinge is elastic-plastic: the moment of the mass at the foot, m (a + a_g) L, never exceeds M_y by more than the
-    damping of the elastic member's own small motion, some per cent; with the stiff spring damped it is far more.
+    The hinge is elastic-plastic: the moment of the mass at the column base, m (a + a_g) L, never exceeds M_y by more
+    than the damping of the elastic member's own small motion, some per cent; with the stiff spring damped it is far
+    more.
     """
     largest = {}
     for excluded in (True, False):

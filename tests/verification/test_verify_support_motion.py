@@ -32,15 +32,15 @@ def portal(dashpot: float = 0.0, tied: bool = False) -> tuple[Model, dict[str, i
     m = Model()
     nodes = {"A0": m.node("A0", 0.0, 0.0), "B0": m.node("B0", L, 0.0), "A1": m.node("A1", 0.0, H)}
     nodes["B1"] = m.node("B1", L, H)
-    for foot in ("A0", "B0"):
-        m.fix(nodes[foot], True, True, True)
+    for base in ("A0", "B0"):
+        m.fix(nodes[base], True, True, True)
     post, girder = m.elastic_section(EA, EI_C), m.elastic_section(EA, EI_B)
-    foot = nodes["B0"]
+    base = nodes["B0"]
     if tied:
-        foot = m.node("B0.tied", L, 0.0)
-        m.tie(foot, nodes["B0"], ux=True, uy=True, rz=True)
+        base = m.node("B0.tied", L, 0.0)
+        m.tie(base, nodes["B0"], ux=True, uy=True, rz=True)
     m.beam_column("CA", nodes["A0"], nodes["A1"], post, geometry="linear")
-    m.beam_column("CB", foot, nodes["B1"], post, geometry="linear")
+    m.beam_column("CB", base, nodes["B1"], post, geometry="linear")
     m.beam_column("B", nodes["A1"], nodes["B1"], girder, geometry="linear")
     for top in ("A1", "B1"):
         m.mass(nodes[top], MASS, MASS, 0.02 * MASS)
@@ -84,7 +84,7 @@ def matrices(dashpot: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.nda
     return K[free, free], K[free, 3], M, C[free, free], C[free, 3]
 
 
-def exact(ground: np.ndarray, foot: np.ndarray, a0: float, a1: float, dashpot: float) -> np.ndarray:
+def exact(ground: np.ndarray, base: np.ndarray, a0: float, a1: float, dashpot: float) -> np.ndarray:
     """Displacements relative to the ground by matrix exponentials, with loads that are linear within a step.
 
     M u'' + C (u' - r d') + K u + K_fs d + dampers = -M i a_g, r = -K^-1 K_fs: the pseudo-static motion is part of u.
@@ -95,7 +95,7 @@ def exact(ground: np.ndarray, foot: np.ndarray, a0: float, a1: float, dashpot: f
     inverse = np.linalg.inv(M)
     A = np.block([[np.zeros((6, 6)), np.eye(6)], [-inverse @ K, -inverse @ (C + C_d)]])
     influence = np.array([1.0, 0.0, 0.0, 1.0, 0.0, 0.0])
-    load = -np.outer(ground, influence) - (np.outer(foot[0], K_s) - np.outer(foot[1], C @ r - C_s)) @ inverse.T
+    load = -np.outer(ground, influence) - (np.outer(base[0], K_s) - np.outer(base[1], C @ r - C_s)) @ inverse.T
     big = np.zeros((36, 36))
     big[:12, :12] = A
     big[:12, 12:24] = np.eye(12)
@@ -124,23 +124,23 @@ def test_delayed_motion_is_the_exact_integral() -> None:
 
 @pytest.mark.parametrize(("a0", "a1", "dashpot"), [(0.0, 0.0, 0.0), (0.4, 2e-3, 0.0), (0.0, 1e-3, 4e5)])
 @pytest.mark.parametrize("tied", [False, True])
-def test_portal_with_a_late_foot(a0: float, a1: float, dashpot: float, tied: bool) -> None:
+def test_portal_with_a_late_support(a0: float, a1: float, dashpot: float, tied: bool) -> None:
     """Sway of the tops against the exact solution. Both take loads as linear in a step; average acceleration lengthens
     the first period by (omega dt)^2 / 12, 6e-4, and shifts peaks after some cycles by ten times that."""
     ground, delay = pulse(), 0.0317
-    foot = delayed_by(ground, DT, delay)
+    base = delayed_by(ground, DT, delay)
     model, nodes = portal(dashpot, tied)
     analysis = Analysis(model, tolerance=1e-10)
     analysis.rayleigh(a0, a1, "initial")
     analysis.install_dampers()
     wanted = [channel("displacement", nodes[name], name=name) for name in ("A1", "B1", "B0")]
     wanted += [channel("velocity", nodes["B0"], name="v"), channel("acceleration", nodes["B0"], name="a")]
-    motion = SupportMotion(nodes["B0"], "ux", tuple(foot))
+    motion = SupportMotion(nodes["B0"], "ux", tuple(base))
     response = analysis.history(ground, DT, channels=wanted, supports=[motion])
     assert response.status == "completed", response.reason
-    for name, part in zip(("B0", "v", "a"), foot, strict=True):
+    for name, part in zip(("B0", "v", "a"), base, strict=True):
         assert response.values[name] == pytest.approx(part, abs=1e-12)
-    solution = exact(ground, foot, a0, a1, dashpot)
+    solution = exact(ground, base, a0, a1, dashpot)
     for name, column in (("A1", 0), ("B1", 3)):
         error = np.abs(response.values[name] - solution[:, column]).max() / np.abs(solution[:, column]).max()
         assert error < 1e-2, name
@@ -155,31 +155,32 @@ def test_halving_the_step_quarters_the_error() -> None:
         h = DT / fine
         t = np.arange((ground.size - 1) * fine + 1) * h
         a = np.interp(t, DT * np.arange(ground.size), ground)
-        foot = delayed_by(a, h, 0.02)
+        base = delayed_by(a, h, 0.02)
         model, nodes = portal()
         analysis = Analysis(model, tolerance=1e-11)
         analysis.rayleigh(0.0, 2e-3, "initial")
-        motion = SupportMotion(nodes["B0"], "ux", tuple(foot))
+        motion = SupportMotion(nodes["B0"], "ux", tuple(base))
         response = analysis.history(a, h, channels=[channel("displacement", nodes["A1"], name="u")], supports=[motion])
         errors.append(np.abs(response.values["u"][::fine] - reference).max())
     print(errors)
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.15)
 
 
-def test_feet_that_move_together_move_the_frame_as_the_ground_does() -> None:
-    """All feet by d(t) and no ground motion: drift, and with d added the displacement, of the ground motion d''. The
-    displacement of feet is a cubic in a step and average acceleration sees two parabolas: second order in the step."""
+def test_supports_that_move_together_move_the_frame_as_the_ground_does() -> None:
+    """All supports by d(t) and no ground motion: drift, and with d added the displacement, of the ground motion d''.
+    The displacement of supports is a cubic in a step and average acceleration sees two parabolas: second order in the
+        step."""
     ground = pulse()
     motion = motion_at(ground, DT, DT * np.arange(ground.size))
     drifts = []
-    for by_feet in (False, True):
+    for by_supports in (False, True):
         model, nodes = portal()
         analysis = Analysis(model, tolerance=1e-11)
         analysis.rayleigh(0.0, 2e-3, "initial")
         terms = ((1.0, "displacement", nodes["A1"], 0), (-1.0, "displacement", nodes["A0"], 0))
-        supports = [SupportMotion(nodes[foot], "ux", tuple(motion)) for foot in ("A0", "B0")] if by_feet else []
+        supports = [SupportMotion(nodes[base], "ux", tuple(motion)) for base in ("A0", "B0")] if by_supports else []
         response = analysis.history(
-            np.zeros_like(ground) if by_feet else ground, DT, channels=[Channel("drift", terms)], supports=supports
+            np.zeros_like(ground) if by_supports else ground, DT, channels=[Channel("drift", terms)], supports=supports
         )
         drifts.append(response.values["drift"])
     assert np.abs(drifts[0] - drifts[1]).max() < 1e-3 * np.abs(drifts[0]).max()
@@ -198,12 +199,12 @@ def test_ground_of_a_spring_moves() -> None:
     m.damper("D", LawValues("viscous", (c,)), ((1.0, node, 0), (-1.0, far, 0)))
     m.mass(node, mass)
     still, moved = [], []
-    for by_foot, into in ((False, still), (True, moved)):
+    for by_support, into in ((False, still), (True, moved)):
         analysis = Analysis(m, tolerance=1e-11)
         analysis.install_dampers()
         wanted = [channel("axial_force", 0, name="spring"), channel("reaction", far, name="reaction")]
-        supports = [SupportMotion(far, "ux", tuple(motion))] if by_foot else []
-        response = analysis.history(0.0 * ground if by_foot else ground, DT, channels=wanted, supports=supports)
+        supports = [SupportMotion(far, "ux", tuple(motion))] if by_support else []
+        response = analysis.history(0.0 * ground if by_support else ground, DT, channels=wanted, supports=supports)
         into += [response.values["spring"], response.values["reaction"]]
         assert response.statistics["energy_error"] < 1e-4
     for a, b in zip(still, moved, strict=True):

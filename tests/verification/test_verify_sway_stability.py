@@ -31,7 +31,7 @@ ROW = changed(
 )
 """Three portals along y below one floor: HEB200 about the weak axis in A and C, HEA120 about the strong one in B."""
 SHARES = [0.0, 0.3, 0.6, 0.9]
-"""Of the force on the floor, on B. With 0.9 B is near its own buckling between fixed feet and the beam."""
+"""Of the force on the floor, on B. With 0.9 B is near its own buckling between fixed bases and the beam."""
 
 
 def pair(stiff: float, N: float, h: float) -> tuple[float, float]:
@@ -46,7 +46,7 @@ def pair(stiff: float, N: float, h: float) -> tuple[float, float]:
 def sway_stiffness(stiff: float, N: float, h: float, spring: float, fixed: bool) -> float:
     """Horizontal force by displacement of a column's top that a rotational spring holds, under N."""
     near, far = pair(stiff, N, h)
-    # rotations of top and foot, and the displacement of the top; a hinge at the foot is condensed
+    # rotations of top and column base, and the displacement of the top; a hinge at the column base is condensed
     K = np.array(
         [
             [near + spring, far, (near + far) / h],
@@ -67,8 +67,8 @@ def factors(model: SpaceModel, frame: SpaceFrame, force: dict[str, float]) -> tu
 
 def row(fixed: bool, slender: str = "HEA120") -> tuple[SpaceFrame, SpaceModel, float, float, float]:
     """The row of portals, the bending stiffness of its columns and the spring that a beam is in sway, 6 EI / L."""
-    feet = ("supports: fixed", f"supports: {'fixed' if fixed else 'pinned'}")
-    frame, model, _ = bending_only(building(ROW, feet, ("HEA120", slender)))
+    bases = ("supports: fixed", f"supports: {'fixed' if fixed else 'pinned'}")
+    frame, model, _ = bending_only(building(ROW, bases, ("HEA120", slender)))
     beam = 6.0 * E * steel_section("IPE330").I_y / 7.0
     return frame, model, E * steel_section("HEB200").I_z, E * steel_section(slender).I_y, beam
 
@@ -99,7 +99,7 @@ def test_portals_lean_on_one_another(fixed: bool, slender: str, share: float) ->
 
 
 def in_elements(stiff: float, N: float, h: float, parts: int, fixed: bool) -> tuple[np.ndarray, np.ndarray]:
-    """K and -K_G of a column in cubic elements over displacement and rotation of its nodes; the foot is held."""
+    """K and -K_G of a column in cubic elements over displacement and rotation of its nodes; the column base is held."""
     L = h / parts
     K = stiff / L**3 * np.array([[12, 6 * L, -12, 6 * L], [6 * L, 4 * L**2, -6 * L, 2 * L**2],
                                  [-12, -6 * L, 12, -6 * L], [6 * L, 2 * L**2, -6 * L, 4 * L**2]])  # fmt: skip
@@ -144,7 +144,7 @@ def test_against_many_elements(fixed: bool) -> None:
 
 
 def test_columns_between_floors_add_what_they_move_of_the_floor() -> None:
-    """Braced columns on fixed feet buckle below their hinged tops, and push at the floor as they do.
+    """Braced columns on fixed bases buckle below their hinged tops, and push at the floor as they do.
 
     They buckle at 20.19 EI / h^2, before half of alpha_cr. Sway grows by 1 / (1 - 1 / alpha_cr), the stiffness of the
     storey without forces over that with them. What the shapes before that of the bracing leave goes with its factor,

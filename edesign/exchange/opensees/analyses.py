@@ -85,7 +85,7 @@ class Parts:
     base_of_dampers: tuple[int, ...]
     equations: tuple[int, int]
 
-    def feet(self, spec: PlannedAnalysis) -> tuple[int, ...]:
+    def bases(self, spec: PlannedAnalysis) -> tuple[int, ...]:
         """Tags of the nodes whose horizontal reactions are the base shear of an analysis."""
         return (*self.base, *(self.base_of_dampers if spec.dampers else ()))
 
@@ -199,7 +199,7 @@ def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, struct
     found.analyses[spec.name] = {
         "kind": "pushover",
         "model": parts.model(spec),
-        "base": parts.feet(spec),
+        "base": parts.bases(spec),
         "set_in": parts.set_in(spec, moves=False),
         "loads": Name(block),
         "target": target,
@@ -242,7 +242,7 @@ def _history(
     stem: str,
 ) -> None:
     if spec.wave_passage is not None:
-        found.left_out.append(f"analysis {spec.name}: its ground motion reaches the feet one after the other")
+        found.left_out.append(f"analysis {spec.name}: its ground motion reaches the supports one after the other")
         return
     if found.damping.get("kind") == "modal" and spec.dampers and parts.tuned:
         found.left_out.append(f"analysis {spec.name}: it has modal damping, and tuned masses have modes of their own")
@@ -272,7 +272,7 @@ def _history(
     found.analyses[spec.name] = {
         "kind": "history",
         "model": parts.model(spec),
-        "base": parts.feet(spec),
+        "base": parts.bases(spec),
         "set_in": parts.set_in(spec, moves=True),
         "motion": Name(block),
         "step": dt,

@@ -187,7 +187,7 @@ class DamperBuilder:
         if tilt:
             below = self._apex(name, [node for _, node in low], place, found)
         else:
-            below = self._mean(f"{name}, foot", low, found, place)
+            below = self._mean(f"{name}, lower end", low, found, place)
         return below, above, _ALONG[0]
 
     def _single(self, name: str, terms: Terms) -> tuple[int, int]:
@@ -242,18 +242,18 @@ class DamperBuilder:
             found.place.append(command("element", *words, comment=f"{name}: mean of its sides"))
         return mean
 
-    def _apex(self, name: str, feet: list[int], place: tuple[float, float], found: Dampers) -> int:
-        """The point at which stiff bars from the feet of a chevron meet."""
+    def _apex(self, name: str, lower_ends: list[int], place: tuple[float, float], found: Dampers) -> int:
+        """The point at which stiff bars from the lower ends of a chevron meet."""
         s = self._to
         apex = s.add_node(f"{name}, apex of the chevron", place)
         s.joined.hold((apex, 2))
         material = s.tags.next("material")
-        length = hypot(place[0] - s.places[feet[0]][0], place[1] - s.places[feet[0]][1])
+        length = hypot(place[0] - s.places[lower_ends[0]][0], place[1] - s.places[lower_ends[0]][1])
         words = ("Elastic", material, self._stiff * length)
         found.place.append(command("uniaxialMaterial", *words, comment=f"{name}: stiff; the brace is a spring"))
-        for foot in feet:
-            bar = ("truss", s.tags.next("element"), s.nodes[foot], s.nodes[apex], 1.0, material)
-            found.place.append(command("element", *bar, comment=f"{name}: from {s.names[foot]}"))
+        for lower_end in lower_ends:
+            bar = ("truss", s.tags.next("element"), s.nodes[lower_end], s.nodes[apex], 1.0, material)
+            found.place.append(command("element", *bar, comment=f"{name}: from {s.names[lower_end]}"))
         return apex
 
 

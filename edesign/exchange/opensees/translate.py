@@ -103,7 +103,7 @@ def opensees_script(
         loads = tuple(structure.loads)
         masses, plain_equations = len(structure.moving), structure.joined.independent(structure.kept)
         outputs = _outputs(frame, structure)
-        feet = _base(frame, structure)
+        bases = _base(frame, structure)
         mark = _Mark(structure)
         builder.build(extra)
         damper_builder = DamperBuilder(structure, largest)
@@ -126,7 +126,7 @@ def opensees_script(
     moving = _block(blocks, "set_in_dashpots", "What resists speed in dampers.", dampers.moving)
     springs = damper_builder.springs if devices.devices else None
     equations = plain_equations, structure.joined.independent(structure.kept)
-    added_feet = tuple(tag for tag in _base(devices, structure) if tag not in feet)
+    added_bases = tuple(tag for tag in _base(devices, structure) if tag not in bases)
     plain_model = (Name("build"),)
     parts = Parts(
         plain_model,
@@ -136,8 +136,8 @@ def opensees_script(
         moving,
         springs,
         has_dampers and more_modes,
-        feet,
-        added_feet,
+        bases,
+        added_bases,
         equations,
     )
     found = programme(project, structure, parts, path.stem, without_dampers, tell)

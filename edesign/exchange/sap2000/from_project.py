@@ -98,7 +98,7 @@ def from_project(project: Project, without_dampers: bool = False) -> tuple[Sap20
 def _check(project: Project) -> None:
     frame = project.frame
     refused: list[tuple[tuple[str | int, ...], str]] = []
-    for key, what in (("hinges", "hinges"), ("joints", "joints that turn"), ("panel_zones", "panel zones")):
+    for key, what in (("hinges", "hinges"), ("joints", "semi-rigid joints"), ("panel_zones", "panel zones")):
         if getattr(project, key):
             refused.append(((key,), what))
     if frame.leaning_column is not None:

@@ -187,7 +187,7 @@ class Grid:
             step = 1 if low in self.middles else -1
             if len(far) != 1 or other[2] != far[0][2] + step:
                 raise self._refuse(
-                    frame, "it does not stand between the feet or heads of the bay and its beam [E-SAP-18]"
+                    frame, "it does not stand between the lower or upper corners of the bay and its beam [E-SAP-18]"
                 )
             corner = (far[0][0], far[0][1], far[0][2])
             at: Literal["start", "end"] = "start" if low in self.middles else "end"

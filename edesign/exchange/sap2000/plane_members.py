@@ -125,7 +125,7 @@ class PlaneMembers:
                 )
             if springs[bending]:
                 raise self.refuse(
-                    placed, "it has partial fixity; give joints that turn in the project (`joints`) [E-SAP-21]"
+                    placed, "it has partial fixity; give semi-rigid joints in the project (`joints`) [E-SAP-21]"
                 )
             ends.append(released[bending])
         return (ends[1], ends[0]) if placed.reversed else (ends[0], ends[1])

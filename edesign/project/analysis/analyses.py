@@ -123,7 +123,7 @@ class HistoryAnalysis(_Analysis):
         collapse_drift: drift ratio of a storey beyond which the history ends as collapsed; without the key equilibrium
             decides.
         vertical: ground motion upwards beside the record.
-        wave_passage: the motion reaches the feet one after the other; without the key all at once.
+        wave_passage: the motion reaches the supports one after the other; without the key all at once.
     """
 
     kind: Literal["history"]

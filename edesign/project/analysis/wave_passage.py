@@ -1,4 +1,4 @@
-"""A wave that passes under a frame: when the ground motion reaches the lines of columns."""
+"""Wave passage: when the ground motion reaches the lines of columns."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class WavePassage(Model):
 
     Attributes:
         velocity: apparent velocity of the wave along the frame; this key or `delays`.
-        direction: in which the wave runs; only with `velocity`.
+        direction: of propagation; only with `velocity`.
         delays: delay of the motion by column line.
     """
 

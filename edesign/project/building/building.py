@@ -187,7 +187,7 @@ class Building(spacing.Storeys, FileModel):
         return tuple(accumulate(self.widths(along), initial=0.0))
 
     def support(self, line: ColumnLine) -> Springs:
-        """Return the support at the foot of a column line, by its name, by `default`, or fixed."""
+        """Return the support of a column line, by its name, by `default`, or fixed."""
         if not isinstance(self.supports, dict):
             return springs_of(self.supports)
         found = self.supports.get("default", "fixed")

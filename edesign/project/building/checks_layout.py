@@ -172,7 +172,7 @@ def _resisting(building: Building, problems: Problems) -> None:
     """In each storey and direction something resists horizontal forces.
 
     That is a brace, or what holds the ends of columns from turning: beams with a moment at an end at the floor above or
-    below, or the feet of the first storey.
+    below, or the column bases of the first storey.
     """
     layout = building.layout
     for along in DIRECTIONS:

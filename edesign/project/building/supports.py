@@ -1,4 +1,4 @@
-"""What holds the feet of the columns."""
+"""What holds the column bases."""
 
 from __future__ import annotations
 

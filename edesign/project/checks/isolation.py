@@ -1,4 +1,4 @@
-"""Cross checks of an isolated base: lines and laws that exist, every foot on an isolator or free to slide, its mass."""
+"""Cross checks of an isolated base: lines and laws that exist, columns on isolators or free to slide, its mass."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def check_isolation(project: Project, problems: Problems) -> None:
     for i, item in enumerate(isolation.beside):
         inside &= _device(project, problems, (*_AT, "beside", i), item)
     if inside:
-        _other_feet(project, problems, isolation, taken)
+        _other_bases(project, problems, isolation, taken)
     _base(project, problems, isolation)
     if project.frame.leaning_column is not None:
         message = (
@@ -59,9 +59,7 @@ def check_isolation(project: Project, problems: Problems) -> None:
             problems.at_key(("analyses", i, "wave_passage"), NO_WAVE_PASSAGE)
 
 
-NO_WAVE_PASSAGE = (
-    "the ground under isolators moves as one; feet that it reaches one after the other need fixed supports [E-ISOL-03]"
-)
+NO_WAVE_PASSAGE = "the ground under isolators moves as one; wave passage needs fixed supports [E-ISOL-03]"
 NO_PUSHOVER = (
     "a pushover of an isolated building is not offered: its roof moves with its base, which the targets do not know; "
     "with `dampers: false` the frame is pushed on the supports that it has without isolators [E-ISOL-03]"
@@ -113,11 +111,11 @@ def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator
         problems.at_key((*keys, "scale"), message)
 
 
-def _other_feet(project: Project, problems: Problems, isolation: Isolation, taken: dict[str, int]) -> None:
-    """Feet without an isolator do not hold the base; isolators stand under feet that exist."""
+def _other_bases(project: Project, problems: Problems, isolation: Isolation, taken: dict[str, int]) -> None:
+    """Column bases without an isolator do not hold the base; isolators stand under column bases that exist."""
     frame = project.frame
-    feet = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
-    held = [line for line in feet if line not in taken and _holds(frame.support(line))]
+    column_bases = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
+    held = [line for line in column_bases if line not in taken and _holds(frame.support(line))]
     if held:
         one = len(held) == 1
         kinds = ", ".join(f"{line} {support_name(frame.support(line))}" for line in held)
@@ -126,34 +124,32 @@ def _other_feet(project: Project, problems: Problems, isolation: Isolation, take
             (*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller` [E-ISOL-01]"
         )
     for i, isolator in enumerate(isolation.isolators):
-        bare = [line for line in isolator.lines.names(frame.lines) if line not in feet]
+        bare = [line for line in isolator.lines.names(frame.lines) if line not in column_bases]
         if bare and not isolator.lines.is_all:
             message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one [E-NAME-01]"
             problems.at_value((*_AT, "isolators", i, "lines"), message)
 
 
 def _holds(support: SupportKind | SupportSprings | FootingSupport) -> bool:
-    """Whether a support holds its foot horizontally."""
+    """Whether a support holds its column base horizontally."""
     return isinstance(support, FootingSupport) or springs_of(support).horizontal != "free"
 
 
 def _base(project: Project, problems: Problems, isolation: Isolation) -> None:
-    """The base has a mass in analyses that have masses, and beams between feet, which nothing else holds."""
+    """The base has a mass in analyses that have masses, and beams between column bases, which nothing else holds."""
     base, masses = isolation.base, project.masses
-    feet = [line for line in project.frame.lines if names.node_name(line, 0) in project.frame.nodes]
+    column_bases = [line for line in project.frame.lines if names.node_name(line, 0) in project.frame.nodes]
     if base.beams is not None and base.rotation is not None:
-        message = (
-            "the feet of the columns turn with the `beams` of the base; leave `rotation` out, or the beams [E-KEY-03]"
-        )
+        message = "the column bases turn with the `beams` of the base; leave `rotation` out, or the beams [E-KEY-03]"
         problems.at_key((*_AT, "base", "rotation"), message)
     if base.beams is None and base.rotation is None:
-        message = "how do the feet of the columns turn? with `beams`, which bring their moments to the isolators"
+        message = "how do the column bases turn? with `beams`, which bring their moments to the isolators"
         problems.at_key(
             (*_AT, "base"), f"{message}, or held by `rotation`, which lets these into the ground [E-ISOL-02]"
         )
-    if base.beams is not None and len(feet) == 1:
+    if base.beams is not None and len(column_bases) == 1:
         problems.at_key(
-            (*_AT, "base", "beams"), "the frame has one foot, which no beam of the base leads from [E-ISOL-02]"
+            (*_AT, "base", "beams"), "the frame has one column base, which no beam of the base leads from [E-ISOL-02]"
         )
     if base.mass is not None and masses is None:
         message = "the frame itself has no `masses`, which analyses with masses need [E-MODAL-02]"

@@ -1,4 +1,4 @@
-"""Cross checks of waves that pass: lines that exist, of which some are reached later than others."""
+"""Cross checks of wave passage: lines that exist, of which some are reached later than others."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from edesign.project.reading.problems import Keys, Problems, unknown_name
 
 
 def check_wave_passage(frame: Frame, problems: Problems, keys: Keys, passage: WavePassage | None) -> None:
-    """Check a wave that passes under a frame.
+    """Check the wave passage of an analysis.
 
     Args:
         frame: read without schema problems.
@@ -22,7 +22,9 @@ def check_wave_passage(frame: Frame, problems: Problems, keys: Keys, passage: Wa
         problems.at_key(keys, "give either `velocity` or `delays`, one of them [E-KEY-03]")
         return
     if passage.delays is not None and passage.direction is not None:
-        problems.at_key((*keys, "direction"), "the `delays` say which way the wave runs; leave this key out [E-KEY-03]")
+        problems.at_key(
+            (*keys, "direction"), "the `delays` say which way the wave propagates; leave this key out [E-KEY-03]"
+        )
     unknown = [line for line in passage.delays or {} if line not in frame.lines]
     for line in unknown:
         problems.at_key((*keys, "delays", line), unknown_name("line", line, frame.lines))

@@ -208,7 +208,7 @@ class QuantityCriterion(_Criterion):
         floors: floors that count.
         members: columns, beams or braces that count, or `all`.
         dampers: dampers that count, or `all`.
-        lines: column lines that count, of supports or isolators at their feet.
+        lines: column lines that count, of supports or isolators at their bases.
         side: tension or compression alone; of a vertical reaction tension is uplift.
         frequency: frequency of the oscillator on a floor.
         damping: damping ratio of the oscillator on a floor.

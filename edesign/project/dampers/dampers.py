@@ -186,8 +186,8 @@ class DamperRun(_Sized):
     """Dampers in some bays and storeys; lists go up with the storeys.
 
     chevron: horizontal between the apex of a chevron brace and the beam above; chevron_braces: two in place of the
-    braces of a chevron, from the feet of the bay to the middle of the beam above; rising, falling: along the diagonal,
-    seen from left to right; storey: horizontal between the floors above and below.
+    braces of a chevron, from the lower corners of the bay to the middle of the beam above; rising, falling: along the
+    diagonal, seen from left to right; storey: horizontal between the floors above and below.
 
     Attributes:
         kind: how they stand: `chevron` between a brace and the beam above, `chevron_braces` in place of two braces,

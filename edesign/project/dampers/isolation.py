@@ -55,7 +55,7 @@ class Isolator(BaseDevice):
 
 
 class BaseBeams(Model):
-    """Elastic beams of an isolated base, from the foot of each column to the next one.
+    """Elastic beams of an isolated base, from each column base to the next one.
 
     Attributes:
         section: name of a profile of the catalogue, or of `sections`.
@@ -75,8 +75,8 @@ class IsolatedBase(Model):
         G: permanent load along the frame.
         Q: variable load along the frame.
         mass: mass of the base, all of it; without the key that of its loads if `masses.from_loads` says so.
-        beams: elastic beams from foot to foot, with which the feet of the columns turn; this key or `rotation`.
-        rotation: what holds the feet of the columns against turning, as a support would; this key or `beams`.
+        beams: elastic beams from column base to column base, with which the column bases turn; this key or `rotation`.
+        rotation: what holds the column bases against turning, as a support would; this key or `beams`.
     """
 
     G: LineLoad = 0.0

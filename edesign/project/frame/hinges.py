@@ -1,4 +1,4 @@
-"""Plastic hinges lumped at members' ends, joints that turn, and panel zones that shear."""
+"""Plastic hinges lumped at members' ends, semi-rigid joints, and panel zones that shear."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ class Hinges(Model):
 
 
 class Joints(Model):
-    """Joints that turn: springs between members' ends and their nodes (EN 1993-1-8, 5.1).
+    """Semi-rigid joints: springs between members' ends and their nodes (EN 1993-1-8, 5.1).
 
     Attributes:
         beams: beams whose ends turn; this key or `columns`.

@@ -1,4 +1,4 @@
-"""What holds the feet of a plane frame's columns."""
+"""What holds the column bases of a plane frame."""
 
 from __future__ import annotations
 

@@ -112,7 +112,7 @@ class _Incremental(Model):
         collapse_drift: drift ratio of a storey that counts as collapse.
         limits: limits of which fragilities are wanted, by name: one response measure with its value each.
         free_vibration: time after the end of each record.
-        wave_passage: the motion reaches the feet one after the other; without the key all at once.
+        wave_passage: the motion reaches the supports one after the other; without the key all at once.
         life_cycle: how often limits are passed over the life of the building, and what that costs.
     """
 

@@ -74,7 +74,7 @@ class Histories(Model):
         records: records of the project: a record, a suite, or `SUITE/RECORDING`.
         temperatures: temperatures of the dampers; without the key that of each variant.
         free_vibration: time after the end of the record.
-        wave_passage: the motion reaches the feet one after the other; without the key all at once.
+        wave_passage: the motion reaches the supports one after the other; without the key all at once.
         collapse_drift: storey drift at which a history ends as collapsed.
         vertical: ground motion upwards beside each record.
     """

@@ -141,7 +141,7 @@ def _names(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int,
 
 
 def _supports(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int) -> None:
-    """Squares where a foot is fixed against turning in the frame, triangles where it is not."""
+    """Squares where a column base is fixed against turning in the frame, triangles where it is not."""
     nodes = {str(name): number for number, name in enumerate(results.values("nodes", "node"))}
     ends = [nodes[str(results.values("members", name)[n])] for n in chosen for name in ("start_node", "end_node")]
     at = np.unique(ends)

@@ -29,7 +29,7 @@ def _size(component: int) -> Callable[[Row], float]:
     return lambda support: float(np.abs([support["least"], support["largest"]])[:, :, component].max())
 
 
-def _of_its_foot(axis: int) -> Callable[[Row], str]:
+def _of_its_base(axis: int) -> Callable[[Row], str]:
     return lambda support: "*" * bool(support["of_foot"][axis])
 
 
@@ -44,7 +44,7 @@ FOUNDATIONS = TableSpec[Row](
     "Foundations: design actions, kN and kNm",
     (
         text("support"),
-        *(col(f"f_{axis}", ONE, part("factor", i), 3, mark=_of_its_foot(i)) for i, axis in enumerate(AXES)),
+        *(col(f"f_{axis}", ONE, part("factor", i), 3, mark=_of_its_base(i)) for i, axis in enumerate(AXES)),
         _acting("F_z,d", lambda support: support["least"][:, F_Z].min()),
         _acting("to", lambda support: support["largest"][:, F_Z].max()),
         _acting("F_x,d", _size(F_X)),
@@ -56,7 +56,7 @@ FOUNDATIONS = TableSpec[Row](
         "d: G + psi_2 Q with f_x E_x and f_y E_y, f = gamma_Rd Omega (EN 1998-1, 4.4.2.6(4)); F_z acts upwards on the "
         "frame",
     ),
-    signs=("*: Omega of the hinge at the foot (4.4.2.6(5)), otherwise that of the direction",),
+    signs=("*: Omega of the hinge at the column base (4.4.2.6(5)), otherwise that of the direction",),
     formulas=True,
 )
 
@@ -70,15 +70,15 @@ def reaction_table(results: BuildingResults) -> Table:
 
 def foundation_table(results: BuildingResults) -> Table:
     """Return the factors on the seismic action at each support, and the design actions over all combinations."""
-    supports, of_foot = results.rows("foundations", "support"), _of_foot(results.group("foundations"))
+    supports, of_base = results.rows("foundations", "support"), _of_base_hinge(results.group("foundations"))
     for support in supports:
-        support["of_foot"] = of_foot[:, support.number]
+        support["of_foot"] = of_base[:, support.number]
     return FOUNDATIONS.of(supports)
 
 
 def foundation_summary(of: Group) -> list[dict[str, object]]:
     """Return the reactions of each support by action, and its least and largest design actions, for JSON in SI."""
-    names, of_foot = of.coords, _of_foot(of)
+    names, of_base = of.coords, _of_base_hinge(of)
 
     def parts(values: np.ndarray) -> dict[str, float]:
         return {name: float(value) for name, value in zip(COMPONENTS, values, strict=True)}
@@ -92,7 +92,7 @@ def foundation_summary(of: Group) -> list[dict[str, object]]:
                 f"gamma_Rd_Omega_{axis}": float(of.variables["factor"].values[i, k])
                 for i, axis in enumerate(names["axis"].values)
             },
-            **{f"Omega_of_foot_{axis}": bool(of_foot[i, k]) for i, axis in enumerate(names["axis"].values)},
+            **{f"Omega_of_foot_{axis}": bool(of_base[i, k]) for i, axis in enumerate(names["axis"].values)},
             "design": [
                 {
                     "combination": str(row),
@@ -106,7 +106,7 @@ def foundation_summary(of: Group) -> list[dict[str, object]]:
     ]
 
 
-def _of_foot(of: Group) -> np.ndarray:
-    """Whether Omega is that of the foot, by direction and support; archives of older versions do not say so."""
+def _of_base_hinge(of: Group) -> np.ndarray:
+    """Whether Omega is that of the column base, by direction and support; archives of older versions do not say so."""
     known = of.variables.get("of_foot")
     return np.zeros(of.variables["factor"].values.shape) if known is None else known.values

@@ -80,11 +80,11 @@ def _look(
         )
         for one in members
     )
-    return found, tuple(repr(held) for _, held in _feet(building, along, number))
+    return found, tuple(repr(held) for _, held in _bases(building, along, number))
 
 
-def _feet(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
-    """Places along a frame of the feet of its columns, m, with what holds them."""
+def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
+    """Places along a frame of its column bases, m, with what holds them."""
     lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
     return [(building.grid(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
 
@@ -129,7 +129,7 @@ def _is_weak(member: Member, k: int) -> bool:
 def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> list[Entry]:
     entries = []
     by_kind: dict[str, tuple[Springs, list[float]]] = {}
-    for x, held in _feet(building, along, number):
+    for x, held in _bases(building, along, number):
         by_kind.setdefault(repr(held), (held, []))[1].append(x)
     for held, places in by_kind.values():
         kind = "fixed" if held == FIXED else "pinned" if held == PINNED else "springs"

@@ -106,8 +106,8 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
 
 def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: float) -> None:
     """The base, isolators `below` it (m), and a mark beside each line where something else acts on the base."""
-    feet = [x for line, x in zip(frame.lines, frame.x, strict=True) if names.node_name(line, 0) in frame.nodes]
-    axes.plot((feet[0], feet[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
+    bases = [x for line, x in zip(frame.lines, frame.x, strict=True) if names.node_name(line, 0) in frame.nodes]
+    axes.plot((bases[0], bases[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
     for line, x in zip(frame.lines, frame.x, strict=True):
         if names.isolator_name(line) in dampers:
             axes.plot(x, -below, marker="s", ms=5.0, color=DAMPER, mec="white", mew=0.4, zorder=2, clip_on=False)

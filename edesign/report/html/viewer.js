@@ -5,7 +5,7 @@
   const short = value => String(Math.round(value * 1000) / 1000);
   const PUSH = [31, 95, 168], PULL = [192, 57, 43], REST = [205, 209, 216]; // colors of dampers by their force
   const TUNED = "#7b3f98";
-  /* Signs of supports below a foot at 0, 0; h is half of their size. */
+  /* Signs of supports below a column base at 0, 0; h is half of their size. */
   const bar = (h, y) => `M${short(-1.5 * h)} ${short(y)}H${short(1.5 * h)}`;
   const SIGNS = {
     fixed: h => [-1, 0, 1].reduce((d, i) => `${d}M${short((i + 0.5) * h)} 0L${short((i - 0.3) * h)} ${short(0.7 * h)}`, bar(h, 0)),
@@ -110,7 +110,7 @@
       });
     }
 
-    /* What holds the feet, and tuned masses on the floors, which move beside them. */
+    /* What holds the column bases, and tuned masses on the floors, which move beside them. */
     drawOthers(k, scale, share, at, moved, hung) {
       const next = Math.min(k + 1, this.scene.n - 1), { base, masses, supports } = this.about;
       this.base.setAttribute("d", path(base.map(i => [at[i][0], -at[i][1]])));

@@ -1,4 +1,4 @@
-"""The ends of members on a sheet: releases, plastic hinges, joints that turn, panel zones, rigid ends."""
+"""The ends of members on a sheet: releases, plastic hinges, semi-rigid joints, panel zones, rigid ends."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MARKS = ("o", "s", "D", "^", "v", "P", "X", "h")
 
 
 def draw_ends(sheet: Sheet, place: Elevation, project: Project) -> list[Entry]:
-    """Draw releases, plastic hinges, joints that turn, panel zones and rigid ends; return their lines of the legend.
+    """Draw releases, plastic hinges, semi-rigid joints, panel zones and rigid ends; return their lines of the legend.
 
     Args:
         place: where metres of the frame are on the sheet.
@@ -84,7 +84,7 @@ def _hinges(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]
 def _joints(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
     for run in project.joints:
         sheet.dots(_chosen(place, run, FROM_NODE + 0.08), 4.6, "white", AFTER, marker="D", mew=1.1)
-        text = f"joint that turns, S_j = {short(run.stiffness / 1e6)} MN m/rad"
+        text = f"semi-rigid joint, S_j = {short(run.stiffness / 1e6)} MN m/rad"
         text += f", M_j,Rd = {short(run.resistance / 1e3)} kN m" if run.resistance is not None else ""
         yield Entry(text, lambda on, x, y: on.dots([(x + 0.14, y)], 4.6, "white", AFTER, marker="D", mew=1.1))
 

@@ -1,4 +1,4 @@
-"""What holds the feet of a frame: signs of supports, footings and isolators, and what they are in words."""
+"""What holds the column bases of a frame: signs of supports, footings and isolators, and what they are in words."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _WORDS = {"fixed": "fixed support", "pinned": "pinned support", "roller": "rolle
 
 
 def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entry]:
-    """Draw the supports at the feet of the columns; return their lines of the legend.
+    """Draw the supports at the column bases; return their lines of the legend.
 
     Args:
         place: where metres of the frame are on the sheet.
@@ -40,9 +40,9 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
     frame = project.frame
     if project.isolation is not None:
         return list(_isolated(sheet, place, project))
-    feet = {line: frame.support(line) for line in frame.lines if (line, 1) in frame.column_at}
+    bases = {line: frame.support(line) for line in frame.lines if (line, 1) in frame.column_at}
     kinds: dict[str, tuple[Support, list[str]]] = {}
-    for line, support in feet.items():
+    for line, support in bases.items():
         kinds.setdefault(repr(support), (support, []))[1].append(line)
     marked = sum(not isinstance(support, str) for support, _ in kinds.values()) > 1
     entries = []
@@ -121,15 +121,15 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
     isolation, frame = project.isolation, project.frame
     assert isolation is not None
     colors = law_colors(project)
-    feet = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
-    at = {line: place.across * frame.x[frame.lines.index(line)] for line in feet}
-    sheet.line((at[feet[0]], 0.0), (at[feet[-1]], 0.0), color=SOFT, width=3.0, zorder=1.0)
-    sheet.block(0.5 * (at[feet[0]] + at[feet[-1]]), 0.0, at[feet[-1]] - at[feet[0]], 0.04)
-    _ground(sheet, at[feet[0]] - 0.2, at[feet[-1]] + 0.2, GROUND)
+    bases = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
+    at = {line: place.across * frame.x[frame.lines.index(line)] for line in bases}
+    sheet.line((at[bases[0]], 0.0), (at[bases[-1]], 0.0), color=SOFT, width=3.0, zorder=1.0)
+    sheet.block(0.5 * (at[bases[0]] + at[bases[-1]]), 0.0, at[bases[-1]] - at[bases[0]], 0.04)
+    _ground(sheet, at[bases[0]] - 0.2, at[bases[-1]] + 0.2, GROUND)
     base = isolation.base
     beams = f"beams {base.beams.section} {base.beams.material}" if base.beams is not None else "rigid along the frame"
     if base.rotation is not None:
-        beams += f", feet held: rotation {_rotation(base.rotation)}"
+        beams += f", column bases held: rotation {_rotation(base.rotation)}"
     yield Entry(f"isolated base: {beams}", lambda on, x, y: on.line((x, y), (x + 0.25, y), color=SOFT, width=3.0))
     shifts: dict[str, int] = {}
     for item in (*isolation.isolators, *isolation.beside):

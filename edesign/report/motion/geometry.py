@@ -57,7 +57,7 @@ class MovingDamper:
 
 @dataclass(frozen=True)
 class Support:
-    """What holds a foot: `fixed`, `pinned`, `roller`, `springs`, `footing`, and the position of its node."""
+    """What holds a column base: `fixed`, `pinned`, `roller`, `springs`, `footing`, and the position of its node."""
 
     kind: str
     node: int
@@ -81,7 +81,7 @@ class Geometry:
         dampers: those whose place the frame has.
         levels: of the floors from the base, m.
         supports: of a frame that is not isolated.
-        base: feet along an isolated base; () of a frame on supports.
+        base: column bases along an isolated base; () of a frame on supports.
         masses: tuned masses and tanks.
     """
 
@@ -117,31 +117,35 @@ def moving_frame(frame: Frame, dampers: tuple[str, ...], masses: tuple[str, ...]
         name: (_hung(at, start).nodes[0], _hung(at, end).nodes[0]) for name, (start, end) in member_lines(frame).items()
     }
     order = {name: i for i, name in enumerate(at)}
-    feet = {line: names.node_name(line, 0) for line in frame.lines if (line, 1) in frame.column_at}
-    isolated = any(names.isolator_name(line) in dampers for line in feet)
+    column_bases = {line: names.node_name(line, 0) for line in frame.lines if (line, 1) in frame.column_at}
+    isolated = any(names.isolator_name(line) in dampers for line in column_bases)
     supports = (
-        [] if isolated else [Support(support_name(frame.support(line)), order[foot]) for line, foot in feet.items()]
+        []
+        if isolated
+        else [
+            Support(support_name(frame.support(line)), order[column_base]) for line, column_base in column_bases.items()
+        ]
     )
-    base = [order[foot] for foot in feet.values()] if isolated else []
+    base = [order[column_base] for column_base in column_bases.values()] if isolated else []
     own = Geometry(at, members, (), tuple(float(y) for y in frame.levels), tuple(supports), tuple(base))
     found = (_damper(frame, at, name) or _of_base(frame, own, name) for name in dampers)
     return replace(own, dampers=tuple(damper for damper in found if damper), masses=tuple(_masses(frame, own, masses)))
 
 
 def _of_base(frame: Frame, own: Geometry, name: str) -> MovingDamper | None:
-    """An isolator under a foot, or what acts beside it, from the ground to the foot; None: it is neither."""
+    """An isolator under a column, or what acts beside it, from the ground to the column base; None: it is neither."""
     for line, x in zip(frame.lines, frame.x, strict=True):
-        foot = next((i for i, node in enumerate(own.nodes) if node == names.node_name(line, 0)), None)
-        if foot is None or not own.base:
+        column_base = next((i for i, node in enumerate(own.nodes) if node == names.node_name(line, 0)), None)
+        if column_base is None or not own.base:
             continue
-        top = Hung((float(x), float(frame.levels[0])), (foot, foot), 0.0)
+        top = Hung((float(x), float(frame.levels[0])), (column_base, column_base), 0.0)
         if name == names.isolator_name(line):
             return MovingDamper(name, (), (Hung((float(x), own.ground), GROUND, 0.0), top), (0.0, 1.0), SIGN * own.size)
         beside = names.base_device_name(line)
-        if name == beside or name.startswith(f"{beside}_"):  # the second one at a foot is G_A_2
+        if name == beside or name.startswith(f"{beside}_"):  # the second one at a column base is G_A_2
             shift = 1.5 + (int(name[len(beside) + 1 :]) - 1 if name != beside else 0)
-            foot_of_it = Hung((float(x) + shift * BELOW * own.size, own.ground), GROUND, 0.0)
-            return MovingDamper(name, ((foot_of_it, top),), (foot_of_it, top), (0.3, 0.7))
+            below_it = Hung((float(x) + shift * BELOW * own.size, own.ground), GROUND, 0.0)
+            return MovingDamper(name, ((below_it, top),), (below_it, top), (0.3, 0.7))
     return None
 
 
@@ -178,8 +182,8 @@ def _damper(frame: Frame, at: dict[str, Point], name: str) -> MovingDamper | Non
     if drawing is None:
         return None
     if len(drawing.braces) == 2:  # a chevron: its apex stands on the floor below, the damper between apex and beam
-        feet = [start for start, _ in drawing.braces]
-        ends = [_hung(at, foot) for foot in feet]
+        lower = [start for start, _ in drawing.braces]
+        ends = [_hung(at, end) for end in lower]
         apex = Hung(drawing.at, (ends[0].nodes[0], ends[1].nodes[0]), 0.5)
         braces = tuple((end, apex) for end in ends)
         return MovingDamper(name, braces, (apex, _hung(at, drawing.at)), (0.0, 1.0))

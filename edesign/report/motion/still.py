@@ -117,7 +117,7 @@ def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
         axis.fill(
             (x0 - half, x0 + half, x1 + half, x1 - half), (y0, y0, y1, y1), color=DAMPER, ec=MEAN, lw=0.5, zorder=1.3
         )
-    _draw_feet(axis, geometry, motion, scale)
+    _draw_bases(axis, geometry, motion, scale)
     for mass, stroke in zip(geometry.masses, one.strokes[picture], strict=True):
         (x, _), (y, _) = _line(mass.at, mass.at, motion, scale, (0.0, 1.0))
         half, at = 0.5 * SIGN * geometry.size, x + scale * float(stroke)
@@ -141,7 +141,7 @@ def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
     return found
 
 
-def _draw_feet(axis: Axes, geometry: Geometry, motion: np.ndarray, scale: float) -> None:
+def _draw_bases(axis: Axes, geometry: Geometry, motion: np.ndarray, scale: float) -> None:
     """An isolated base, or the supports, and the ground."""
     places = np.array(list(geometry.nodes.values()))
     moved = places + scale * motion[:, :2]

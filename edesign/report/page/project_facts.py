@@ -41,7 +41,7 @@ def project_rows(project: Project) -> Rows:
         ("Beams", _over_height(beams, "floor")),
         ("Braces", _braces(project)),
         ("Plastic hinges", _hinges(project)),
-        ("Joints that turn", _joints(project)),
+        ("Semi-rigid joints", _joints(project)),
         ("Panel zones", _panel_zones(project)),
         ("Rigid ends", _rigid_ends(project)),
         ("Supports", _supports(project)),

@@ -1,4 +1,4 @@
-"""Tables of the ground under the columns: footings, what they do to the first mode, and waves that pass."""
+"""Tables of the ground under the columns: footings, what they do to the first mode, and wave passage."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FORMULAS = {
     "gazetas": "Gazetas 1991",
 }
 SHOWN = 40
-"""Rows of the tables of feet and histories at most: a page of them can be read."""
+"""Rows of the tables of column bases and histories at most: a page of them can be read."""
 WORK = "footing_work_final"
 """Variable that only histories with footings have."""
 MEGA = Unit("", 1e6)
@@ -81,7 +81,7 @@ FOOTING_STIFFNESS = TableSpec[_Motion](
 )
 FIRST_MODE = TableSpec[Analysis](
     "footing_periods",
-    "First mode on fixed feet and on footings",
+    "First mode on fixed bases and on footings",
     (
         text("analysis", "name"),
         col("T fixed", S, attribute("fixed_base_period_s")),
@@ -106,23 +106,23 @@ FOOTING_WORK = TableSpec[Analysis](
 )
 WAVE_PASSAGE = TableSpec[Place](
     "wave_passage",
-    "Feet under a wave that passes",
+    "Supports under wave passage",
     (
         text("analysis", "analysis"),
-        text("foot", "name"),
+        text("support", "name"),
         col("delay", MS, at("foot_delay"), negligible=1e-9),
         col("largest displacement", MM, at("foot_displacement_largest"), negligible=1e-9),
         col("at the end", MM, at("foot_displacement_final"), negligible=1e-9),
     ),
-    notes=("Displacements of the ground at the foot relative to the ground that the motion reaches first.",),
+    notes=("Displacements of the ground at the column base relative to the ground that the motion reaches first.",),
     keys=2,
     most=SHOWN,
-    cut="The first {shown} of {all} feet.",
+    cut="The first {shown} of {all} supports.",
 )
 
 
 def ground_tables(groups: Mapping[str, Group]) -> list[Table]:
-    """Return the tables of footings, and of feet that a wave reaches one after the other; none where there are none.
+    """Return the tables of footings, and of supports under wave passage; none where there are none.
 
     Args:
         groups: results by the name of the analysis.
@@ -157,7 +157,7 @@ def _told(group: Group) -> tuple[str, ...]:
 
 
 def first_mode_table(groups: Mapping[str, Group]) -> Table:
-    """Return period and damping of the first mode on fixed feet and on footings; no rows without footings."""
+    """Return period and damping of the first mode on fixed bases and on footings; no rows without footings."""
     found = (Analysis(name, group) for name, group in groups.items())
     # an isolated frame has a period on a fixed base too
     return FIRST_MODE.of(one for one in found if "period_ratio" in one.group.attributes)

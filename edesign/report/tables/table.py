@@ -106,7 +106,8 @@ class TableSpec(Generic[Item]):
         title: one line; it may have words in braces that `of` is given, as may headers and notes: `{whose}: periods`.
         columns: in the order in which they are printed.
         notes: lines below, where there are rows.
-        signs: notes on marks of values, `*: of the foot`; each is printed where a value has the mark it begins with.
+        signs: notes on marks of values, `*: of the column base`; each is printed where a value has the mark it begins
+            with.
         keys: number of columns, from the first, that name the rows.
         each: title of the one table that files have where each analysis or member has one.
         formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
@@ -116,7 +117,7 @@ class TableSpec(Generic[Item]):
         named_as: name of the file of tables that share one; "": `name`.
         names_kept: see `Table`.
         most: rows that are printed; 0: all.
-        cut: note of a table with more rows: `The first {shown} of {all} feet.`, or `and {more} more`
+        cut: note of a table with more rows: `The first {shown} of {all} column bases.`, or `and {more} more`
     """
 
     name: str

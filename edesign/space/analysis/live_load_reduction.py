@@ -100,9 +100,9 @@ def _factors(building: Building, frame: SpaceFrame, case: LoadCase, psi_0: float
         for number in members_of(place, numbers):
             found[number] = alpha_A(area, case.category, psi_0)
     loaded = on_nodes(frame, case)[:, 2] < 0.0
-    foot, end = np.round(frame.coordinates[:, :2], 6), frame.ends[1]
+    start, end = np.round(frame.coordinates[:, :2], 6), frame.ends[1]
     for number in frame.columns:
-        above = (foot == foot[end[number]]).all(axis=1) & (frame.level_of_nodes >= frame.members[number].storey)
+        above = (start == start[end[number]]).all(axis=1) & (frame.level_of_nodes >= frame.members[number].storey)
         storeys = np.unique(frame.level_of_nodes[above & loaded]).size
         found[number, _N] = alpha_n(storeys, case.category, psi_0)
     return found

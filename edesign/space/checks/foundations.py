@@ -16,7 +16,7 @@ from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.response import SeismicResponse, StaticResponse
 from edesign.space.analysis.storeys import Storeys
 from edesign.space.checks.capacity import ROUNDING, Overstrength, bend_about_y, column_moments
-from edesign.space.checks.column_feet import M_Y, M_Z, N, hinged_feet
+from edesign.space.checks.column_bases import M_Y, M_Z, N, hinged_bases
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.structure.frame import AXES, Axis, SpaceFrame
 
@@ -79,7 +79,8 @@ class Foundations:
         static: (c, s, 6) reactions to the load cases, in the order of `COMPONENTS`, N and N m.
         seismic: (2, s, 6) to the seismic action along x and y, without sign, with second-order effects.
         factor: (2, s) gamma_Rd Omega of either direction.
-        of_foot: (2, s) whether this Omega is that of the hinge at the foot; otherwise it is that of the direction.
+        of_base: (2, s) whether this Omega is that of the hinge at the column base; otherwise it is that of the
+            direction.
         combinations: (r,) names of the combinations.
         least, largest: (r, s, 6) E_F,G -+ gamma_Rd Omega E_F,E.
     """
@@ -89,7 +90,7 @@ class Foundations:
     static: np.ndarray
     seismic: np.ndarray
     factor: np.ndarray
-    of_foot: np.ndarray
+    of_base: np.ndarray
     combinations: tuple[str, ...]
     least: np.ndarray
     largest: np.ndarray
@@ -146,12 +147,12 @@ def foundation_factors(
     overstrength: Mapping[Axis, Overstrength],
     q: Mapping[Axis, float],
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return gamma_Rd Omega of both directions at each support, and whether Omega is that of the foot, both (2, s).
+    """Return gamma_Rd Omega of both directions at each support, and whether Omega is that of the column base; (2, s).
 
     In ductility class low the factor is 1.
 
-    Where a column of a moment frame has a hinge at its foot, Omega is the least M_Rd / M_Ed there of both directions;
-    elsewhere that of the dissipative members of the direction.
+    Where a column of a moment frame has a hinge at its base, Omega is the least M_Rd / M_Ed there of both
+    directions; elsewhere that of the dissipative members of the direction.
 
     Args:
         building: with the design block of the file.
@@ -159,7 +160,7 @@ def foundation_factors(
         q: behaviour factors of both directions.
 
     Returns:
-        gamma_Rd Omega, (2, s); whether Omega is that of the foot, (2, s).
+        gamma_Rd Omega, (2, s); whether Omega is that of the column base, (2, s).
 
     Source: EN 1998-1:2004, 4.4.2.6(4)-(6).
     """
@@ -167,20 +168,20 @@ def foundation_factors(
     if design.ductility_class == "low":
         return np.ones((2, of.nodes.size)), np.zeros((2, of.nodes.size), dtype=bool)
     frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
-    at_foot = np.full(len(frame.node_names), np.inf)
+    at_base = np.full(len(frame.node_names), np.inf)
     force = acting[:, :, N].max(axis=1)
     for axis in frames:
-        feet = hinged_feet(frame, axis)
-        M_Rd = column_moments(frame, building.materials, feet, axis, force, design.partial_factors.M0)
-        M_Ed = np.where(bend_about_y(frame, feet, axis), acting[feet, 0, M_Y], acting[feet, 0, M_Z])
+        bases = hinged_bases(frame, axis)
+        M_Rd = column_moments(frame, building.materials, bases, axis, force, design.partial_factors.M0)
+        M_Ed = np.where(bend_about_y(frame, bases, axis), acting[bases, 0, M_Y], acting[bases, 0, M_Z])
         Omega = np.where(M_Rd > 0.0, strength_over_demand(np.maximum(M_Rd, 1.0), M_Ed), 1.0)
-        np.minimum.at(at_foot, frame.ends[0][feet], Omega)
-    own = at_foot[of.nodes]
-    of_foot = np.array([np.isfinite(own) & (axis in frames) for axis in AXES])
+        np.minimum.at(at_base, frame.ends[0][bases], Omega)
+    own = at_base[of.nodes]
+    of_base = np.array([np.isfinite(own) & (axis in frames) for axis in AXES])
     of_direction = np.array([[overstrength[axis].Omega] for axis in AXES])
-    Omega = np.where(of_foot, own, of_direction)
+    Omega = np.where(of_base, own, of_direction)
     found = [foundation_factor(values, q[axis]) for axis, values in zip(AXES, Omega, strict=True)]
-    return np.array(found), of_foot
+    return np.array(found), of_base
 
 
 def foundations(
@@ -191,7 +192,7 @@ def foundations(
     storeys: Mapping[Axis, Storeys],
     seismic: Sequence[Combination],
     factor: np.ndarray,
-    of_foot: np.ndarray,
+    of_base: np.ndarray,
 ) -> Foundations:
     """Return the reactions at all supports and the design actions on foundations.
 
@@ -201,7 +202,7 @@ def foundations(
         response: effects of the seismic action, by direction.
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.
         factor: gamma_Rd Omega, by `foundation_factors`.
-        of_foot: whether it is that of the foot, by `foundation_factors`.
+        of_base: whether it is that of the column base, by `foundation_factors`.
 
     Returns:
         Reactions and design actions at the supports.
@@ -228,7 +229,7 @@ def foundations(
         static=reactions,
         seismic=acting,
         factor=factor,
-        of_foot=of_foot,
+        of_base=of_base,
         combinations=tuple(names),
         least=np.array(least),
         largest=np.array(largest),

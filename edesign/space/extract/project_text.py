@@ -34,7 +34,7 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
         study: names of the files of a study of it, which needs damping, records and a law of dampers; None: no study.
 
     Raises:
-        InputError: it has semi-rigid ends or springs at its feet, which project files do not have.
+        InputError: it has semi-rigid ends or springs at its column bases, which project files do not have.
     """
     row.check()
     text = "\n".join(_ProjectText(row).text)

@@ -26,7 +26,7 @@ from edesign.space.structure.frame import AXES
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
-CLASS, FEET, PANELS, TORSION = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)", "4.2.3.2(6)"
+CLASS, COLUMN_BASES, PANELS, TORSION = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)", "4.2.3.2(6)"
 
 FINITE = 1e6
 """What counts for an infinite utilisation, as of class 4 sections, so that sums stay numbers."""
@@ -211,7 +211,7 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
     """
-    found = {CLASS, FEET, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
+    found = {CLASS, COLUMN_BASES, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
     limits = design_of(analysis.building).serviceability.beams
     if limits.total is not None or limits.live is not None:
         found.add(LIMITED)
@@ -257,7 +257,7 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             steep = brace_slenderness(design.building, design.frame, Omega.members)
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
-    for clause in (CLASS, FEET, SYMMETRIC, TORSION):
+    for clause in (CLASS, COLUMN_BASES, SYMMETRIC, TORSION):
         rules = [rule for rule in design.criteria if rule.clause == clause and rule.passed is not None]
         found[clause] = np.array([rule.utilisation for rule in rules])
     counted = {"members", *clauses}

@@ -73,16 +73,16 @@ def footing_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
 
 @dataclass(frozen=True)
 class Interaction:
-    """The first mode of a frame on its footings beside that of the same frame on fixed feet.
+    """The first mode of a frame on its footings beside that of the same frame on fixed bases.
 
     Attributes:
         fixed, flexible: periods, s.
-        height, mass: effective, of the first mode on fixed feet, m and kg.
+        height, mass: effective, of the first mode on fixed bases, m and kg.
         closed_period_ratio: T_flexible / T_fixed of one mass at the effective height.
         closed_damping: its foundation damping, as a ratio of critical.
         damping: that of the frame, by its complex eigenvalue.
 
-    The closed forms are those of feet that all stand on footings; None: some do not.
+    The closed forms are those of column bases that all stand on footings; None: some do not.
     """
 
     fixed: float
@@ -102,7 +102,7 @@ def interaction(project: Project, structure: Structure, modes: Modes, gravity: b
         gravity: whether this state is that under the gravity loads.
 
     Raises:
-        AnalysisError: the frame on fixed feet is unstable, or its first mode on footings is overdamped.
+        AnalysisError: the frame on fixed bases is unstable, or its first mode on footings is overdamped.
 
     Source: period, Veletsos & Meek 1974, Earthquake Engineering and Structural Dynamics 3, 121-138; damping, NIST GCR
         12-917-21, Eq. 2-10, and ASCE/SEI 7-16, 19.3, with the exponent 2 of dashpots that are taken at the period.
@@ -129,7 +129,7 @@ def _closed_forms(frame: FrameModel, of: Interaction) -> tuple[float, float]:
     places = np.array([frame.frame.nodes[name][0] for name in frame.footings])
     k = np.array([built.springs.stiffness for built in frame.footings.values()])
     c = np.array([built.springs.dashpot for built in frame.footings.values()])
-    turned = np.array([frame.grounds[name][2] is not None for name in frame.footings])  # not by a pinned foot
+    turned = np.array([frame.grounds[name][2] is not None for name in frame.footings])  # not by a pinned base
     arms = places - places @ k[:, 1] / k[:, 1].sum()  # from where a vertical force turns nothing
     sway, rocking = k[:, 0].sum(), turned @ k[:, 2] + arms**2 @ k[:, 1]
     in_sway, in_rocking = c[:, 0].sum(), turned @ c[:, 2] + arms**2 @ c[:, 1]
@@ -169,7 +169,7 @@ def store_interaction(group: Group, found: Interaction) -> None:
 
     Args:
         group: of the modal analysis.
-        found: first mode on footings and on fixed feet.
+        found: first mode on footings and on fixed bases.
     """
     group.attributes |= {
         "fixed_base_period_s": found.fixed,

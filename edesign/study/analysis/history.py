@@ -23,7 +23,7 @@ from edesign.study.analysis.isolators import isolator_warnings
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.residual import period_steps
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
-from edesign.study.analysis.wave_passage import LateFeet
+from edesign.study.analysis.wave_passage import DelayedSupports
 from edesign.study.motions.applied import ground_motion, scale_factor
 from edesign.study.motions.motions import Motion, project_motions
 from edesign.study.results.warnings import store_warnings
@@ -62,7 +62,7 @@ def run_history(
     both = ground_motion(project, spec, motion.record, factor, vertical)
     ground = both.horizontal
     structure = make_structure(project, dampers=spec.dampers)
-    late = LateFeet(spec, structure.frame, both)
+    late = DelayedSupports(spec, structure.frame, both)
     results = HistoryResults(project, structure.frame, spec.collapse_drift)
     period = load_and_damp(project, structure)
     response = structure.analysis.history(

@@ -6,7 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.frame_model import FrameModel
-from edesign.building.isolation import IsolatedFeet, isolator_under
+from edesign.building.isolation import IsolatedBases, isolator_under
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import VerticalSpring
@@ -42,12 +42,12 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
 
 
 def _held_down(
-    frame: Frame, isolation: Isolation, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float
+    frame: Frame, isolation: Isolation, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
     """Isolators that are pulled and as stiff then as under pressure; pendulums that slide on are told of elsewhere."""
     pulled = []
     for device in isolated.isolators:
-        line = next(line for line in frame.lines if names.node_name(line, 0) == device.foot)
+        line = next(line for line in frame.lines if names.node_name(line, 0) == device.column_base)
         isolator = isolator_under(frame, isolation, line)
         lifts = isolator is not None and isinstance(isolator.vertical, VerticalSpring) and isolator.vertical.uplift
         if most_of[device.name] > 0.0 and not lifts and device.name not in isolated.weighed:
@@ -64,9 +64,9 @@ def _held_down(
 
 
 def _moments_in_the_ground(
-    frame: Frame, isolation: Isolation, group: Group, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float
+    frame: Frame, isolation: Isolation, group: Group, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
-    """What the axial forces of isolators leave out, where the moments of the feet go into the ground by `rotation`."""
+    """What the axial forces of isolators leave out, where moments of column bases go into the ground by `rotation`."""
     if isolation.base.beams is not None or isolation.base.rotation == "free":
         return []
     most, least = (
@@ -80,12 +80,12 @@ def _moments_in_the_ground(
     moments = np.array([0.5 * (most[row] - least[row]) for row in rows.values()])  # without what gravity has
     places = np.array([x for line, x in zip(frame.lines, frame.x, strict=True) if line in rows])
     forces = dict(zip((names.node_name(line, 0) for line in rows), _couples(moments, places), strict=True))
-    change = {isolator.name: float(forces.get(isolator.foot, 0.0)) for isolator in isolated.isolators}
+    change = {isolator.name: float(forces.get(isolator.column_base, 0.0)) for isolator in isolated.isolators}
     worst = max(change, key=lambda name: change[name])
     if change[worst] <= _ROUNDING * pressed:
         return []
     text = (
-        "the axial forces of the isolators leave out the moments of the columns' feet, which `rotation` lets into the "
+        "the axial forces of the isolators leave out the moments of the column bases, which `rotation` lets into the "
         f"ground: {moments.sum() / 1e3:.4g} kNm in all, about {change[worst] / 1e3:.4g} kN more and less at {worst}"
     )
     near = [name for name, force in most_of.items() if -change[name] < force <= 0.0]
@@ -96,7 +96,7 @@ def _moments_in_the_ground(
     return [AnalysisWarning("isolator_foot_moments", text, change[worst] / pressed)]
 
 
-def _moments_of_displacement(frame: Frame, group: Group, isolated: IsolatedFeet) -> list[AnalysisWarning]:
+def _moments_of_displacement(frame: Frame, group: Group, isolated: IsolatedBases) -> list[AnalysisWarning]:
     """What the base would get of the moments N u of weights and displacement, if the isolators had a height.
 
     Half of them above a bearing of rubber, whose ends turn alike; all of them above a pendulum with the dish on top.
@@ -139,7 +139,7 @@ def _couples(moments: np.ndarray, places: np.ndarray) -> np.ndarray:
     return np.abs(np.diff(shear))
 
 
-def _weights(group: Group, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float) -> list[AnalysisWarning]:
+def _weights(group: Group, isolated: IsolatedBases, most_of: dict[str, float], pressed: float) -> list[AnalysisWarning]:
     """Pendulums that slide under their weight by gravity, whatever presses on them."""
     weighed = [name for name in most_of if name in isolated.weighed]
     if not weighed:

@@ -104,7 +104,7 @@ def _store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     label = "horizontal displacement of the floor in the mode, mean over its nodes"
     group.add("floor_shape", ("mode", "floor"), floors / scale[:, None], "1", label)
     if frame.isolated is not None:
-        base = modes.shapes[:, frame.nodes[frame.isolated.isolators[0].foot], 0] / scale
+        base = modes.shapes[:, frame.nodes[frame.isolated.isolators[0].column_base], 0] / scale
         group.add("base_shape", ("mode",), base, "1", "horizontal displacement of the isolated base in the mode")
     where = list(frame.nodes.values())
     group.add("node_shape_x", ("mode", "node"), shapes[:, where, 0], "1", "horizontal displacement in the mode")

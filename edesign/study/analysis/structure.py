@@ -157,7 +157,7 @@ def device_stiffness(device: Device, amplitude: float, frequency: float) -> comp
     scale = device.force_scale * device.deformation_scale
     amplitude *= device.deformation_scale
     play = device.play * device.deformation_scale
-    if device.foot:
+    if device.column_base:
         stiffness, work = effective_stiffness(device.values, amplitude, frequency)
         return scale * complex(stiffness, work / (np.pi * amplitude**2))
     return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
@@ -190,7 +190,7 @@ def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> di
         laws: the laws of its dampers and isolators, by name.
 
     Returns:
-        N, by name of the foot.
+        N, by name of the column base.
 
     Raises:
         InputError: the frame cannot be built.
@@ -198,17 +198,17 @@ def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> di
     """
     isolation = project.isolation
     assert isolation is not None
-    feet = [
+    bases = [
         names.node_name(line, 0)
         for line in project.frame.lines
         if (isolator := isolator_under(project.frame, isolation, line)) is not None
         and goes_with_weight(isolator, laws[isolator.law])
     ]
-    if not feet:
+    if not bases:
         return {}
     frame = build_frame(project, laws=laws)
     structure = make_structure(project, frame)
-    channels = [Channel(foot, frame.reaction(foot, 1)) for foot in feet if foot in frame.supports]
+    channels = [Channel(base, frame.reaction(base, 1)) for base in bases if base in frame.supports]
     return dict(structure.apply_gravity(channels).final)
 
 

@@ -1,4 +1,4 @@
-"""Feet of columns that the ground motion reaches one after the other."""
+"""Column bases that the ground motion reaches one after the other."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from edesign.study.results.recording import coordinate
 from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
 LASTING = 0.01
-"""Share of the largest displacement between feet that may be left; more than this rounding of records has is said."""
+"""Share of the largest displacement between supports that may be left; rounding of records brings less."""
 
 
-class LateFeet:
-    """The displacements of the feet of a frame under a passing wave, relative to the foot that it reaches first.
+class DelayedSupports:
+    """The displacements of the supports of a frame under wave passage, relative to the support that it reaches first.
 
     Args:
         ground: what is applied.
@@ -38,31 +38,31 @@ class LateFeet:
         grid = frame.frame
         delays = spec.wave_passage.delays_of(dict(zip(grid.lines, grid.x, strict=True)))
         at_base = {names.node_name(line, 0): delay for line, delay in delays.items()}
-        self._delays = {foot: at_base[foot] for foot in frame.supports}
-        for foot, delay in self._delays.items():
-            self._moved[foot] = np.zeros(1)
+        self._delays = {support: at_base[support] for support in frame.supports}
+        for support, delay in self._delays.items():
+            self._moved[support] = np.zeros(1)
             if delay > 0.0:
-                self._add(frame, foot, 0, "ux", ground.horizontal, delay)
+                self._add(frame, support, 0, "ux", ground.horizontal, delay)
                 if ground.vertical is not None:
-                    self._add(frame, foot, 1, "uy", ground.vertical, delay)
+                    self._add(frame, support, 1, "uy", ground.vertical, delay)
 
-    def _add(self, frame: FrameModel, foot: str, at: int, degree: str, record: Record, delay: float) -> None:
-        if not frame.supports[foot][at]:
+    def _add(self, frame: FrameModel, support: str, at: int, degree: str, record: Record, delay: float) -> None:
+        if not frame.supports[support][at]:
             return
         samples = delayed_by(record.acceleration, record.time_step, delay)
-        on_spring = frame.grounds.get(foot, (None, None, None))[at]
-        node = frame.nodes[foot] if on_spring is None else on_spring
+        on_spring = frame.grounds.get(support, (None, None, None))[at]
+        node = frame.nodes[support] if on_spring is None else on_spring
         self.motions.append(SupportMotion(node, degree, (samples[0], samples[1], samples[2])))
         if at == 0:
-            self._moved[foot] = samples[0]
+            self._moved[support] = samples[0]
 
     def store(self, group: Group) -> None:
-        """Add delays, and horizontal displacements of the ground under the feet, to the group of a history."""
+        """Add delays, and horizontal displacements of the ground under the supports, to the group of a history."""
         if not self._delays:
             return
         coordinate(group, "foot", list(self._delays), "", "name of the node at the base")
         group.add("foot_delay", ("foot",), list(self._delays.values()), "s", "by which the ground motion comes later")
-        label = "horizontal displacement of the ground at the foot relative to the motion without delay"
+        label = "horizontal displacement of the ground at the support relative to the motion without delay"
         largest = [float(np.abs(moved).max()) for moved in self._moved.values()]
         left = [float(moved[-1]) for moved in self._moved.values()]
         group.add("foot_displacement_largest", ("foot",), largest, "m", f"{label}, largest magnitude")
@@ -70,7 +70,7 @@ class LateFeet:
         apart = max(abs(value) for value in left)
         if apart > LASTING * max(largest):
             text = (
-                f"feet stay {1e3 * apart:.3g} mm apart after the wave, since the record ends with a velocity; use one "
-                "whose baseline is corrected"
+                f"supports stay {1e3 * apart:.3g} mm apart after the wave, since the record ends with a velocity; use "
+                "one whose baseline is corrected"
             )
             store_warnings(group, [AnalysisWarning("feet_apart", text, apart / (LASTING * max(largest)))])

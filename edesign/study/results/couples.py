@@ -104,7 +104,7 @@ def _lacking(frame: FrameModel) -> Iterator[tuple[Device, float, tuple[int, int]
     """
     places = {node: frame.frame.nodes[name] for name, node in frame.nodes.items()}
     for device in frame.devices:
-        if device.foot:
+        if device.column_base:
             continue
         arm = sum(c * places[node][1] for c, node, degree in device.terms if degree == UX)
         arm -= sum(c * places[node][0] for c, node, degree in device.terms if degree == UY)

@@ -63,10 +63,10 @@ def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
 
 
 def _of_base(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
-    """A horizontal quantity of the base that all feet share; none of a frame on its supports."""
+    """A horizontal quantity of the base that all column bases share; none of a frame on its supports."""
     if frame.isolated is None:
         return ()
-    return (((1.0, kind, frame.nodes[frame.isolated.isolators[0].foot], 0),),)
+    return (((1.0, kind, frame.nodes[frame.isolated.isolators[0].column_base], 0),),)
 
 
 def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:

@@ -29,7 +29,7 @@ _SUPPORT = (
     ("support_rotation", "displacement", 2, "rad", "rotation of the supported node, anticlockwise"),
     ("support_reaction_x", "reaction", 0, "N", "horizontal reaction of the spring"),
     ("support_reaction_y", "reaction", 1, "N", "vertical reaction of the spring, upwards"),
-    ("support_reaction_moment", "reaction", 2, "N*m", "moment of the spring on the foot, anticlockwise"),
+    ("support_reaction_moment", "reaction", 2, "N*m", "moment of the spring on the column base, anticlockwise"),
 )
 
 

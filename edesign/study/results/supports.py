@@ -27,7 +27,8 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
 
     A vertical reaction is positive upwards, so that a negative one is uplift. The overturning moment is that of all
     reactions about the point of the base midway between the outer supports, positive for loads to the right, and of the
-    couples that dampers lack. The foot of a leaning column is no support of the frame: where it stands is not known.
+    couples that dampers lack. The column base of a leaning column is no support of the frame: where it stands is not
+    known.
 
     Args:
         group: of the history, to which the names of the supports are added.
@@ -76,7 +77,7 @@ def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "mi
     """
     if frame.isolated is None:
         return []
-    feet = [isolator.foot for isolator in frame.isolated.isolators]
-    cells = tuple(tuple((-c, kind, i, at) for c, kind, i, at in frame.reaction(foot, 1)) for foot in feet)
+    bases = [isolator.column_base for isolator in frame.isolated.isolators]
+    cells = tuple(tuple((-c, kind, i, at) for c, kind, i, at in frame.reaction(base, 1)) for base in bases)
     name = "axial force of the isolator, positive in tension"
-    return [Quantity("isolator_axial_force", ("isolator",), (len(feet),), cells, "N", name, keep=keep)]
+    return [Quantity("isolator_axial_force", ("isolator",), (len(bases),), cells, "N", name, keep=keep)]

@@ -47,7 +47,7 @@ ALIKE: Mapping[Kind, str] = {
     "brace_fracture": "fibres of braces have broken",
     "column_buckling": "columns carry more compression than their buckling resistance",
     "hinge_axial": "hinges do not know the axial forces of their columns",
-    "isolator_foot_moments": "axial forces of isolators leave out moments of feet that go into the ground",
+    "isolator_foot_moments": "axial forces of isolators leave out moments of column bases that go into the ground",
     "isolator_height": "the base lacks moments of axial forces and displacement of isolators",
     "isolator_tension": "isolators that are held down are pulled",
     "isolator_uplift": "friction pendulums lose contact",
@@ -57,7 +57,7 @@ ALIKE: Mapping[Kind, str] = {
     "target_limit": "FEMA 356 limits C_1 of short periods, which FEMA 440 advises against",
     "target_damping": "target displacements do not count the damping of the dampers",
     "target_damping_twice": "target displacements count the work of dampers twice",
-    "feet_apart": "feet stay apart after the wave has passed",
+    "feet_apart": "supports stay apart after the wave has passed",
 }
 """What analyses with a warning of one kind have in common."""
 

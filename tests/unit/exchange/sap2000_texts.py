@@ -67,7 +67,7 @@ TABLE:  "MASS SOURCE"
 
 END TABLE DATA
 """
-"""A portal: 6 m wide, 4 m high, one foot pinned."""
+"""A portal: 6 m wide, 4 m high, one column base pinned."""
 
 
 def changed(text: str, *pairs: tuple[str, str]) -> str:

@@ -55,7 +55,7 @@ def test_what_is_read() -> None:
         ),
         ("law: oil}", "law: ol}", "beside[0].law", "did you mean `oil`"),
         (BASE, "base: {rotation: fixed}", "base", "the base has no mass"),
-        (BASE, "base: {G: 36 kN/m}", "base", "how do the feet of the columns turn? with `beams`"),
+        (BASE, "base: {G: 36 kN/m}", "base", "how do the column bases turn? with `beams`"),
         (
             BASE,
             "base: {G: 36 kN/m, rotation: free, beams: {section: IPE500, material: S355}}",

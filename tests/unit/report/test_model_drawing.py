@@ -126,7 +126,7 @@ def test_loads_inside_members_are_those_of_the_file() -> None:
         ),
         ("deteriorating_hinges", "plastic hinge of beams, M_y = 400 kN m, θ_p = 0.03 rad, hogging M_y = 330 kN m"),
         ("deteriorating_hinges", "panel zone that shears, doubler plates 6 mm"),
-        ("deteriorating_hinges", "joint that turns, S_j = 90 MN m/rad, M_j,Rd = 300 kN m"),
+        ("deteriorating_hinges", "semi-rigid joint, S_j = 90 MN m/rad, M_j,Rd = 300 kN m"),
         ("footings_on_soil", "S2: footing 1.8 m × 3.6 m on clay (B)"),
         ("footings_on_soil", "lifts off, bearing resistance 400 kPa (C)"),
         ("isolated_frame", "isolator pendulum, vertical 1500 MN/m, lifts off (A-D)"),

@@ -76,7 +76,7 @@ analyses: [{name: modes, kind: modal, modes: 1}]
 """
 
 
-def test_isolators_stand_between_the_ground_and_their_feet(tmp_path: Path) -> None:
+def test_isolators_stand_between_the_ground_and_their_bases(tmp_path: Path) -> None:
     (tmp_path / "project.yaml").write_text(ISOLATED, encoding="utf-8")
     frame = load_project(tmp_path / "project.yaml").frame
     on_supports = moving_frame(frame, ("R_1_1",), ("T_2_1", "T_2_2", "T_1_3"))

@@ -19,7 +19,7 @@ def test_hinges_joints_panel_zones_and_braces_that_buckle_are_named() -> None:
     M_y = f"{1.06 * W_pl * 275.0 / 1e6:.0f} kN m"
     assert found == f"at both ends of 1 beam, M_y = {M_y}, by Lignos and Krawinkler (2011)"
     assert given == "at both ends of 1 beam, M_y = 400 kN m"
-    assert rows["Joints that turn"] == "at the end of 1 beam, S_j = 90.0 MN m/rad, M_j,Rd = 300 kN m"
+    assert rows["Semi-rigid joints"] == "at the end of 1 beam, S_j = 90.0 MN m/rad, M_j,Rd = 300 kN m"
     assert rows["Panel zones"] == "lines all, floors 1, doubler plates 6.00 mm"
     braces = dict(project_rows(load_project(CASES / "buckling_braces" / "project.yaml")))
     assert braces["Braces"] == "5, of which 5 buckle in the analysis"

@@ -144,7 +144,7 @@ def test_columns_beside_single_diagonals_that_buckle() -> None:
     """EN 1998-1, 6.7.4(3), by joints: in bays 1 and 3 of three, mirrored; those in compression push with N_b,Rd.
 
     SHS100x6 of 8.94 m, curve a: lambda = 2.70 and N_b,Rd = 0.127 N_pl,Rd (by hand, three digits). The floor moves
-    along y: the diagonal of bay 3, which falls, buckles. Its head is at line 3 and its foot at line 4.
+    along y: the diagonal of bay 3, which falls, buckles. Its head is at line 3 and its lower end at line 4.
     """
     found = design_of(
         BUILDING,

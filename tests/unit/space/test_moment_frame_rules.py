@@ -1,4 +1,4 @@
-"""Feet of columns, web panels and foundations of small buildings, by hand and by equilibrium."""
+"""Column bases, web panels and foundations of small buildings, by hand and by equilibrium."""
 
 from __future__ import annotations
 
@@ -64,8 +64,8 @@ def test_without_doubler_plates(found: ElasticDesign) -> None:
     assert rules[0].value == pytest.approx(worst, rel=1e-12) and rules[0].passed is False
 
 
-def test_hinges_at_the_feet(found: ElasticDesign) -> None:
-    """EN 1998-1, 6.6.3(2) and (4): M_pl,Rd at the foot and the moment at the head of the amplified combinations."""
+def test_hinges_at_the_bases(found: ElasticDesign) -> None:
+    """EN 1998-1, 6.6.3(2) and (4): M_pl,Rd at the base and the moment at the head of the amplified combinations."""
     column = steel_section("HEB300")
     M_pl, V_pl = column.W_pl_y * FY, column.A_vz * FY / np.sqrt(3.0)
     ground = [n for n, of in enumerate(found.frame.members) if of.kind == "column" and of.storey == 1]
@@ -77,14 +77,14 @@ def test_hinges_at_the_feet(found: ElasticDesign) -> None:
         for n in ground
     ]
     rules = {rule.text: rule for rule in found.criteria}
-    rule = rules["V_Ed / V_pl,Rd of columns with M_pl,Rd at the foot, direction x"]
+    rule = rules["V_Ed / V_pl,Rd of columns with M_pl,Rd at the column base, direction x"]
     assert rule.value == pytest.approx((M_pl + max(head)) / 4.0 / V_pl, rel=1e-12) and rule.required == 0.5
-    assert rules["class of columns at hinges at their feet, direction x"].value == 1.0
+    assert rules["class of columns at hinges at their bases, direction x"].value == 1.0
 
 
-def test_pinned_feet_have_no_hinges() -> None:
+def test_pinned_bases_have_no_hinges() -> None:
     pinned = design_of(FRAME, PINNED)
-    assert not [rule for rule in pinned.criteria if "foot" in rule.text or "feet" in rule.text]
+    assert not [rule for rule in pinned.criteria if "at the column base" in rule.text or "at their bases" in rule.text]
     assert np.ptp(pinned.foundations.factor[0]) == 0.0  # Omega of the beams everywhere
 
 
@@ -107,7 +107,7 @@ def test_reactions_balance_the_loads(found: ElasticDesign) -> None:
 
 
 def test_design_actions_on_foundations(found: ElasticDesign) -> None:
-    """EN 1998-1, Eq. 4.30: E_F,G -+ 1.2 Omega E_F,E for q = 4; Omega of fixed feet is M_Rd / M_Ed there, at most q."""
+    """EN 1998-1, Eq. 4.30: E_F,G -+ 1.2 Omega E_F,E for q = 4; Omega of fixed bases is M_Rd / M_Ed there, at most q."""
     base, acting = found.foundations, found.effects
     assert base.combinations == ("G + 0.3 Q + E_x + 0.3 E_y", "G + 0.3 Q + E_y + 0.3 E_x")
     G = base.static[0] + 0.3 * base.static[1]
@@ -127,7 +127,7 @@ def test_design_actions_on_foundations(found: ElasticDesign) -> None:
 
 
 def test_the_table_of_foundations_says_which_factor_each_support_has(tmp_path: Path) -> None:
-    """`*` where Omega is that of the hinge at the foot; pinned feet have that of the direction."""
+    """`*` where Omega is that of the hinge at the column base; pinned bases have that of the direction."""
     file = tmp_path / "frame.yaml"
     pinned = ("supports: fixed", "supports: {default: fixed, B: pinned}")
     file.write_text(changed(FRAME, pinned), encoding="utf-8")
@@ -136,21 +136,22 @@ def test_the_table_of_foundations_says_which_factor_each_support_has(tmp_path: P
         table = foundation_table(BuildingResults(archive))
         summary = foundation_summary(archive.group("building/foundations"))
     base = design.foundations
-    assert base.of_foot.tolist() == [[node[0] != "B" for node in base.nodes]] * 2
+    assert base.of_base.tolist() == [[node[0] != "B" for node in base.nodes]] * 2
     of_frame = foundation_factor(design.overstrength["x"].Omega, 4.0)
-    np.testing.assert_allclose(base.factor[0][~base.of_foot[0]], of_frame, rtol=1e-12)
+    np.testing.assert_allclose(base.factor[0][~base.of_base[0]], of_frame, rtol=1e-12)
     for k, row in enumerate(table.texts):
         for axis, name in enumerate("xy"):
-            mark = "*" if base.of_foot[axis, k] else ""
+            mark = "*" if base.of_base[axis, k] else ""
             assert row[table.headers.index(f"f_{name}")] == significant(base.factor[axis, k], 3) + mark
-            assert summary[k][f"Omega_of_foot_{name}"] is bool(base.of_foot[axis, k])
-    assert sum(note.startswith("*: Omega of the hinge at the foot") for note in table.notes) == 1
+            assert summary[k][f"Omega_of_foot_{name}"] is bool(base.of_base[axis, k])
+    assert sum(note.startswith("*: Omega of the hinge at the column base") for note in table.notes) == 1
 
 
 def test_supports_of_a_braced_frame() -> None:
-    """Diagonals in tension alone: the feet of one frame take M / L of the overturning moment, whatever the sense.
+    """Diagonals in tension alone: the column bases of one frame take M / L of the overturning moment, whatever the
+    sense.
 
-    All beams along y and all feet are hinged, so that columns carry no moment to the ground (1e-9).
+    All beams along y and all column bases are hinged, so that columns carry no moment to the ground (1e-9).
     """
     found = design_of(braced_frames(storeys="4 m, 3 m") + NO_TORSION, PINNED, OWN_WEIGHT)
     mode = int(found.modes.effective_mass_ratio[:, 1].argmax())

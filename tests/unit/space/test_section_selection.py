@@ -226,7 +226,7 @@ def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
     """54.4 t a frame by the independent loop, whose sections miss sum M_Rc / sum M_Rb here: 1.28 for 1.3.
 
     Of the 9000 choices next below it in mass, each group within three sizes, down to 52.4 t, none meets all checks.
-    Rules that the independent loop does not know, for feet of columns and web panels, are left out.
+    Rules that the independent loop does not know, for column bases and web panels, are left out.
     """
     found = select_sections(building(INTERIOR))
     frame = sum(row.mass for row in found.groups if len(row.group.sections) > 1) / 2.0

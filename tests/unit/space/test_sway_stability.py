@@ -34,19 +34,19 @@ def factors(of: Building, compression: dict[str, float]) -> tuple[float, float, 
     return critical_factors(model, modes, axial, frame.node_mass, frame.level_of_nodes)
 
 
-@pytest.mark.parametrize("feet", ["fixed", "pinned"])
-def test_portal_frame(feet: str) -> None:
+@pytest.mark.parametrize("bases", ["fixed", "pinned"])
+def test_portal_frame(bases: str) -> None:
     """Sway of a portal with k h = x: x tan x = 6 r on hinges, x / tan x = -6 r fixed, r = I_b h / (I_c L).
 
     Source: Timoshenko & Gere, Theory of Elastic Stability, 2.4. The residual is below 2 %, its square below 1e-3.
     """
     r = steel_section("IPE300").I_y * 5.0 / (steel_section("HEB200").I_y * 8.0)
-    if feet == "pinned":
+    if bases == "pinned":
         x = brentq(lambda x: x * np.tan(x) - 6.0 * r, 1e-6, np.pi / 2 - 1e-9)
     else:
         x = brentq(lambda x: x / np.tan(x) + 6.0 * r, np.pi / 2 + 1e-9, np.pi - 1e-9)
     N_cr = 210e9 * steel_section("HEB200").I_y * (x / 5.0) ** 2
-    found = factors(building(PORTAL, ("supports: fixed", f"supports: {feet}")), {"A": 1e6, "B": 1e6})[0] * 1e6
+    found = factors(building(PORTAL, ("supports: fixed", f"supports: {bases}")), {"A": 1e6, "B": 1e6})[0] * 1e6
     assert found / N_cr == pytest.approx(1.0, abs=1e-3)
 
 
@@ -141,7 +141,7 @@ def test_notional_forces_are_in_equilibrium() -> None:
 
 
 def test_sway_of_vertical_loads_grows_too() -> None:
-    """A portal with one foot on hinges sways under its load by u: P_Delta is V u / h amplified; braces hold up 6e-5."""
+    """A portal with one base on hinges sways under its load by u: P_Delta is V u / h amplified; braces hold up 6e-5."""
     found = design_of(portals(G="60 kN/m") + NO_TORSION, ("supports: fixed", "supports: {default: fixed, A: pinned}"))
     frame, sway = found.frame, found.sway
     u = 1.35 * found.static.displacements[0, frame.node_names.index("A1.1"), 0]

@@ -119,7 +119,7 @@ def test_check_tells(tmp_path: Path) -> None:
 
 
 def test_an_isolated_frame_is_judged_with_its_base_held() -> None:
-    """Feet that cannot turn on a base that is held are feet on fixed supports."""
+    """Column bases that cannot turn on a base that is held are column bases on fixed supports."""
     isolators = """\
 dampers:
   laws:

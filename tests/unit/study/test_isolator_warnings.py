@@ -1,4 +1,4 @@
-"""What is told of moments of feet that do not reach the isolators."""
+"""What is told of moments of column bases that do not reach the isolators."""
 
 from __future__ import annotations
 
@@ -17,5 +17,5 @@ from edesign.study.analysis.isolators import _couples
         ([90.0, 90.0, 90.0], [0.0, 4.0, 12.0], [37.5, 22.5, 15.0]),
     ],
 )
-def test_moments_of_feet_as_couples(moments: list[float], places: list[float], expected: list[float]) -> None:
+def test_moments_of_bases_as_couples(moments: list[float], places: list[float], expected: list[float]) -> None:
     assert _couples(np.array(moments), np.array(places)) == pytest.approx(expected)

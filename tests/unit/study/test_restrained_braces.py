@@ -175,10 +175,12 @@ def test_tables(shaken: tuple[Project, Group]) -> None:
         [1.12 * (each[2] + each[3]) * tension, (each[2] + each[3]) * tension], rel=1e-3
     )
     assert "C_A_3" not in found
-    # chevrons, the compressed brace at the right when swaying to the right: its feet at floors 1 and 2, half of what
+    # chevrons, the compressed brace at the right when swaying to the right: lower ends at floors 1 and 2, half of what
     # lifts the beams at floors 1 to 3
     sines = {1: 1.0 * 4.0 / np.hypot(3.5, 4.0), 2: 0.8 * 3.5 / np.hypot(3.5, 3.5), 3: 0.5 * 3.5 / np.hypot(3.5, 3.5)}
     lift = 0.5 * 0.12 * sum(sines.values())
-    feet = sines[2] + sines[3]
-    assert found["C_D_1"] == pytest.approx([(1.12 * feet - lift) * tension, (feet + lift) * tension], rel=1e-3)
+    lower_ends = sines[2] + sines[3]
+    assert found["C_D_1"] == pytest.approx(
+        [(1.12 * lower_ends - lift) * tension, (lower_ends + lift) * tension], rel=1e-3
+    )
     assert not restrained_tables({"bare": Group()})

@@ -1,4 +1,4 @@
-"""Feet of the columns of moment frames, where plastic hinges are planned, EN 1998-1:2004, 6.6.1(1)P and 6.6.3(2)."""
+"""Column bases of moment frames, where plastic hinges are planned, EN 1998-1:2004, 6.6.1(1)P and 6.6.3(2)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ N, M_Y, M_Z = 0, 4, 5  # places in internal forces
 _TURNS = {"x": 4, "y": 3}  # degree of a support that turns under horizontal forces along an axis
 
 
-def hinged_feet(frame: SpaceFrame, axis: Axis) -> np.ndarray:
+def hinged_bases(frame: SpaceFrame, axis: Axis) -> np.ndarray:
     """Return the numbers of the columns on supports that hold them against turning along an axis.
 
     Args:
@@ -36,63 +36,63 @@ def hinged_feet(frame: SpaceFrame, axis: Axis) -> np.ndarray:
     return np.array([number for number in frame.columns if held[frame.members[number].start]], dtype=int)
 
 
-def feet_criteria(
+def base_criteria(
     frame: SpaceFrame,
     materials: Mapping[str, Steel],
     effects: Effects,
     amplified: Sequence[Combination],
-    feet: np.ndarray,
+    bases: np.ndarray,
     axis: Axis,
     highest: int,
     gamma_M0: float,
 ) -> Iterator[RuleCheck]:
-    """Yield the rules for hinges at the feet of columns: class of the section, and shear with M_pl,Rd at the foot.
+    """Yield the rules for hinges at the column bases: class of the section, and shear with M_pl,Rd at the column base.
 
-    The moment at the foot is M_pl,Rd, that at the head what the amplified combinations give; V_Ed is their sum over
-    the length. N_Ed, which the class depends on, is that of the amplified combinations.
+    The moment at the column base is M_pl,Rd, that at the head what the amplified combinations give; V_Ed is their sum
+    over the length. N_Ed, which the class depends on, is that of the amplified combinations.
 
     Args:
         frame: of the building.
         materials: its steels, by name.
         effects: of the actions.
         amplified: combinations for members that must not yield.
-        feet: numbers of the columns, by `hinged_feet`.
+        bases: numbers of the columns, by `hinged_bases`.
         axis: of the moment frame.
         highest: class that dissipative sections may have.
         gamma_M0: partial factor.
 
     Source: EN 1998-1:2004, 6.5.3(2); 6.6.3(2) and (4), Eq. 6.7.
     """
-    if not feet.size:
+    if not bases.size:
         return
-    of_feet = Effects(effects.cases, effects.static[:, feet], effects.seismic[:, feet])
-    acting = largest(of_feet, amplified)
+    of_bases = Effects(effects.cases, effects.static[:, bases], effects.seismic[:, bases])
+    acting = largest(of_bases, amplified)
     pairs, of_members = frame.sections
     worst, where = 0, ""
-    for kind in np.unique(of_members[feet]):
+    for kind in np.unique(of_members[bases]):
         name, material = pairs[kind]
-        force = float(acting[of_members[feet] == kind, 0, N].max())
+        force = float(acting[of_members[bases] == kind, 0, N].max())
         of = section_class(steel_section(name), materials[material].fy, -force, about_y=True).number
         if of > worst:
             worst, where = of, name
-    yield at_most("6.5.3(2)", f"class of columns at hinges at their feet, direction {axis}", highest, worst, where)
-    about_y = bend_about_y(frame, feet, axis)
+    yield at_most("6.5.3(2)", f"class of columns at hinges at their bases, direction {axis}", highest, worst, where)
+    about_y = bend_about_y(frame, bases, axis)
     head = np.where(about_y, acting[:, -1, M_Y], acting[:, -1, M_Z])
     resistances = np.array(
         [
-            by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[feet],
-            by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_z, steel.fy, gamma_M0))[feet],
-            by_section(frame, materials, lambda of, steel: shear_resistance(of.A_vz, steel.fy, gamma_M0))[feet],
-            by_section(frame, materials, lambda of, steel: shear_resistance(of.A_vy, steel.fy, gamma_M0))[feet],
+            by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[bases],
+            by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_z, steel.fy, gamma_M0))[bases],
+            by_section(frame, materials, lambda of, steel: shear_resistance(of.A_vz, steel.fy, gamma_M0))[bases],
+            by_section(frame, materials, lambda of, steel: shear_resistance(of.A_vy, steel.fy, gamma_M0))[bases],
         ]
     )
     M_pl, V_pl = np.where(about_y, resistances[0], resistances[1]), np.where(about_y, resistances[2], resistances[3])
-    ratio = column_hinge_shear(M_pl, head, frame.length[feet]) / V_pl
-    worst_foot = int(ratio.argmax())
+    ratio = column_hinge_shear(M_pl, head, frame.length[bases]) / V_pl
+    worst_base = int(ratio.argmax())
     yield at_most(
         "6.6.3(4)",
-        f"V_Ed / V_pl,Rd of columns with M_pl,Rd at the foot, direction {axis}",
+        f"V_Ed / V_pl,Rd of columns with M_pl,Rd at the column base, direction {axis}",
         SHEAR_LIMIT,
-        float(ratio[worst_foot]),
-        frame.members[feet[worst_foot]].name,
+        float(ratio[worst_base]),
+        frame.members[bases[worst_base]].name,
     )
