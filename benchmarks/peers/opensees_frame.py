@@ -33,7 +33,7 @@ What to know of OpenSees when comparing:
   opposes no motion but drives it where the tangent is negative). The third factor takes the elastic stiffness without
   geometric part, the fourth the tangent of the last committed state;
 - with elastic-perfectly-plastic fibres plain Newton fails in a few steps of a strong history (4 to 14 of 5372, more
-  with a tighter test), which the ladder then takes; halved steps change the answer a little, see above;
+  with a tighter test), which the fallbacks then take; halved steps change the answer a little, see above;
 - EnergyIncr is in J and NormDispIncr in m and rad: both change their meaning with the units;
 - `analyze(n, dt)` stops at the first failing step with the last committed state; `getTime` tells which one;
 - relative displacements, velocities and accelerations are reported; total acceleration = nodeAccel + ground;
@@ -85,7 +85,7 @@ class SolverOptions:
 
     system: BandGeneral | UmfPack | SparseGeneral | ProfileSPD | BandSPD | SparseSYM (the last three need a positive
     definite tangent); test: NormDispIncr | EnergyIncr | NormUnbalance...; tolerance: in the unit of the test
-    (m and rad, J, N and Nm); max_iterations: of one attempt; algorithm: name and arguments, first rung of histories.
+    (m and rad, J, N and Nm); max_iterations: of one attempt; algorithm: name and arguments, tried first in histories.
     """
 
     system: str = "BandGeneral"
@@ -341,11 +341,11 @@ def prepare_history(
 
 
 class _Stepper:
-    """Advances the domain and keeps count; the ladder is Newton, KrylovNewton, two half steps, down to dt/256."""
+    """Advances the domain and keeps count; the fallbacks are Newton, KrylovNewton, two half steps, down to dt/256."""
 
     def __init__(self, dt: float, algorithm: tuple[str | float, ...] = ("Newton",), smallest: int = 256) -> None:
         self.dt, self.algorithm, self.smallest = dt, algorithm, smallest
-        self.ladder: tuple[tuple[str | float, ...], ...] = (("Newton",), ("KrylovNewton",))
+        self.algorithms: tuple[tuple[str | float, ...], ...] = (("Newton",), ("KrylovNewton",))
         self.iterations = self.fallbacks = 0
         self.smallest_step = dt
         self.cpu_s = 0.0
@@ -357,8 +357,8 @@ class _Stepper:
         return bool(status == 0)
 
     def one(self, dt: float, parts: int = 1, failed: tuple[str | float, ...] | None = None) -> bool:
-        """One step of dt by the ladder; `failed`: a rung that has already failed at this dt."""
-        for algorithm in self.ladder:
+        """One step of dt by the fallbacks; `failed`: one that has already failed at this dt."""
+        for algorithm in self.algorithms:
             if algorithm == failed:
                 continue
             ops.algorithm(*algorithm)
@@ -369,7 +369,7 @@ class _Stepper:
         return parts < self.smallest and all(self.one(0.5 * dt, 2 * parts) for _ in range(2))
 
     def rescue(self) -> bool:
-        """One step of the record after the first rung has failed."""
+        """One step of the record after the first algorithm has failed."""
         self.fallbacks += 1
         done = self.one(self.dt, failed=self.algorithm)
         ops.algorithm(*self.algorithm)
@@ -447,7 +447,7 @@ def benchmark_history(
     free_vibration: float = 0.0,
     steps: int | None = None,
 ) -> HistoryResult:
-    """The same history without any sampling: one call integrates until the end or a step that needs the ladder.
+    """The same history without any sampling: one call integrates until the end or a step that needs fallbacks.
 
     Returns a result with status, steps, fallbacks, cpu_s and the last roof displacement (residual) only.
     """

@@ -139,23 +139,23 @@ typedef struct {
   long element_iterations;
   long elastic_updates;  /* element states found by the elastic shortcut */
   long damper_updates;   /* damper state determinations */
-  long fallbacks;        /* rungs of the ladder that were tried */
+  long fallbacks;        /* that were tried */
   double worst_unbalance;/* of an accepted step, relative */
   double energy_error;   /* |balance| / largest input so far */
 } ed_statistics;
 void ed_get_statistics(const ed_analysis *analysis, ed_statistics *statistics);
 
-/* The failure ladder: every rung that was tried. */
+/* Fallbacks where a step does not converge, in this order: each one that was tried. */
 enum {
-  ED_RUNG_FULL_NEWTON = 1,    /* new factors in each iteration */
-  ED_RUNG_FROZEN_DAMPING = 2, /* the same, with the damping stiffness of the step's start instead of the current one */
-  ED_RUNG_LINE_SEARCH = 3,    /* the same, and steps are shortened; in pushovers tangents of struts do not soften */
-  ED_RUNG_HALVE = 4
+  ED_FALLBACK_FULL_NEWTON = 1,    /* new factors in each iteration */
+  ED_FALLBACK_FROZEN_DAMPING = 2, /* the same, with the damping stiffness of the step's start instead of the current one */
+  ED_FALLBACK_LINE_SEARCH = 3,    /* the same, and steps are shortened; in pushovers tangents of struts do not soften */
+  ED_FALLBACK_HALVE = 4
 };
 typedef struct {
   double time;   /* of the step that was attempted, s; load factor in static runs */
   int step;      /* number of the whole step, from 1 */
-  int rung;      /* ED_RUNG_... */
+  int fallback;  /* ED_FALLBACK_... */
   int level;     /* how often the step had been halved */
   int success;   /* 1: equilibrium was found, 0: not */
   int iterations;/* linear solutions that it took */

@@ -131,8 +131,8 @@ static void check_dampers(void)
   ed_model_free(model);
 }
 
-/* Steps that need the ladder allocate nothing either. */
-static void check_ladder(void)
+/* Steps that need fallbacks allocate nothing either. */
+static void check_fallbacks(void)
 {
   double ground[41];
   ground_motion(40, 0.05, 15.0, ground);
@@ -201,7 +201,7 @@ int main(void)
   check_runs(ED_STIFFNESS_INITIAL);
   check_runs(ED_STIFFNESS_CURRENT);
   check_dampers();
-  check_ladder();
+  check_fallbacks();
   check_frame_in_loop();
   return checks_end("allocation inside a step");
 }

@@ -96,7 +96,7 @@ static void check_failure(run_kind next)
   CHECK_INT(ed_run_steps_done(failed), 0);
   ed_event event;
   ed_get_event(failed, ed_n_events(failed) - 1, &event);
-  CHECK(event.step == 1 && event.rung >= ED_RUNG_FULL_NEWTON && event.rung <= ED_RUNG_HALVE && event.level <= 8);
+  CHECK(event.step == 1 && event.fallback >= ED_FALLBACK_FULL_NEWTON && event.fallback <= ED_FALLBACK_HALVE && event.level <= 8);
   CHECK_STATUS(ed_run_advance(failed, 1), ED_E_STATE);
   CHECK_CONTAINS(ed_analysis_message(failed), "failed");
   CHECK_STATUS(ed_static_begin(failed, LATERAL, 1.0, 1), ED_E_STATE); /* not before it is ended */

@@ -18,7 +18,7 @@ from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import DENSE, Modes, natural_modes
 from edesign.core.recording import PIECE, Recording
-from edesign.core.response import KINDS, RUNGS, Channel, Passed, Response
+from edesign.core.response import FALLBACK_NAMES, KINDS, Channel, Passed, Response
 from edesign.core.stop import STOP, raise_if_stopped
 from edesign.stopping import stoppable
 
@@ -533,7 +533,7 @@ class Analysis:
                 {
                     "time": e.time,
                     "step": e.step,
-                    "rung": RUNGS[e.rung],
+                    "fallback": FALLBACK_NAMES[e.fallback],
                     "halvings": e.level,
                     "success": bool(e.success),
                     "iterations": e.iterations,

@@ -39,11 +39,11 @@ KINDS = {
 
 ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "dampers", "residual")
 
-RUNGS = {
-    lib.ED_RUNG_FULL_NEWTON: "full Newton",
-    lib.ED_RUNG_LINE_SEARCH: "line search",
-    lib.ED_RUNG_FROZEN_DAMPING: "damping stiffness of the step's start",
-    lib.ED_RUNG_HALVE: "step halved",
+FALLBACK_NAMES = {
+    lib.ED_FALLBACK_FULL_NEWTON: "full Newton",
+    lib.ED_FALLBACK_LINE_SEARCH: "line search",
+    lib.ED_FALLBACK_FROZEN_DAMPING: "damping stiffness of the step's start",
+    lib.ED_FALLBACK_HALVE: "step halved",
 }
 
 
@@ -88,7 +88,7 @@ class Response:
         values: (nt,) of every channel with history.
         maximum, minimum, final, time_of_maximum, time_of_minimum: of every channel, every step counted.
         energy: (nt,) J of each of ENERGIES; (0,) if they were not kept.
-        events: rungs of the failure ladder that were used: time, step, rung, halvings, success, iterations.
+        events: fallbacks where a step did not converge: time, step, fallback, halvings, success, iterations.
         statistics: counts, worst relative unbalance, `energy_error` (see the function), CPU seconds.
         passed: the limit that ended the run, if the status is "limit".
         end: `time` of the last step.

@@ -59,9 +59,9 @@ void ed_condensation_free(ed_condensation *condensation)
   free(condensation->work);
 }
 
-int ed_condenses(const ed_analysis *a, int rung)
+int ed_condenses(const ed_analysis *a, int fallback)
 {
-  return a->condensation.response && rung == 0 && a->settings.reuse && a->run.kind == ED_RUN_HISTORY && ed_installed(a);
+  return a->condensation.response && fallback == 0 && a->settings.reuse && a->run.kind == ED_RUN_HISTORY && ed_installed(a);
 }
 
 double ed_condensation_flops(const ed_analysis *a)

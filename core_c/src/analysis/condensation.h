@@ -15,7 +15,7 @@ typedef struct {
 
 int ed_condensation_allocate(ed_analysis *a);
 void ed_condensation_free(ed_condensation *condensation);
-int ed_condenses(const ed_analysis *a, int rung);   /* whether dampers are balanced with the condensed frame */
+int ed_condenses(const ed_analysis *a, int fallback);   /* whether dampers are balanced with the condensed frame */
 double ed_condensation_flops(const ed_analysis *a); /* that come to a factorisation */
 double ed_iteration_flops(const ed_analysis *a);    /* of an iteration of the frame */
 /* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: of the step. */

@@ -163,9 +163,9 @@ int ed_accept(ed_statistics *statistics, double unbalance)
   return ED_OK;
 }
 
-int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
+int ed_equilibrate(ed_analysis *a, const ed_step *step, int fallback)
 {
-  const int keep_factors = rung == 0 && a->settings.reuse;
+  const int keep_factors = fallback == 0 && a->settings.reuse;
   double before = HUGE_VAL;
   int status;
   a->iteration.n_residuals = 0;
@@ -188,7 +188,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
                      a->factors.c == step->c;
     int factor = !same;
     if (same && !keep_factors)
-      factor = a->factors.stamp != a->matrix.stamp || rung != 0;
+      factor = a->factors.stamp != a->matrix.stamp || fallback != 0;
     else if (same && iteration > 0)
       factor = worth_factoring(a, unbalance, before);
     if (!step->balance && !a->devices.swinging && iteration >= 3 && ed_installed(a) &&
@@ -200,7 +200,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
     if ((status = ed_solve_effective(a, 1, a->iteration.du)) != ED_OK)
       return status;
     a->statistics.iterations++;
-    const double start = rung >= ED_RUNG_LINE_SEARCH ? slope(a) : 0.0;
+    const double start = fallback >= ED_FALLBACK_LINE_SEARCH ? slope(a) : 0.0;
     if (step->balance)
       status = step->balance(a, step, iteration == 0);
     else
@@ -210,7 +210,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
     if (status != ED_OK)
       return status;
     step->residual(a, step, a->iteration.r);
-    if (rung >= ED_RUNG_LINE_SEARCH && (status = search(a, step, start)) != ED_OK)
+    if (fallback >= ED_FALLBACK_LINE_SEARCH && (status = search(a, step, start)) != ED_OK)
       return status;
     before = unbalance;
   }

@@ -25,7 +25,7 @@ typedef struct ed_step {
 
 int ed_iteration_allocate(ed_iteration *iteration, int n);
 void ed_iteration_free(ed_iteration *iteration);
-int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung);
+int ed_equilibrate(ed_analysis *a, const ed_step *step, int fallback);
 void ed_move(ed_analysis *a, const ed_step *step, double factor, const double *du); /* trial u, v, a by factor du */
 double ed_unbalance(ed_analysis *a, const double *r);  /* relative; notes the worst equation */
 void ed_raise_force_level(ed_analysis *a);

@@ -125,12 +125,12 @@ static double ground_at(const ed_run *run, int axis, double position)
   return position >= 1.0 ? g[i + 1] : g[i] + position * (g[i + 1] - g[i]);
 }
 
-int ed_history_attempt(ed_analysis *a, double fraction, int rung)
+int ed_history_attempt(ed_analysis *a, double fraction, int fallback)
 {
   ed_run *run = &a->run;
   ed_state_head *head = a->trial.head;
   const double dt = run->dt * fraction, b = run->beta, g = run->gamma;
-  ed_freeze_damping(a, rung);
+  ed_freeze_damping(a, fallback);
   ed_step step = {
       .k = 1.0 - run->alpha_f,
       .m = (1.0 - run->alpha_m) / (b * dt * dt),
@@ -138,7 +138,7 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
       .velocity = g / (b * dt),
       .acceleration = 1.0 / (b * dt * dt),
       .residual = residual,
-      .balance = ed_condenses(a, rung) ? ed_move_condensed : NULL,
+      .balance = ed_condenses(a, fallback) ? ed_move_condensed : NULL,
   };
   for (int axis = 0; axis < 2; axis++) {
     step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);
@@ -169,5 +169,5 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
     if (status != ED_OK)
       return status;
   }
-  return ed_equilibrate(a, &step, rung);
+  return ed_equilibrate(a, &step, fallback);
 }

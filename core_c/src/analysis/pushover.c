@@ -63,7 +63,7 @@ int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double 
   return ED_OK;
 }
 
-int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
+int ed_pushover_attempt(ed_analysis *a, double fraction, int fallback)
 {
   const ed_run *run = &a->run;
   ed_state_head *head = a->trial.head;
@@ -77,12 +77,12 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
   reference_load(a, run->pattern, load);
   a->iteration.n_residuals = 0;
   /* where a strut is about to snap a frame leaves its path slowly at first, and without the tangents that forbid it */
-  a->members.control.no_softening = a->members.n_struts > 0 && rung >= ED_RUNG_LINE_SEARCH;
-  const int iterations = a->settings.max_iterations * (a->members.control.no_softening ? 16 : rung >= ED_RUNG_LINE_SEARCH ? 2 : 1);
+  a->members.control.no_softening = a->members.n_struts > 0 && fallback >= ED_FALLBACK_LINE_SEARCH;
+  const int iterations = a->settings.max_iterations * (a->members.control.no_softening ? 16 : fallback >= ED_FALLBACK_LINE_SEARCH ? 2 : 1);
   if (a->members.control.no_softening && (status = ed_update_elements(a)) != ED_OK)
     return status;
-  /* from the safer rungs on, the step in free degrees is shortened when it overshoots */
-  const double damp = rung >= ED_RUNG_LINE_SEARCH ? 0.5 : 1.0;
+  /* from the safer fallbacks on, the step in free degrees is shortened when it overshoots */
+  const double damp = fallback >= ED_FALLBACK_LINE_SEARCH ? 0.5 : 1.0;
   for (int iteration = 0;; iteration++) {
     for (int i = 0; i < a->numbering.n; i++)
       a->iteration.r[i] = a->loading.external[i] - a->trial.resisting[i];

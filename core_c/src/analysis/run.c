@@ -14,7 +14,7 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->run.steps = steps;
   a->run.every = 1;
   a->watch = ed_watch_of(&a->stop);
-  a->ladder.n_events = 0;
+  a->fallbacks.n_events = 0;
   a->members.control.no_softening = 0;
   a->statistics.worst_unbalance = 0.0;
   a->committed.head->position = a->trial.head->position = 0.0;
@@ -42,10 +42,10 @@ int ed_run_advance(ed_analysis *a, int max_steps)
   int status = run->done == 0 && run->row == 0 ? ed_sample(a, 1) : ED_OK;
   a->watch = ed_watch_of(&a->stop);
   for (int i = 0; status == ED_OK && i < max_steps && run->done < run->steps; i++) {
-    const int events = a->ladder.n_events;
-    status = ed_climb(a, attempts[run->kind]);
+    const int events = a->fallbacks.n_events;
+    status = ed_solve_step(a, attempts[run->kind]);
     if (status == ED_E_STOPPED) {
-      a->ladder.n_events = events; /* the step is done anew, if at all */
+      a->fallbacks.n_events = events; /* the step is done anew, if at all */
       return ed_fail(a, status, "%s in step %d", ed_status_text(status), run->done + 1);
     }
     if (status != ED_OK)

@@ -33,8 +33,8 @@ struct ed_run {
 void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa);
 
 /* One attempt at a step or a fraction of it, by kind of run: static.c, pushover.c, history.c. */
-int ed_static_attempt(ed_analysis *a, double fraction, int rung);
-int ed_pushover_attempt(ed_analysis *a, double fraction, int rung);
-int ed_history_attempt(ed_analysis *a, double fraction, int rung);
+int ed_static_attempt(ed_analysis *a, double fraction, int fallback);
+int ed_pushover_attempt(ed_analysis *a, double fraction, int fallback);
+int ed_history_attempt(ed_analysis *a, double fraction, int fallback);
 
 #endif

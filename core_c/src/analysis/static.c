@@ -27,7 +27,7 @@ int ed_static_begin(ed_analysis *a, int pattern, double factor, int steps)
   return ED_OK;
 }
 
-int ed_static_attempt(ed_analysis *a, double fraction, int rung)
+int ed_static_attempt(ed_analysis *a, double fraction, int fallback)
 {
   const ed_run *run = &a->run;
   const ed_step step = {.k = 1.0, .residual = residual};
@@ -43,7 +43,7 @@ int ed_static_attempt(ed_analysis *a, double fraction, int rung)
   /* element loads act inside the elements: their states must follow before the first residual */
   int status = ed_update_elements(a);
   if (status == ED_OK)
-    status = ed_equilibrate(a, &step, rung);
+    status = ed_equilibrate(a, &step, fallback);
   /* equilibrium beyond a critical load is no state that a structure can be in */
   if (status == ED_OK && a->factors.stamp != a->matrix.stamp)
     status = ed_factor_effective(a, 1.0, 0.0, 0.0);

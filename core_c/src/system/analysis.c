@@ -30,9 +30,9 @@ static int prepare(ed_analysis *a)
       (status = ed_build_pattern(a)) != ED_OK || (status = ed_factors_allocate(a)) != ED_OK)
     return status;
   const size_t bytes = ((size_t)a->matrix.nnz + 1) * sizeof(double);
-  a->ladder.events = calloc(ED_MAX_EVENTS, sizeof *a->ladder.events);
+  a->fallbacks.events = calloc(ED_MAX_EVENTS, sizeof *a->fallbacks.events);
   a->damping.reference = malloc(bytes);
-  if (!a->ladder.events || !a->damping.reference)
+  if (!a->fallbacks.events || !a->damping.reference)
     return ED_E_MEMORY;
   a->matrix.stamp = 1;
   a->matrix.damped_stamp = 0;
@@ -86,7 +86,7 @@ void ed_analysis_free(ed_analysis *a)
   ed_factors_free(&a->factors);
   ed_iteration_free(&a->iteration);
   ed_condensation_free(&a->condensation);
-  free(a->ladder.events);
+  free(a->fallbacks.events);
   ed_channels_free(&a->channels);
   free(a);
 }
@@ -189,11 +189,11 @@ void ed_get_statistics(const ed_analysis *a, ed_statistics *statistics)
 
 int ed_n_events(const ed_analysis *a)
 {
-  return a->ladder.n_events;
+  return a->fallbacks.n_events;
 }
 
 void ed_get_event(const ed_analysis *a, int index, ed_event *event)
 {
-  if (index >= 0 && index < a->ladder.n_events)
-    *event = a->ladder.events[index];
+  if (index >= 0 && index < a->fallbacks.n_events)
+    *event = a->fallbacks.events[index];
 }

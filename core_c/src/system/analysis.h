@@ -5,7 +5,7 @@
 
 #include "analysis/condensation.h"
 #include "analysis/equilibrium.h"
-#include "analysis/ladder.h"
+#include "analysis/fallbacks.h"
 #include "analysis/run.h"
 #include "base/watch.h"
 #include "edcore.h"
@@ -45,7 +45,7 @@ struct ed_analysis {
 
   ed_iteration iteration;
   ed_condensation condensation;
-  ed_ladder ladder;
+  ed_fallbacks fallbacks;
   ed_channels channels;
   ed_run run;
   ed_stop stop;                  /* whom runs ask */

@@ -104,9 +104,9 @@ void ed_damping_force(ed_analysis *a, const double *v, double *force)
   }
 }
 
-void ed_freeze_damping(ed_analysis *a, int rung)
+void ed_freeze_damping(ed_analysis *a, int fallback)
 {
-  a->damping.frozen = rung >= ED_RUNG_FROZEN_DAMPING;
+  a->damping.frozen = fallback >= ED_FALLBACK_FROZEN_DAMPING;
   if (a->damping.rayleigh_stiffness == 0.0)
     return;
   const int kind = a->damping.rayleigh_kind;

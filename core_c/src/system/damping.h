@@ -19,7 +19,7 @@ typedef struct {
 void ed_damping_free(ed_damping *damping);
 const double *ed_damping_stiffness(ed_analysis *a); /* that damping is proportional to in this attempt */
 void ed_damping_force(ed_analysis *a, const double *v, double *force);
-void ed_freeze_damping(ed_analysis *a, int rung);
+void ed_freeze_damping(ed_analysis *a, int fallback);
 /* The part of modal damping in the factors of the effective matrix, and in solutions with them. */
 int ed_factor_modal(ed_analysis *a, double c);
 void ed_damp_solution(ed_damping *damping, int n, double *x, double *work);

@@ -138,7 +138,7 @@ STOREYS = TableSpec[_Storey](
 FALLBACKS = TableSpec[Mapping[str, Any]](
     "fallbacks",
     "{whose}: fallbacks",
-    (count("step"), col("{abscissa}", "abscissa", "time"), text("rung"), text("detail")),
+    (count("step"), col("{abscissa}", "abscissa", "time"), text("fallback", "rung"), text("detail")),
     keys=0,
     each="Fallbacks",
     most=20,

@@ -134,7 +134,7 @@ def coordinate(group: Group, name: str, values: object, unit: str, long_name: st
 
 
 def store_run(group: Group, response: Response, abscissa: str = "load factor", unit: str = "1") -> None:
-    """Add status, reason, statistics and the rungs of the failure ladder of a run to its group.
+    """Add status, reason, statistics and the fallbacks of the solution of a run to its group.
 
     Args:
         group: the group of the analysis.
@@ -146,7 +146,7 @@ def store_run(group: Group, response: Response, abscissa: str = "load factor", u
         {
             "time": float(str(event["time"])),
             "step": int(str(event["step"])),
-            "rung": str(event["rung"]),
+            "rung": str(event["fallback"]),
             "detail": _detail(event),
         }
         for event in response.events
@@ -157,7 +157,7 @@ def store_run(group: Group, response: Response, abscissa: str = "load factor", u
     coordinate(group, "event", np.arange(1, len(events) + 1), "1", "number of the event")
     group.add("event_time", ("event",), [event["time"] for event in events], unit, f"{abscissa} of the attempt")
     group.add("event_step", ("event",), [event["step"] for event in events], "1", "number of the step, from 1")
-    group.add("event_rung", ("event",), [event["rung"] for event in events], "", "rung of the failure ladder")
+    group.add("event_rung", ("event",), [event["rung"] for event in events], "", "fallback that was tried")
     group.add("event_detail", ("event",), [event["detail"] for event in events], "", "outcome of the attempt")
 
 

@@ -1,19 +1,19 @@
-/* The failure ladder. A step is tried with ever safer iterations, then halved, a bounded number of times; every rung that
- * was used is recorded, and when all fail the state is exactly what it was before the step. */
+/* Fallbacks of a step that does not converge. It is tried with ever safer iterations, then halved, a bounded
+ * number of times; each one that was used is recorded, and when all fail the state is exactly what it was before the step. */
 #include "system/analysis.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static void record(ed_analysis *a, int rung, int level, int status)
+static void record(ed_analysis *a, int fallback, int level, int status)
 {
   a->statistics.fallbacks++;
-  if (a->ladder.n_events == ED_MAX_EVENTS)
+  if (a->fallbacks.n_events == ED_MAX_EVENTS)
     return;
-  a->ladder.events[a->ladder.n_events++] = (ed_event){.time = a->committed.head->time,
+  a->fallbacks.events[a->fallbacks.n_events++] = (ed_event){.time = a->committed.head->time,
                                         .step = a->run.done + 1,
-                                        .rung = rung,
+                                        .fallback = fallback,
                                         .level = level,
                                         .success = status == ED_OK,
                                         .iterations = ed_last_iterations(&a->iteration)};
@@ -100,16 +100,16 @@ static void explain(ed_analysis *a, int status)
           ed_equation_name(a->model, &a->numbering, a->iteration.worst, degree, sizeof degree), where, path, cause, state, advice);
 }
 
-/* Rungs that make a difference. Where damping follows the current stiffness, that is nearly always what kept the step from
+/* Fallbacks that make a difference. Where damping follows the current stiffness, that is nearly always what kept the step from
  * converging: it jumps as fibres yield and unload. */
-static int useful(const ed_analysis *a, int rung)
+static int useful(const ed_analysis *a, int fallback)
 {
   const ed_damping *damping = &a->damping;
   const int jumping = a->run.kind == ED_RUN_HISTORY && damping->rayleigh_kind == ED_STIFFNESS_CURRENT && damping->rayleigh_stiffness != 0.0;
-  switch (rung) {
-    case ED_RUNG_FULL_NEWTON:
+  switch (fallback) {
+    case ED_FALLBACK_FULL_NEWTON:
       return !jumping && a->settings.reuse;
-    case ED_RUNG_FROZEN_DAMPING:
+    case ED_FALLBACK_FROZEN_DAMPING:
       return jumping;
     default:
       return 1;
@@ -123,35 +123,35 @@ static int accept(ed_analysis *a)
   return ED_OK;
 }
 
-static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level, int first_rung)
+static int solve_part(ed_analysis *a, ed_attempt attempt, double fraction, int level, int first_fallback)
 {
   int status = ED_E_NOT_CONVERGED;
-  for (int rung = first_rung; rung <= ED_RUNG_LINE_SEARCH; rung++) {
-    if (!useful(a, rung))
+  for (int fallback = first_fallback; fallback <= ED_FALLBACK_LINE_SEARCH; fallback++) {
+    if (!useful(a, fallback))
       continue;
-    status = attempt(a, fraction, rung);
+    status = attempt(a, fraction, fallback);
     if (status == ED_E_STOPPED) {
       ed_revert(a);
       return status;
     }
-    if (rung > 0)
-      record(a, rung, level, status);
+    if (fallback > 0)
+      record(a, fallback, level, status);
     if (status == ED_OK)
       return accept(a);
-    if (level == a->settings.halvings && rung == ED_RUNG_LINE_SEARCH)
+    if (level == a->settings.halvings && fallback == ED_FALLBACK_LINE_SEARCH)
       explain(a, status); /* while the failed state is still there */
     ed_revert(a);
   }
   if (level == a->settings.halvings)
     return status;
-  record(a, ED_RUNG_HALVE, level + 1, ED_OK);
+  record(a, ED_FALLBACK_HALVE, level + 1, ED_OK);
   for (int half = 0; half < 2; half++)
-    if ((status = climb(a, attempt, 0.5 * fraction, level + 1, 0)) != ED_OK)
+    if ((status = solve_part(a, attempt, 0.5 * fraction, level + 1, 0)) != ED_OK)
       return status;
   return ED_OK;
 }
 
-int ed_climb(ed_analysis *a, ed_attempt attempt)
+int ed_solve_step(ed_analysis *a, ed_attempt attempt)
 {
   int status = attempt(a, 1.0, 0);
   if (status == ED_OK)
@@ -160,7 +160,7 @@ int ed_climb(ed_analysis *a, ed_attempt attempt)
   if (status == ED_E_STOPPED)
     return status;
   ed_backup(a); /* only now: an attempt changes no layer, a commit of half a step does */
-  status = climb(a, attempt, 1.0, 0, ED_RUNG_FULL_NEWTON);
+  status = solve_part(a, attempt, 1.0, 0, ED_FALLBACK_FULL_NEWTON);
   if (status != ED_OK)
     ed_restore(a);
   return status;
