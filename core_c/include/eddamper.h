@@ -100,7 +100,7 @@ enum { ED_PLACE_WHOLE = 0, ED_PLACE_INSIDE = 1, ED_PLACE_SPRINGS = 2, ED_PLACE_D
 int ed_damper_add_effect(ed_damper *damper, int form, int placement, int n_parameters, const double *parameters, char *message, int size);
 /* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
  * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
-int ed_damper_been(ed_damper *damper, const double extremes[4]);
+int ed_damper_set_prior_extremes(ed_damper *damper, const double extremes[4]);
 /* Whom calls with this damper ask whether to stop; NULL, or before this call: nobody. */
 void ed_damper_ask(ed_damper *damper, const ed_stop *stop);
 int ed_damper_state_size(const ed_damper *damper);            /* doubles */

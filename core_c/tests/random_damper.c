@@ -209,8 +209,8 @@ void call_damper(caller *c)
     expect_listed(c, ed_damper_add_effect(damper, form, some_placement(c), count, parameters, size ? message : NULL, size));
   }
   if (chance(c, 0.3)) {
-    const double been[4] = {or_absurd(c, 0.01), or_absurd(c, -0.02), or_absurd(c, 0.1), or_absurd(c, -0.1)};
-    expect_listed(c, ed_damper_been(damper, been));
+    const double prior_extremes[4] = {or_absurd(c, 0.01), or_absurd(c, -0.02), or_absurd(c, 0.1), or_absurd(c, -0.1)};
+    expect_listed(c, ed_damper_set_prior_extremes(damper, prior_extremes));
   }
   call_steps(c, damper);
   call_histories(c, damper);

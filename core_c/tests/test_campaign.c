@@ -179,12 +179,12 @@ static void check_extremes(void)
       CHECK_STATUS(ed_damper_campaign(1, &one, 2, both, method, fineness, 1, again, NULL, &end), ED_OK);
       CHECK_STATUS(end.status, ED_OK);
       if (i == 0) {
-        double been[4] = {0.0};
+        double prior_extremes[4] = {0.0};
         for (int k = 0; k < both[0].n; k++) {
-          been[0] = fmax(been[0], u[3][k]), been[1] = fmin(been[1], u[3][k]);
-          been[2] = fmax(been[2], v[3][k]), been[3] = fmin(been[3], v[3][k]);
+          prior_extremes[0] = fmax(prior_extremes[0], u[3][k]), prior_extremes[1] = fmin(prior_extremes[1], u[3][k]);
+          prior_extremes[2] = fmax(prior_extremes[2], v[3][k]), prior_extremes[3] = fmin(prior_extremes[3], v[3][k]);
         }
-        CHECK_STATUS(ed_damper_been(damper, been), ED_OK);
+        CHECK_STATUS(ed_damper_set_prior_extremes(damper, prior_extremes), ED_OK);
       }
       CHECK_STATUS(ed_damper_history(damper, method, fineness, both[1].n, t[1], u[1], v[1], single, &done), ED_OK);
       double largest = 0.0, apart = 0.0;

@@ -228,8 +228,8 @@ static void anywhere(rig *r, numbers *source, double h, double *u, double *v)
   const double relaxing = next_number(source, -30.0, 30.0);
   const double largest_u = next_number(source, 0.0, 6.0), smallest_u = next_number(source, -6.0, 0.0);
   const double largest_v = next_number(source, 0.0, fastest), smallest_v = next_number(source, -fastest, 0.0);
-  const double been[] = {largest_u, smallest_u, largest_v, smallest_v};
-  CHECK_STATUS(ed_damper_been(r->damper, been), ED_OK);
+  const double prior_extremes[] = {largest_u, smallest_u, largest_v, smallest_v};
+  CHECK_STATUS(ed_damper_set_prior_extremes(r->damper, prior_extremes), ED_OK);
   ed_damper_start(r->damper, r->state);
   r->state[0] = relaxing;
   r->u = next_number(source, r->state[2], r->state[1]);
@@ -365,7 +365,7 @@ static void check_lasting_extremes(void)
 {
   enum { N = 60 };
   rig r = table_4_2(0);
-  double t[N], u[N], v[N], after[N], virgin[N], been[N];
+  double t[N], u[N], v[N], after[N], virgin[N], softened[N];
   const double w = 2.0 * M_PI;
   for (int i = 1; i <= 100; i++)
     move(&r, 0.01, 7.0 * (1.0 - cos(w * 0.01 * i)), 7.0 * w * sin(w * 0.01 * i));
@@ -378,12 +378,12 @@ static void check_lasting_extremes(void)
   const double extremes[4] = {14.0, 0.0, 7.0 * w, -7.0 * w}, wrong[4] = {-1.0, 0.0, 0.0, 0.0};
   int done;
   CHECK_STATUS(ed_damper_history(damper, ED_DAMPER_BEST, 1e-6, N, t, u, v, virgin, &done), ED_OK);
-  CHECK_STATUS(ed_damper_been(damper, extremes), ED_OK);
-  CHECK_STATUS(ed_damper_history(damper, ED_DAMPER_BEST, 1e-6, N, t, u, v, been, &done), ED_OK);
+  CHECK_STATUS(ed_damper_set_prior_extremes(damper, extremes), ED_OK);
+  CHECK_STATUS(ed_damper_history(damper, ED_DAMPER_BEST, 1e-6, N, t, u, v, softened, &done), ED_OK);
   for (int i = 0; i < N; i++)
-    CHECK_NEAR(been[i], after[i], 1e-5 * PEAK); /* the cubics of the large motion miss its peaks by 1e-7 */
-  CHECK(virgin[25] > 1.1 * been[25]); /* k_mod at 2 mm against that at 7 mm: 6.5 and 5.2 kN/mm */
-  CHECK_STATUS(ed_damper_been(damper, wrong), ED_E_ARGUMENT);
+    CHECK_NEAR(softened[i], after[i], 1e-5 * PEAK); /* the cubics of the large motion miss its peaks by 1e-7 */
+  CHECK(virgin[25] > 1.1 * softened[25]); /* k_mod at 2 mm against that at 7 mm: 6.5 and 5.2 kN/mm */
+  CHECK_STATUS(ed_damper_set_prior_extremes(damper, wrong), ED_E_ARGUMENT);
   ed_damper_free(damper);
   free_rig(&r);
 }

@@ -151,17 +151,17 @@ static void check_by_equation(void)
 }
 
 /* What stands for the springs alone knows what the damper went through, whichever is said first. */
-static void check_been(void)
+static void check_prior_extremes(void)
 {
-  const double been[] = {0.5, -0.6, 2.0, -2.0};
+  const double prior_extremes[] = {0.5, -0.6, 2.0, -2.0};
   rig one = new_rig(ED_LAW_MGMM, 12, MGMM, 0.0), other = new_rig(ED_LAW_MGMM, 12, MGMM, 0.0), bare = new_rig(ED_LAW_MGMM, 12, MGMM, 0.0);
-  CHECK_STATUS(ed_damper_been(one.damper, been), ED_OK);
+  CHECK_STATUS(ed_damper_set_prior_extremes(one.damper, prior_extremes), ED_OK);
   place(&one, &CONSTANT, ED_PLACE_SPRINGS);
   place(&one, &CONSTANT, ED_PLACE_DASHPOTS);
   place(&other, &CONSTANT, ED_PLACE_SPRINGS);
   place(&other, &CONSTANT, ED_PLACE_DASHPOTS);
-  CHECK_STATUS(ed_damper_been(other.damper, been), ED_OK);
-  CHECK_STATUS(ed_damper_been(bare.damper, been), ED_OK);
+  CHECK_STATUS(ed_damper_set_prior_extremes(other.damper, prior_extremes), ED_OK);
+  CHECK_STATUS(ed_damper_set_prior_extremes(bare.damper, prior_extremes), ED_OK);
   ed_damper_start(other.damper, other.state);
   ed_damper_start(bare.damper, bare.state);
   for (int step = 1; step <= 60; step++) {
@@ -240,7 +240,7 @@ int main(void)
   for (int i = 0; i < N_SUMS; i++)
     check_both_sides(SUMS[i].law, SUMS[i].n, SUMS[i].parameter, ED_PLACE_WHOLE);
   check_by_equation();
-  check_been();
+  check_prior_extremes();
   check_tangents(ED_LAW_ZENER, 3, SUMS[2].parameter, 0.0, 80);
   check_tangents(ED_LAW_ZENER, 3, SUMS[2].parameter, 20.0, 80);
   check_tangents(ED_LAW_MGMM, 12, MGMM, 0.0, 17); /* on the way out, along which moduli soften without a corner */

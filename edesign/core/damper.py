@@ -96,7 +96,7 @@ class CoreDamper:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)
         lib.ed_damper_ask(handle, STOP)
-        if lib.ed_damper_been(handle, prior_extremes) != lib.ED_OK:
+        if lib.ed_damper_set_prior_extremes(handle, prior_extremes) != lib.ED_OK:
             text = f"extremes {prior_extremes} are not allowed: largest at least 0, smallest at most 0, finite"
             raise CoreError("ED_E_ARGUMENT", text)
         for effect in effects:

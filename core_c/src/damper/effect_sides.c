@@ -17,7 +17,7 @@ int ed_sides_new(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   springs->law = damper->law;
   springs->n_parameters = damper->n_parameters;
   memcpy(springs->parameter, damper->parameter, sizeof springs->parameter);
-  memcpy(springs->been, damper->been, sizeof springs->been);
+  memcpy(springs->prior_extremes, damper->prior_extremes, sizeof springs->prior_extremes);
   damper->law->without_dashpots(springs);
   const int status = springs->law->prepare(springs, message);
   if (status == ED_OK) {

@@ -30,14 +30,14 @@ int ed_damper_add_effect(ed_damper *damper, int form, int placement, int n_param
   return status;
 }
 
-int ed_damper_been(ed_damper *damper, const double extremes[4])
+int ed_damper_set_prior_extremes(ed_damper *damper, const double extremes[4])
 {
   for (int i = 0; i < 4; i++)
     if (!isfinite(extremes[i]) || (i % 2 ? extremes[i] > 0.0 : extremes[i] < 0.0))
       return ED_E_ARGUMENT;
-  memcpy(damper->been, extremes, sizeof damper->been);
+  memcpy(damper->prior_extremes, extremes, sizeof damper->prior_extremes);
   if (damper->springs)
-    memcpy(damper->springs->been, extremes, sizeof damper->been);
+    memcpy(damper->springs->prior_extremes, extremes, sizeof damper->prior_extremes);
   return ED_OK;
 }
 

@@ -53,7 +53,7 @@ struct ed_damper {
   double joint, play;   /* stiffness in series whose pins have play, from end to end; 0: none */
   int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or effects that they do not */
   ed_stop stop;   /* whom histories ask whether to stop */
-  double been[4]; /* largest and smallest deformation, largest and smallest velocity that it went through before it starts */
+  double prior_extremes[4]; /* largest and smallest deformation, largest and smallest velocity that it went through before it starts */
   int n_effects, n_effect_state;
   ed_effect *effects; /* effects that the law has not (effect.h), with n_effect_state doubles of state behind the law's; owned */
   ed_damper *springs; /* the same law without its dashpots, where effects act on springs or dashpots alone (effect_sides.c); owned */

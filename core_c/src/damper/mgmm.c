@@ -258,8 +258,8 @@ static void remember(const ed_damper *damper, double u, double v, const double *
 
 static void start(const ed_damper *damper, double *state)
 {
-  const double *been = damper->been;
-  ed_mgmm_remember(ed_mgmm_constants_of(damper), ed_mgmm_extremes(been, ED_LARGEST_U), ed_mgmm_extremes(been, ED_LARGEST_V), state + 1);
+  const double *prior = damper->prior_extremes;
+  ed_mgmm_remember(ed_mgmm_constants_of(damper), ed_mgmm_extremes(prior, ED_LARGEST_U), ed_mgmm_extremes(prior, ED_LARGEST_V), state + 1);
 }
 
 static ed_running both(ed_running one, ed_running other)

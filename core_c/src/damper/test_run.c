@@ -51,7 +51,7 @@ int ed_test_run_shares_law(const ed_damper *one, const ed_damper *other)
          ed_damper_has_exact_step(other) && one->brace + one->joint + other->brace + other->joint == 0.0 &&
          one->n_parameters == other->n_parameters &&
          memcmp(one->parameter, other->parameter, (size_t)one->n_parameters * sizeof *one->parameter) == 0 &&
-         memcmp(one->been, other->been, sizeof one->been) == 0;
+         memcmp(one->prior_extremes, other->prior_extremes, sizeof one->prior_extremes) == 0;
 }
 
 void ed_test_run_close(ed_test_run *run)

@@ -54,7 +54,7 @@ class Start:
         judged_from: s from the first sample; what went before matters until then.
         dies_away: whether it does within the longest time that is left out.
         prior_extremes: what the specimen went through before: as a step from rest has it, or as the force asks for.
-        known: whether `been` follows from what is said of the test.
+        known: whether `prior_extremes` follow from what is said of the test.
     """
 
     displacement: float
