@@ -38,10 +38,10 @@ typedef struct {
   double force;          /* N */
 } ed_rig_model;
 
-/* Readings: normal noise, then rounding to whole quanta (0: none) within a range (infinite: none). */
+/* Readings: normal noise, then rounding to whole steps of quantisation (0: none) within a range (infinite: none). */
 typedef struct {
-  double displacement_noise, displacement_quantum, displacement_range; /* m: standard deviation, quantum, largest magnitude */
-  double force_noise, force_quantum, force_range;                      /* N: the same */
+  double displacement_noise, displacement_quantisation, displacement_range; /* m: standard deviation, step of quantisation, largest magnitude */
+  double force_noise, force_quantisation, force_range;                      /* N: the same */
   double force_delay;    /* s */
 } ed_sensors;
 

@@ -198,7 +198,7 @@ static void test_all_compensators(void)
     c.kind = kind;
     ed_sensors noisy = PERFECT;
     noisy.displacement_noise = 1e-6;
-    noisy.displacement_quantum = 1e-7;
+    noisy.displacement_quantisation = 1e-7;
     noisy.force_noise = 10.0;
     noisy.force_delay = 0.3e-3;
     ed_substructure_input input = input_of(&c, &rig, specimen);

@@ -106,16 +106,16 @@ class Sensors:
 
     Attributes:
         displacement_noise, force_noise: standard deviations.
-        displacement_quantum, force_quantum: of the converter; 0 for none.
+        displacement_quantisation, force_quantisation: of the converter; 0 for none.
         displacement_range, force_range: largest readings.
         force_delay: s.
     """
 
     displacement_noise: float = 0.0
-    displacement_quantum: float = 0.0
+    displacement_quantisation: float = 0.0
     displacement_range: float = inf
     force_noise: float = 0.0
-    force_quantum: float = 0.0
+    force_quantisation: float = 0.0
     force_range: float = inf
     force_delay: float = 0.0
 

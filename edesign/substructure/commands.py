@@ -51,11 +51,11 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
         return _differentiated(u, step)
     t = np.arange(0.0, command.duration + 0.5 * step, step)
     low, high = command.band
-    pace = (high - low) / command.duration  # of the frequency, Hz/s
-    phase = 2.0 * np.pi * (low * t + 0.5 * pace * t**2)
-    omega = 2.0 * np.pi * (low + pace * t)
+    rate = (high - low) / command.duration  # of the frequency, Hz/s
+    phase = 2.0 * np.pi * (low * t + 0.5 * rate * t**2)
+    omega = 2.0 * np.pi * (low + rate * t)
     return command.displacement * np.column_stack(
-        [np.sin(phase), omega * np.cos(phase), 2.0 * np.pi * pace * np.cos(phase) - omega**2 * np.sin(phase)]
+        [np.sin(phase), omega * np.cos(phase), 2.0 * np.pi * rate * np.cos(phase) - omega**2 * np.sin(phase)]
     )
 
 

@@ -297,15 +297,15 @@ def _sensors(file: RtsFile) -> Sensors:
     said = file.sensors
     reach, force = file.displacement_range, file.force_range
 
-    def quantum(largest: float | None) -> float:
+    def quantisation(largest: float | None) -> float:
         return 2.0 * largest / 2.0**said.bits if said.bits is not None and largest is not None else 0.0
 
     return Sensors(
         displacement_noise=file.encoder_noise,
-        displacement_quantum=quantum(reach),
+        displacement_quantisation=quantisation(reach),
         displacement_range=reach or inf,
         force_noise=said.force_noise,
-        force_quantum=quantum(force),
+        force_quantisation=quantisation(force),
         force_range=force or inf,
         force_delay=said.force_delay,
     )

@@ -204,11 +204,11 @@ def lost_in_noise(test: str, sensors: Sensors, deformation: float, force: float)
         deformation: largest of the specimen, m; 0: it has none.
         force: largest of the specimen, N; 0: it has none.
     """
-    for channel, largest, noise, quantum, scale, unit in (
-        ("displacement", deformation, sensors.displacement_noise, sensors.displacement_quantum, 1e3, "mm"),
-        ("force", force, sensors.force_noise, sensors.force_quantum, 1e-3, "kN"),
+    for channel, largest, noise, quantisation, scale, unit in (
+        ("displacement", deformation, sensors.displacement_noise, sensors.displacement_quantisation, 1e3, "mm"),
+        ("force", force, sensors.force_noise, sensors.force_quantisation, 1e-3, "kN"),
     ):
-        for what, size in (("the noise", noise), ("a step of the converter", quantum)):
+        for what, size in (("the noise", noise), ("a step of the converter", quantisation)):
             if 0.0 < largest <= size:
                 yield (
                     f"test {test}: {what} of the {channel}, {scale * size:.3g} {unit}, is not below the largest "

@@ -37,7 +37,7 @@ int ed_condensation_allocate(ed_analysis *a)
   if (dampers == 0 || a->devices.n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->factors.solver))
     return ED_OK;
   for (int i = 0; i < a->model->n_devices; i++) /* whose force goes with one of the frame has to look at it in each iteration */
-    if (a->model->devices[i].weigher >= 0)
+    if (a->model->devices[i].axial_spring >= 0)
       return ED_OK;
   ed_condensation *condensation = &a->condensation;
   condensation->response = malloc(dampers * n * sizeof(double));
@@ -72,7 +72,7 @@ double ed_condensation_flops(const ed_analysis *a)
 void ed_follow_pace(const ed_analysis *a, double *du)
 {
   for (int i = 0; i < a->numbering.n; i++)
-    du[i] = a->devices.duration * (2.0 * a->committed.pace[i] - a->committed.pace_before[i]);
+    du[i] = a->devices.duration * (2.0 * a->committed.mean_velocity[i] - a->committed.mean_velocity_before[i]);
 }
 
 /* A^-1 B' and F of the present factors. */

@@ -107,10 +107,10 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
                      ed_equation_name(a->model, &a->numbering, i, name, sizeof name));
     }
   for (int i = 0; i < a->numbering.n; i++) { /* so that the first step goes on with half the first acceleration */
-    a->trial.pace[i] = a->trial.v[i];
-    a->trial.pace_before[i] = a->trial.v[i] - 0.5 * dt * a->trial.a[i];
+    a->trial.mean_velocity[i] = a->trial.v[i];
+    a->trial.mean_velocity_before[i] = a->trial.v[i] - 0.5 * dt * a->trial.a[i];
   }
-  memcpy(a->committed.pace, a->trial.pace, 2 * (size_t)a->numbering.n * sizeof(double)); /* the one lies behind the other */
+  memcpy(a->committed.mean_velocity, a->trial.mean_velocity, 2 * (size_t)a->numbering.n * sizeof(double)); /* the one lies behind the other */
   memcpy(a->committed.a, a->trial.a, (size_t)a->numbering.n * sizeof(double));
   memcpy(a->committed.damping, a->trial.damping, (size_t)a->numbering.n * sizeof(double));
   return ED_OK;

@@ -124,9 +124,9 @@ static void begin(ed_substructure *t, unsigned long long seed)
   ed_specimen_start(&t->specimen);
   ed_compensator_start(&t->compensator, &t->compensating);
   ed_rig_start(&t->rig, &t->moving, t->h);
-  t->displacement_sensor = (ed_sensor){.noise = s->displacement_noise, .quantum = s->displacement_quantum, .range = s->displacement_range,
+  t->displacement_sensor = (ed_sensor){.noise = s->displacement_noise, .quantisation = s->displacement_quantisation, .range = s->displacement_range,
                                        .state = 2 * seed};
-  t->force_sensor = (ed_sensor){.noise = s->force_noise, .quantum = s->force_quantum, .range = s->force_range, .state = 2 * seed + 1};
+  t->force_sensor = (ed_sensor){.noise = s->force_noise, .quantisation = s->force_quantisation, .range = s->force_range, .state = 2 * seed + 1};
 }
 
 /* Notes what failed, and returns the status. */

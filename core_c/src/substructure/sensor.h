@@ -1,11 +1,11 @@
-/* What a sensor reads: normal noise, then whole quanta within a range. The noise is a sequence that its seed alone decides. */
+/* What a sensor reads: normal noise, then whole steps of quantisation within a range. The noise is a sequence that its seed alone decides. */
 #ifndef ED_SENSOR_H
 #define ED_SENSOR_H
 
 #include <math.h>
 
 typedef struct {
-  double noise, quantum, range;
+  double noise, quantisation, range;
   unsigned long long state;
   double spare; /* the second of a pair of normal numbers */
   int has_spare;
@@ -43,8 +43,8 @@ static inline double ed_sensor_read(ed_sensor *sensor, double value, int *clippe
 {
   if (sensor->noise > 0.0)
     value += sensor->noise * ed_sensor_normal(sensor);
-  if (sensor->quantum > 0.0)
-    value = sensor->quantum * rint(value / sensor->quantum);
+  if (sensor->quantisation > 0.0)
+    value = sensor->quantisation * rint(value / sensor->quantisation);
   if (fabs(value) > sensor->range) {
     *clipped = 1;
     value = copysign(sensor->range, value);

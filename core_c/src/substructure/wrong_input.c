@@ -91,10 +91,10 @@ static int not_below_0(double value) /* NaN is below */
 
 static const char *wrong_sensors(const ed_sensors *s, double h)
 {
-  if (!at_least_0(s->displacement_noise) || !at_least_0(s->force_noise) || !at_least_0(s->displacement_quantum) ||
-      !at_least_0(s->force_quantum) || !not_below_0(s->displacement_range) || !not_below_0(s->force_range) ||
+  if (!at_least_0(s->displacement_noise) || !at_least_0(s->force_noise) || !at_least_0(s->displacement_quantisation) ||
+      !at_least_0(s->force_quantisation) || !not_below_0(s->displacement_range) || !not_below_0(s->force_range) ||
       !at_least_0(s->force_delay) || !(s->force_delay / h < MOST_SAMPLES))
-    return "noise, quanta, ranges and the delay of sensors must be at least 0";
+    return "noise, quantisation, ranges and the delay of sensors must be at least 0";
   return NULL;
 }
 

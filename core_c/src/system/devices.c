@@ -151,9 +151,9 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
 /* What presses on a damper over the weight for which its law holds. */
 static double pressed(const ed_analysis *a, const ed_device *device)
 {
-  if (device->weigher < 0 || a->run.kind != ED_RUN_HISTORY)
+  if (device->axial_spring < 0 || a->run.kind != ED_RUN_HISTORY)
     return 1.0;
-  const double *spring = a->trial.elements + a->members.element[device->weigher].state;
+  const double *spring = a->trial.elements + a->members.element[device->axial_spring].state;
   return fmax(-spring[ED_BLOCK_Q], 0.0) / device->weight;
 }
 

@@ -68,8 +68,8 @@ typedef struct {
   char name[ED_NAME];
   ed_damper damper;             /* its brace is in the law's units, as if the device had the size of the law */
   double force_scale, deformation_scale; /* F = force_scale * law(deformation_scale * u) */
-  int weigher;                  /* spring by whose axial force its own goes in histories; -1: none */
-  double weight;                /* compression of the weigher at which it has the force of its law */
+  int axial_spring;             /* spring by whose axial force its own goes in histories; -1: none */
+  double weight;                /* compression of that spring at which it has the force of its law */
   int carries;                  /* it acts from the beginning, under loads that come before ed_install_dampers too */
   int n_terms;
   int degree[ED_MAX_TERMS];     /* 3 node + d */

@@ -37,7 +37,7 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
   device->damper = damper;
   device->force_scale = force_scale;
   device->deformation_scale = deformation_scale;
-  device->weigher = -1;
+  device->axial_spring = -1;
   device->n_terms = n_terms;
   for (int i = 0; i < n_terms; i++) {
     device->degree[i] = 3 * node[i] + degree[i];
@@ -63,7 +63,7 @@ int ed_model_damper_weighs(ed_model *model, int damper, int element, double weig
     return ed_model_refuse(model, ED_E_ID, "damper %s: element %d is no spring", device->name, element);
   if (!(weight > 0.0) || !isfinite(weight))
     return ed_model_refuse(model, ED_E_ARGUMENT, "damper %s: the weight %g must be positive", device->name, weight);
-  device->weigher = element;
+  device->axial_spring = element;
   device->weight = weight;
   return ED_OK;
 }

@@ -20,7 +20,7 @@ static void point_into_block(ed_state *state, const ed_analysis *a)
   double *next = state->block;
   state->head = (ed_state_head *)(void *)next;
   next += head_size();
-  double **vectors[] = {&state->u, &state->v, &state->a, &state->resisting, &state->damping, &state->pace, &state->pace_before};
+  double **vectors[] = {&state->u, &state->v, &state->a, &state->resisting, &state->damping, &state->mean_velocity, &state->mean_velocity_before};
   for (int i = 0; i < 7; i++) {
     *vectors[i] = next;
     next += a->numbering.n;
@@ -111,8 +111,8 @@ void ed_commit(ed_analysis *a)
     ed_remember_loads(a);
   else if (ed_installed(a))
     for (int i = 0; i < a->numbering.n; i++) {
-      a->trial.pace_before[i] = a->committed.pace[i];
-      a->trial.pace[i] = (a->trial.u[i] - a->committed.u[i]) / a->devices.duration;
+      a->trial.mean_velocity_before[i] = a->committed.mean_velocity[i];
+      a->trial.mean_velocity[i] = (a->trial.u[i] - a->committed.u[i]) / a->devices.duration;
     }
   memcpy(a->committed.block, a->trial.block, (size_t)a->storage.size * sizeof(double));
   copy_factors(a, a->loading.factors_committed, a->loading.factors);

@@ -5,7 +5,7 @@
 #include "edcore.h"
 #include "system/numbering.h"
 
-/* Start of the state block; the vectors u v a, resisting and damping forces, paces and the elements' blocks follow. */
+/* Start of the state block; the vectors u v a, resisting and damping forces, mean velocities and the elements' blocks follow. */
 typedef struct {
   double time;
   double force_level;            /* largest force so far: scale of the unbalance */
@@ -20,7 +20,7 @@ typedef struct {
   ed_state_head *head;
   double *u, *v, *a;             /* n */
   double *resisting, *damping;   /* n: at this state */
-  double *pace, *pace_before;    /* n: displacement / time of the last two steps */
+  double *mean_velocity, *mean_velocity_before; /* n: displacement / time of the last two steps */
   double *support_u, *support_v, *support_a; /* n_supports: where held degrees are, and how they move */
   double *support_force;         /* n_supports: resisting force of elements and dampers there */
   double *p_delta;               /* per element: force and drift, 2 n_members */

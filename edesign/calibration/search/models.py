@@ -294,7 +294,8 @@ class Fitter:
     def discrepancy(self, model: FittedModel) -> Columns | None:
         """Return columns by which the equations of a model's effects may be wrong: what other equations of them do.
 
-        Their shares have the prior N(0, 1); all of them together are `alike` of what the effect does.
+        Their shares have the prior N(0, 1); all of them together are the share `shared_discrepancy` of what the effect
+        does.
         """
         if id(model) not in self._discrepancies:
             found = [self._discrepancy_of(model, index) for index in range(len(model.effects))]
@@ -304,7 +305,10 @@ class Fitter:
         return self._discrepancies[id(model)][1]
 
     def _discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
-        """Return what other equations of an effect do in its place (n, k), as principal components of size `alike`."""
+        """Return what other equations of an effect do in its place (n, k), as principal components.
+
+        Their size is the share `shared_discrepancy` of what the effect does.
+        """
         change = np.concatenate(model.contribution(index))
         found = [one / np.linalg.norm(one) for _, _, one in self.alternatives(model, index, np.ones(len(model.left)))]
         size = self.settings.shared_discrepancy * float(np.linalg.norm(change))

@@ -32,11 +32,11 @@ def evenly(time: np.ndarray) -> bool:
     departure = float(np.max(np.abs(time - time[0] - dt * np.arange(time.size))))
     if departure <= _EVEN * dt:
         return True
-    printed = quantum(time)
+    printed = quantisation(time)
     return printed < 0.5 * dt and departure <= 0.76 * printed  # half a digit at each sample, half at each end
 
 
-def quantum(values: np.ndarray) -> float:
+def quantisation(values: np.ndarray) -> float:
     """Return the step of which all values are multiples, up to one offset; 0 if there is none.
 
     Args:
@@ -69,7 +69,7 @@ def rounding(values: np.ndarray) -> float:
     """
     least = 1e-9 * float(np.ptp(values))
     changes, bends = (int(np.count_nonzero(np.abs(np.diff(values, order)) > least)) for order in (1, 2))
-    return quantum(values) / np.sqrt(12.0) if bends > _BENDS * changes else 0.0
+    return quantisation(values) / np.sqrt(12.0) if bends > _BENDS * changes else 0.0
 
 
 def even(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

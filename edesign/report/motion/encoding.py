@@ -40,10 +40,10 @@ class Packed:
         """
         table = np.asarray(values, dtype=float).reshape(len(values), -1)
         largest = float(np.max(np.abs(table), initial=0.0))
-        quantum = float(f"{largest / STEPS:.6g}") if largest else 1.0
-        whole = np.rint(table / quantum).astype(np.int32)
+        step = float(f"{largest / STEPS:.6g}") if largest else 1.0
+        whole = np.rint(table / step).astype(np.int32)
         steps = np.diff(whole, axis=0, prepend=0).T.astype("<i2")
-        place = {"at": self._count, "n": len(table), "w": table.shape[1], "q": quantum}
+        place = {"at": self._count, "n": len(table), "w": table.shape[1], "q": step}
         self._series.append(steps.ravel())
         self._count += steps.size
         return place

@@ -38,7 +38,7 @@ def smaller_models(model: LinearModel) -> tuple[LinearModel, ...]:
         model: at the amplitude of the test.
     """
     sensors, at = model.laboratory.laboratory.sensors, model.linearisation
-    least = max(SMALLEST * at.largest, sensors.displacement_noise, sensors.displacement_quantum)
+    least = max(SMALLEST * at.largest, sensors.displacement_noise, sensors.displacement_quantisation)
     loads = isinstance(model.laboratory.file.plant, ServoHydraulicRig)
     if least >= at.amplitude or not (model.part is not None or loads):
         return ()

@@ -123,7 +123,7 @@ def test_what_a_rig_cannot_do_is_held_and_told() -> None:
 
 
 def test_sensors() -> None:
-    """Noise of its standard deviation, readings in whole quanta within the range, a force that comes late."""
+    """Noise of its standard deviation, readings in steps of quantisation within the range, a late force."""
     rig = rigs.ideal().discrete(STEP / 5)
     noisy = steady(rig, 1.0, sensors=Sensors(displacement_noise=2e-5, force_noise=100.0))
     error = noisy.measured - noisy.deformation
@@ -132,7 +132,7 @@ def test_sensors() -> None:
     assert abs(np.mean(error)) < 4 * 2e-5 / 77
     assert np.std(noisy.force - noisy.true_force) == pytest.approx(100.0, rel=0.04)
     assert abs(np.corrcoef(error, noisy.force - noisy.true_force)[0, 1]) < 4 / 77
-    coarse = steady(rig, 1.0, sensors=Sensors(displacement_quantum=1e-4, displacement_range=4e-3))
+    coarse = steady(rig, 1.0, sensors=Sensors(displacement_quantisation=1e-4, displacement_range=4e-3))
     assert coarse.measured == pytest.approx(1e-4 * np.round(coarse.measured / 1e-4), abs=1e-12)
     assert np.max(coarse.measured) == pytest.approx(4e-3)
     assert 8 in set(coarse.saturated)
