@@ -42,7 +42,7 @@ class Resonance(Effect):
 
 
 class Beat(Effect):
-    """The amplifier's gain swings slowly."""
+    """The amplifier's gain oscillates slowly."""
 
     name, kind, form = "beat", "instrument", "modulation"
 

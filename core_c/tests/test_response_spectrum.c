@@ -68,7 +68,7 @@ static void check_resonance(double *a)
   CHECK_NEAR(sd_of(N, a, period, 0.05) * omega * omega / share, 10.0, 10.0 * 1e-5);
 }
 
-/* After a short pulse the undamped oscillator swings with |integral of a exp(i omega t)| / omega: n samples of 1, and the fall to
+/* After a short pulse the undamped oscillator vibrates with |integral of a exp(i omega t)| / omega: n samples of 1, and the fall to
  * zero in the step after them. */
 static void check_free_vibration(double *a)
 {

@@ -148,7 +148,7 @@ def _energy_share(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
 def floor_spectral_acceleration(time: np.ndarray, floors: np.ndarray, asked: QuantityCriterion) -> np.ndarray:
     """Return the largest total acceleration of an oscillator on each floor, m/s2.
 
-    It does not act back on the floor. After the last sample it swings on freely.
+    It does not act back on the floor. After the last sample it vibrates on freely.
 
     Args:
         time: (nt,) s, in equal steps.

@@ -186,7 +186,7 @@ class ComputedStructure:
         lowest = float(structure.part.frequencies(stiffness_of(self.damper))[0])
         if lowest * drive.time[-1] < 1.0:
             yield (
-                f"test {test}: the structure has {lowest:.3g} Hz, and swings not once in the "
+                f"test {test}: the structure has {lowest:.3g} Hz, and completes no oscillation in the "
                 f"{drive.time[-1]:.4g} s of the test; check masses and stiffnesses"
             )
 

@@ -127,7 +127,7 @@ def test_a_dashpot_behind_a_stiff_spring_goes_through_rest_like_the_dashpot_alon
     found = run(LawValues("maxwell_power", (c, alpha, 1e7 * STIFFNESS)))
     limit = run(LawValues("viscous_power", (c, alpha)))
     same(found, limit, 2e-3)  # the spring stretches by 1e-7 of the structure's displacement; about rest its force lags
-    # Newton's method on tangents alone swings about rest: 10 trials a step, steps that are begun anew
+    # Newton's method on tangents alone oscillates about rest: 10 trials a step, steps that are begun anew
     assert found.statistics["fallbacks"] == 0
     assert found.statistics["damper_updates"] <= 1.1 * limit.statistics["damper_updates"]
 

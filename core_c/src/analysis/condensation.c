@@ -231,8 +231,8 @@ int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
       return ED_E_NOT_FINITE;
     if (!rough && off <= a->settings.tolerance * a->trial.head->force_level)
       return ED_OK;
-    if (off > 0.5 * before) /* Newton's method swings about rest */
-      a->devices.swinging = 1;
+    if (off > 0.5 * before) /* Newton's method oscillates about rest */
+      a->devices.oscillating = 1;
     before = off;
   }
   return ED_OK; /* what is left the frame's next iteration sees */

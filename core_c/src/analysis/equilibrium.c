@@ -169,7 +169,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int fallback)
   double before = HUGE_VAL;
   int status;
   a->iteration.n_residuals = 0;
-  a->devices.swinging = 0;
+  a->devices.oscillating = 0;
   step->residual(a, step, a->iteration.r);
   for (int iteration = 0;; iteration++) {
     const double unbalance = ed_unbalance(a, a->iteration.r);
@@ -191,9 +191,9 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int fallback)
       factor = a->factors.stamp != a->matrix.stamp || fallback != 0;
     else if (same && iteration > 0)
       factor = worth_factoring(a, unbalance, before);
-    if (!step->balance && !a->devices.swinging && iteration >= 3 && ed_installed(a) &&
+    if (!step->balance && !a->devices.oscillating && iteration >= 3 && ed_installed(a) &&
         unbalance > 0.1 * a->iteration.residuals[iteration - 2])
-      factor = a->devices.swinging = 1;
+      factor = a->devices.oscillating = 1;
     if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
       return status;
     memcpy(a->iteration.du, a->iteration.r, (size_t)a->numbering.n * sizeof(double));

@@ -21,7 +21,7 @@ enum { ED_MAX_ODE = 64 };
 typedef struct {
   double force;
   double slope[2]; /* d force / d unknown, for the two directions of the path */
-  /* What comes to the slopes when powers of the velocity take the chord from rest instead of the tangent: an iteration that swings
+  /* What comes to the slopes when powers of the velocity take the chord from rest instead of the tangent: an iteration that oscillates
    * about rest, where Newton's method for a power below 1 does not settle, settles with it. Laws without powers leave it alone; who
    * calls has set it to zero. */
   double chord[2];

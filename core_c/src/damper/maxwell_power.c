@@ -303,7 +303,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   of.largest = fmax(of.largest, NOTHING);
   const int status = follow(&of);
   trial[0] = out->force = p[C] * of.x;
-  /* About rest Newton's method swings on tangents. There the secant of the dashpot counts, in series with the spring over the step */
+  /* About rest Newton's method oscillates on tangents. There the secant of the dashpot counts, in series with the spring over the step */
   const double secant = fabs(of.x) > NOTHING ? fabs(of.x) / raised(fabs(of.x), of.power) : HUGE_VAL;
   const double series = 1.0 / (1.0 / secant + 1.0 / (of.kappa * h));
   for (int j = 0; j < 2; j++) {

@@ -73,10 +73,10 @@ static int settle(series *in, const ed_path *path, const ed_path direction[2], d
     const double more = here.added + here.spring * ed_path_u(&own, own.h);
     const double damped = damping * (at_end.still + at_end.each * (e - from));
     const double force = here.factor * out.force + more - damped, residual = force - ed_rig_carries(in->rig, e);
-    const int swings = residual * before < 0.0 && fabs(residual) > 0.5 * fabs(before);
+    const int oscillates = residual * before < 0.0 && fabs(residual) > 0.5 * fabs(before);
     if (i == 1) /* what the tangent alone would have left */
       in->bend = isfinite(tangent) && moved != 0.0 ? (residual + tangent * more_moved) / (moved * moved) : 0.0;
-    const double slope = fmax(here.spring - here.factor * (out.slope[0] + (swings ? out.chord[0] : 0.0)), 0.0);
+    const double slope = fmax(here.spring - here.factor * (out.slope[0] + (oscillates ? out.chord[0] : 0.0)), 0.0);
     if (!isfinite(residual + slope))
       return ED_E_NOT_FINITE;
     in->force = ed_rig_carries(in->rig, e) + damped;

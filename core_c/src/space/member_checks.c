@@ -29,7 +29,7 @@ typedef struct {
 } worst;
 
 typedef struct {
-  double *steady, *swing, *size; /* stations x FORCES, of one combination */
+  double *steady, *alternating, *size; /* stations x FORCES, of one combination */
   double *compression, *gravity; /* stations */
 } workspace;
 
@@ -43,15 +43,15 @@ static inline void keep(worst *w, int check, double value, int combination, int 
 
 #define HAS(check) (mask >> (check) & 1)
 
-/* Forces of one combination at all stations: the steady part with its sign, what swings and V_z by gravity without. */
+/* Forces of one combination at all stations: the steady part with its sign, the alternating part and V_z by gravity without. */
 static inline __attribute__((always_inline)) void combine(const loads *l, int at, int k, const workspace *space)
 {
   const double *f = l->f + (size_t)k * l->cases, *g = l->g + (size_t)k * l->directions;
   const int row = l->stations * FORCES;
   const size_t all = (size_t)row * l->members, own = (size_t)row * at;
-  double *restrict steady = space->steady, *restrict swing = space->swing, *restrict gravity = space->gravity;
+  double *restrict steady = space->steady, *restrict alternating = space->alternating, *restrict gravity = space->gravity;
   for (int j = 0; j < row; j++)
-    steady[j] = swing[j] = 0.0;
+    steady[j] = alternating[j] = 0.0;
   for (int s = 0; s < l->stations; s++)
     gravity[s] = 0.0;
   for (int i = 0; i < l->cases; i++) {
@@ -66,7 +66,7 @@ static inline __attribute__((always_inline)) void combine(const loads *l, int at
     const double *restrict of = l->spectral + i * all + own;
     const double factor = fabs(g[i]);
     for (int j = 0; j < row; j++)
-      swing[j] += factor * of[j];
+      alternating[j] += factor * of[j];
   }
   for (int s = 0; s < l->stations; s++)
     gravity[s] = fabs(gravity[s]);
@@ -88,15 +88,15 @@ ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, i
   const double *c = b->c, *per = b->per;
   const int stations = l->stations, row = stations * FORCES;
   double *restrict size = space->size, *restrict compression = space->compression;
-  const double *restrict steady = space->steady, *restrict swing = space->swing, *restrict gravity = space->gravity;
+  const double *restrict steady = space->steady, *restrict alternating = space->alternating, *restrict gravity = space->gravity;
   double top[FORCES] = {0.0}, compressed = 0.0, by_gravity = 0.0;
   combine(l, at, k, space);
   for (int i = 0; i < row; i++)
-    size[i] = fabs(steady[i]) + swing[i];
+    size[i] = fabs(steady[i]) + alternating[i];
   for (int s = 0; s < stations; s++) {
     for (int j = 0; j < FORCES; j++)
       top[j] = larger(top[j], size[s * FORCES + j]);
-    compression[s] = larger(swing[s * FORCES + N] - steady[s * FORCES + N], 0.0);
+    compression[s] = larger(alternating[s * FORCES + N] - steady[s * FORCES + N], 0.0);
     compressed = larger(compressed, compression[s]);
     by_gravity = larger(by_gravity, gravity[s]);
   }
@@ -112,8 +112,8 @@ ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, i
       keep(w, ED_CHECK_M_Z, m.m_z, k, s);
     if (HAS(ED_CHECK_N_M)) {
       keep(w, ED_CHECK_N_M, section(b, &m, F[N], w->utilisation[ED_CHECK_N_M]), k, s);
-      if (swing[s * FORCES + N] > 0.0 && powers_grow(b, F[N] * m.n_scale)) {
-        const double other = fabs(fabs(steady[s * FORCES + N]) - swing[s * FORCES + N]);
+      if (alternating[s * FORCES + N] > 0.0 && powers_grow(b, F[N] * m.n_scale)) {
+        const double other = fabs(fabs(steady[s * FORCES + N]) - alternating[s * FORCES + N]);
         keep(w, ED_CHECK_N_M, section(b, &m, other, w->utilisation[ED_CHECK_N_M]), k, s);
       }
     }
@@ -263,7 +263,7 @@ int ed_member_checks(int n_cases, int n_directions, int n_members, int n_station
     free(of);
     return ED_E_MEMORY;
   }
-  const workspace space = {.steady = block, .swing = block + row, .size = block + 2 * row, .compression = block + 3 * row,
+  const workspace space = {.steady = block, .alternating = block + row, .size = block + 2 * row, .compression = block + 3 * row,
                            .gravity = block + 3 * row + n_stations};
   const int n = distinct(&l, of);
   for (int m = 0; m < n_members; m++) {

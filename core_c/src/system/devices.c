@@ -24,11 +24,11 @@ static int allocate(ed_devices *devices, int n)
   devices->path_direction = calloc(count, sizeof *devices->path_direction);
   devices->out = calloc(count, sizeof *devices->out);
   devices->chord = calloc(count, sizeof *devices->chord);
-  devices->swings = calloc(count, sizeof *devices->swings);
+  devices->oscillates = calloc(count, sizeof *devices->oscillates);
   devices->old = calloc(count, sizeof *devices->old);
   devices->new = calloc(count, sizeof *devices->new);
   devices->by_ode = calloc(count, sizeof *devices->by_ode);
-  return devices->path && devices->path_direction && devices->out && devices->chord && devices->swings && devices->old &&
+  return devices->path && devices->path_direction && devices->out && devices->chord && devices->oscillates && devices->old &&
                  devices->new && devices->by_ode
              ? ED_OK
              : ED_E_MEMORY;
@@ -62,7 +62,7 @@ void ed_devices_free(ed_devices *devices)
 {
   ed_ode_system_free(devices->ode_system);
   void *blocks[] = {devices->block, devices->path, devices->path_direction, devices->out,   devices->old,
-                    devices->new,   devices->by_ode, devices->chord,        devices->swings};
+                    devices->new,   devices->by_ode, devices->chord,        devices->oscillates};
   for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
     free(blocks[i]);
 }
@@ -123,7 +123,7 @@ double ed_device_slope(const ed_devices *devices, const ed_state *trial, int i)
 {
   const double *slope = ed_device_block(devices, trial, i) + ED_DEVICE_SLOPE, *chord = devices->chord[i];
   const double tangent = slope[0] + devices->velocity_factor * slope[1];
-  return devices->swinging && devices->swings[i] ? tangent + chord[0] + devices->velocity_factor * chord[1] : tangent;
+  return devices->oscillating && devices->oscillates[i] ? tangent + chord[0] + devices->velocity_factor * chord[1] : tangent;
 }
 
 /* The law's path over this step, from the degrees. A static step goes slowly from rest to rest, also after a history that ended in
@@ -142,7 +142,7 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
   const double v0 = slow ? 0.0 : ed_state_along_device(&a->numbering, device, a->committed.v, a->committed.support_v);
   now[ED_DEVICE_DEFORMATION] = ed_state_along_device(&a->numbering, device, a->trial.u, a->trial.support_u) - now[ED_DEVICE_OFFSET];
   const double velocity = slow ? 0.0 : ed_state_along_device(&a->numbering, device, a->trial.v, a->trial.support_v);
-  a->devices.swings[i] = velocity * now[ED_DEVICE_VELOCITY] < 0.25 * now[ED_DEVICE_VELOCITY] * now[ED_DEVICE_VELOCITY];
+  a->devices.oscillates[i] = velocity * now[ED_DEVICE_VELOCITY] < 0.25 * now[ED_DEVICE_VELOCITY] * now[ED_DEVICE_VELOCITY];
   now[ED_DEVICE_VELOCITY] = velocity;
   ed_path_hermite(path, a->devices.duration, scale * before[ED_DEVICE_DEFORMATION], scale * v0, scale * now[ED_DEVICE_DEFORMATION],
                   scale * now[ED_DEVICE_VELOCITY]);

@@ -16,9 +16,9 @@ typedef struct {
   ed_damper_force *out;          /* of those by ODE */
   const double **old;            /* of those by ODE */
   double **new;
-  double (*chord)[2];            /* what comes to dF/du and dF/dv where an iteration swings */
-  int *swings;                   /* its velocity fell or turned in the last iteration */
-  int swinging;                  /* this attempt does not settle with tangents alone */
+  double (*chord)[2];            /* what comes to dF/du and dF/dv where an iteration oscillates */
+  int *oscillates;               /* its velocity fell or turned in the last iteration */
+  int oscillating;               /* this attempt does not settle with tangents alone */
   double duration;               /* of the present attempt */
   double velocity_factor;        /* dv/du of the present attempt */
   double tolerance;              /* of SUNDIALS */

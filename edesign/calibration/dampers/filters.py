@@ -24,7 +24,7 @@ def relaxed(motion: Motion, values: np.ndarray, tau: complex) -> np.ndarray:
     return fading(decay, made, float(values[0]))
 
 
-def swung(motion: Motion, values: np.ndarray, frequency: float, damping: float) -> np.ndarray:
+def second_order(motion: Motion, values: np.ndarray, frequency: float, damping: float) -> np.ndarray:
     """Return Q (n,) with Q + 2 zeta Q'/w + Q''/w^2 = values, w = 2 pi frequency.
 
     1 / (1 + 2 zeta s/w + s^2/w^2) is twice the real part of r / (1 - s/pole) for real values.
@@ -36,9 +36,9 @@ def swung(motion: Motion, values: np.ndarray, frequency: float, damping: float) 
         damping: zeta, below 1.
     """
     w = 2.0 * np.pi * frequency
-    swings = w * np.sqrt(1.0 - damping**2)
-    pole = complex(-damping * w, swings)
-    return np.asarray((1j * w**2 / (swings * pole) * relaxed(motion, values, -1.0 / pole)).real)
+    damped = w * np.sqrt(1.0 - damping**2)
+    pole = complex(-damping * w, damped)
+    return np.asarray((1j * w**2 / (damped * pole) * relaxed(motion, values, -1.0 / pole)).real)
 
 
 def _weights(steps: np.ndarray, tau: complex) -> tuple[np.ndarray, ...]:

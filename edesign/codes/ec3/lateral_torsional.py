@@ -70,7 +70,7 @@ def diagram_factor(M_max: Values, M_quarter: Values, M_middle: Values, M_three_q
     return np.sqrt(35.0 * share)
 
 
-def quarter_moments(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+def quarter_moments(steady: np.ndarray, alternating: np.ndarray) -> np.ndarray:
     """Return the magnitudes at the quarter points, (3, ...), from those at sixths, (..., 7).
 
     Those at a quarter come by a parabola through the next three sixths, and of responses by a line.
@@ -78,14 +78,14 @@ def quarter_moments(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
     Args:
         steady: static moments with sign.
     """
-    middle = np.abs(steady[..., 3]) + swing[..., 3]
-    return np.stack([_quarter(steady, swing), middle, _quarter(steady[..., ::-1], swing[..., ::-1])])
+    middle = np.abs(steady[..., 3]) + alternating[..., 3]
+    return np.stack([_quarter(steady, alternating), middle, _quarter(steady[..., ::-1], alternating[..., ::-1])])
 
 
-def _quarter(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+def _quarter(steady: np.ndarray, alternating: np.ndarray) -> np.ndarray:
     return np.asarray(
         np.abs(3.0 * steady[..., 1] + 6.0 * steady[..., 2] - steady[..., 3]) / 8.0
-        + 0.5 * (swing[..., 1] + swing[..., 2])
+        + 0.5 * (alternating[..., 1] + alternating[..., 2])
     )
 
 

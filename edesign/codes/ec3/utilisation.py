@@ -30,17 +30,17 @@ class ForcesAlong:
     Attributes:
         stations: (n,) fractions of the length.
         steady: (n, 6) of the static actions, with sign, N and N m.
-        swing: (n, 6) magnitudes of the seismic action.
+        alternating: (n, 6) magnitudes of the seismic action.
     """
 
     stations: np.ndarray
     steady: np.ndarray
-    swing: np.ndarray
+    alternating: np.ndarray
 
     @property
     def size(self) -> np.ndarray:
         """Largest magnitudes, (n, 6) N and N m."""
-        return np.asarray(np.abs(self.steady) + self.swing)
+        return np.asarray(np.abs(self.steady) + self.alternating)
 
 
 @dataclass(frozen=True)
@@ -95,9 +95,9 @@ class _Check(Strength):
 
     def force(self, of: int, station: int) -> float:
         """Return the magnitude of a force at a station, N or N m."""
-        steady, swing = (float(part[station, of]) for part in (self.forces.steady, self.forces.swing))
-        expression = f"{_parts(steady, swing, of)} {self._at(station)}"
-        return self.trace.add(_SYMBOL[of], abs(steady) + swing, _unit(of), expression)
+        steady, alternating = (float(part[station, of]) for part in (self.forces.steady, self.forces.alternating))
+        expression = f"{_parts(steady, alternating, of)} {self._at(station)}"
+        return self.trace.add(_SYMBOL[of], abs(steady) + alternating, _unit(of), expression)
 
     def largest(self, of: int) -> float:
         """Return the largest magnitude of a force along the member, N or N m."""
@@ -105,11 +105,11 @@ class _Check(Strength):
 
     def compression(self) -> float:
         """Return the largest compression along the member, at least 0, N."""
-        along = self.forces.swing[:, N] - self.forces.steady[:, N]
+        along = self.forces.alternating[:, N] - self.forces.steady[:, N]
         station = int(along.argmax())
-        steady, swing = float(self.forces.steady[station, N]), float(self.forces.swing[station, N])
-        expression = f"compression, {_parts(steady, swing, N)} {self._at(station)}"
-        return self.trace.add("N_Ed", max(swing - steady, 0.0), "N", expression)
+        steady, alternating = float(self.forces.steady[station, N]), float(self.forces.alternating[station, N])
+        expression = f"compression, {_parts(steady, alternating, N)} {self._at(station)}"
+        return self.trace.add("N_Ed", max(alternating - steady, 0.0), "N", expression)
 
     def _at(self, station: int) -> str:
         return f"at x = {self.forces.stations[station]:.3g} L"
@@ -144,14 +144,14 @@ class _Check(Strength):
         length = trace.add("L_LT", beam.length, "m", "between restraints of the compressed flange")
         self.torsion()
         M_y = self.largest(M_Y)
-        steady, swing = self.forces.steady[:, M_Y], self.forces.swing[:, M_Y]
+        steady, alternating = self.forces.steady[:, M_Y], self.forces.alternating[:, M_Y]
         if beam.uniform:
             C1 = trace.add("C_1", 1.0, "1", "uniform moment: braces that meet the beam do not hold it sideways")
         else:
-            M_A, M_B, M_C = (float(M) for M in lateral_torsional.quarter_moments(steady, swing))
-            trace.add("M_A", M_A, "N*m", f"{_at_quarter(steady, swing)}, of x = L/6, L/3, L/2")
-            trace.add("M_B", M_B, "N*m", f"{_parts(float(steady[3]), float(swing[3]), M_Y)} at x = L/2")
-            trace.add("M_C", M_C, "N*m", f"{_at_quarter(steady[::-1], swing[::-1])}, of x = 5L/6, 2L/3, L/2")
+            M_A, M_B, M_C = (float(M) for M in lateral_torsional.quarter_moments(steady, alternating))
+            trace.add("M_A", M_A, "N*m", f"{_at_quarter(steady, alternating)}, of x = L/6, L/3, L/2")
+            trace.add("M_B", M_B, "N*m", f"{_parts(float(steady[3]), float(alternating[3]), M_Y)} at x = L/2")
+            trace.add("M_C", M_C, "N*m", f"{_at_quarter(steady[::-1], alternating[::-1])}, of x = 5L/6, 2L/3, L/2")
             root = "sqrt(35 M_y,Ed^2 / (M_y,Ed^2 + 9 M_A^2 + 16 M_B^2 + 9 M_C^2))"
             C1 = float(lateral_torsional.diagram_factor(M_y, M_A, M_B, M_C))
             trace.add("C_1", C1, "1", root if M_y > 0.0 else "without moment", "Serna et al. 2006")
@@ -230,9 +230,9 @@ def _section(w: _Check, station: int) -> float:
         return cross_section.plastic_interaction(w.section.kind, n, m_y, m_z, *shares), n, shares
 
     value, n, shares = interaction_of(N_Ed)
-    steady, swing = float(w.forces.steady[station, N]), float(w.forces.swing[station, N])
-    other = abs(abs(steady) - swing)
-    if swing > 0.0 and interaction_of(other)[0] > value:
+    steady, alternating = float(w.forces.steady[station, N]), float(w.forces.alternating[station, N])
+    other = abs(abs(steady) - alternating)
+    if alternating > 0.0 and interaction_of(other)[0] > value:
         w.trace.add("N_Ed", other, "N", "with the other sign of the seismic action, which gives more")
         value, n, shares = interaction_of(other)
     w.trace.add("n", n, "1", "N_Ed / N_Rd", "6.2.9.1(5)")
@@ -389,20 +389,20 @@ def _ratio(load: float, resistance: float) -> float:
     return 0.0 if load <= 0.0 else load / resistance if resistance > 0.0 else math.inf
 
 
-def _at_quarter(steady: np.ndarray, swing: np.ndarray) -> str:
+def _at_quarter(steady: np.ndarray, alternating: np.ndarray) -> str:
     """The moment at the first quarter, from those at sixths, as `quarter_moments` has it; in kN m."""
     a, b, c = (_digits(M / 1e3) if M >= 0.0 else f"({_digits(M / 1e3)})" for M in steady[1:4].tolist())
     text = f"|3 x {a} + 6 x {b} - {c}| / 8"
-    if swing.any():
-        text += f" + ({' + '.join(_digits(M / 1e3) for M in swing[1:3].tolist())}) / 2"
+    if alternating.any():
+        text += f" + ({' + '.join(_digits(M / 1e3) for M in alternating[1:3].tolist())}) / 2"
     return f"{text} kN*m"
 
 
-def _parts(steady: float, swing: float, of: int) -> str:
+def _parts(steady: float, alternating: float, of: int) -> str:
     unit = "kN" if of < M_Y else "kN*m"
-    if swing == 0.0:
+    if alternating == 0.0:
         return f"{_digits(steady / 1e3)} {unit}"
-    return f"{_digits(steady / 1e3)} +- {_digits(swing / 1e3)} {unit}"
+    return f"{_digits(steady / 1e3)} +- {_digits(alternating / 1e3)} {unit}"
 
 
 def _digits(value: float) -> str:

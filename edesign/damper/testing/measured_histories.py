@@ -24,7 +24,7 @@ follows to 1e-4 of the amplitude at 50 samples a cycle."""
 _STILL = 0.02
 """Of the range of the displacement: a specimen that moves by less around a gap rests in it. This is a judgement: noise
 and drift of displacement transducers stay below, and the force of a spring is off by 2 % of its range at most."""
-_SWUNG = 0.1
+_DEAD_BAND = 0.1
 """Of the range on either side of the middle: the dead band in which no half cycle ends. This is a judgement too: noise
 must not count as half cycles. Those of a sine are counted alike with any band below half of the range."""
 
@@ -54,9 +54,9 @@ def lost_motion(time: np.ndarray, displacement: np.ndarray) -> tuple[float, floa
         return None
     steps = np.diff(time)
     middle = 0.5 * (float(np.max(displacement)) + float(np.min(displacement)))
-    sides = np.sign(displacement - middle)[np.abs(displacement - middle) > _SWUNG * size]
-    swings = max(int(np.count_nonzero(np.diff(sides))), 1)
-    half = (float(np.sum(steps)) - float(np.sum(steps[missing]))) / swings
+    sides = np.sign(displacement - middle)[np.abs(displacement - middle) > _DEAD_BAND * size]
+    half_cycles = max(int(np.count_nonzero(np.diff(sides))), 1)
+    half = (float(np.sum(steps)) - float(np.sum(steps[missing]))) / half_cycles
     for i in missing:
         near = (time >= time[i] - 0.5 * half) & (time <= time[i + 1] + 0.5 * half)
         if steps[i] >= half and np.ptp(displacement[near]) > _STILL * size:

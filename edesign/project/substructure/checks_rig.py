@@ -148,7 +148,7 @@ def check_sub_steps(rts: RtsFile, problems: Problems) -> None:
     step = np.array([[1.0 + 0.5 * h * by_x, 0.5 * h * (1.0 + by_q)], [by_x, by_q]])
     if np.max(np.abs(np.linalg.eigvals(step))) >= 1.0:
         keys = ("rig", "file") if isinstance(rts.rig, RigInFile) else ("rig", "proportional_gain")
-        message = f"{plant.proportional_gain:.4g} /s is too fast for sub-steps of {1e3 * h:.4g} ms: the rig would swing"
+        message = f"{plant.proportional_gain:.4g} /s is too fast for sub-steps of {1e3 * h:.4g} ms: the rig oscillates"
         problems.at_value(keys, f"{message} by them alone; take more `sub_steps` or a shorter `main_step` [E-RTS-03]")
 
 

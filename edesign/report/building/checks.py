@@ -298,7 +298,7 @@ def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAl
     factors = np.abs(results.values("combinations", "seismic")[combination])
     seismic = results.values("forces", "seismic")[:, member]
     if results.values("combinations", "directions")[combination] == "srss":
-        swing = np.sqrt(np.tensordot(factors**2, seismic**2, 1))
+        alternating = np.sqrt(np.tensordot(factors**2, seismic**2, 1))
     else:
-        swing = np.tensordot(factors, seismic, 1)
-    return ForcesAlong(results.values("forces", "station"), steady, swing)
+        alternating = np.tensordot(factors, seismic, 1)
+    return ForcesAlong(results.values("forces", "station"), steady, alternating)

@@ -90,8 +90,8 @@ class FreeBeams:
             M_b,Rd by combination and beam, with what it follows from.
         """
         steady = np.tensordot(static_factors, effects.static[..., _M_Y][:, self.members], 1)  # (k, beams, stations)
-        swing = np.tensordot(np.abs(spectral_factors), spectral[..., _M_Y][:, self.members], 1)
-        largest = (np.abs(steady) + swing).max(axis=2)
+        alternating = np.tensordot(np.abs(spectral_factors), spectral[..., _M_Y][:, self.members], 1)
+        largest = (np.abs(steady) + alternating).max(axis=2)
         pairs, of_members = frame.sections
         of = np.array([self._properties(*pair) for pair in pairs])[of_members[self.members]].T
         euler, squared = of[0] / self._length**2, of[1] + of[2] * self._length**2
@@ -100,7 +100,7 @@ class FreeBeams:
         found = buckling_moments(
             np.broadcast_to(M_Rk, largest.shape),
             largest,
-            np.where(self._half, largest, quarter_moments(steady, swing)),
+            np.where(self._half, largest, quarter_moments(steady, alternating)),
             np.maximum(static_factors @ tipping, 0.0),
             euler,
             squared,

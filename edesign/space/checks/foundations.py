@@ -218,9 +218,9 @@ def foundations(
     for row in rows:
         steady = np.tensordot([row.static.get(case, 0.0) for case in static.names], reactions, 1)
         x, y = (abs(share) * of_axis for share, of_axis in zip(row.seismic[:2], raised, strict=True))
-        swing = np.sqrt(x**2 + y**2) if row.directions == "srss" else x + y
-        least.append(steady - swing)
-        largest.append(steady + swing)
+        alternating = np.sqrt(x**2 + y**2) if row.directions == "srss" else x + y
+        least.append(steady - alternating)
+        largest.append(steady + alternating)
         names.append(row.name)
     nodes = tuple(frame.node_names[node] for node in of.nodes)
     return Foundations(

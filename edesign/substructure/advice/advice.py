@@ -44,7 +44,7 @@ class TestAdvice:
         expected: one for each compensator.
         nonlinear: share of the specimen's force in the structure itself that the linearised law does not give, of root
             mean squares; NaN: the test has no loop.
-        rig_swings: the unstable pole of a rig that the specimen makes unstable, in words; empty: it is stable.
+        unstable_pole: the unstable pole of a rig that the specimen makes unstable, in words; empty: it is stable.
     """
 
     name: str
@@ -55,7 +55,7 @@ class TestAdvice:
     first: int
     expected: tuple[ExpectedTest, ...]
     nonlinear: float = math.nan
-    rig_swings: str = ""
+    unstable_pole: str = ""
 
     @property
     def critical_delay(self) -> float:
@@ -156,13 +156,13 @@ def _test(
     part = structure.part if structure is not None and direct is not None else None
     model = LinearModel.of(laboratory, motion, part)
     modes = model.modes
-    smaller = smaller_models(model) if not model.rig_swings else ()
+    smaller = smaller_models(model) if not model.unstable_pole else ()
     expected = tuple(_expected(model, smaller, name, drive, direct, motion) for name in laboratory.file.compensators)
     least = min(modes, key=lambda mode: mode.critical_delay, default=None)
     first = least.number if least is not None and math.isfinite(least.critical_delay) else 0
     nonlinear = model.nonlinear_share(direct) if direct is not None else math.nan
     return TestAdvice(
-        test.name, test.kind, drive.source, model.linearisation, modes, first, expected, nonlinear, model.rig_swings
+        test.name, test.kind, drive.source, model.linearisation, modes, first, expected, nonlinear, model.unstable_pole
     )
 
 
@@ -199,9 +199,9 @@ def _choice(file: RtsFile, tests: tuple[TestAdvice, ...], needs: tuple[Need, ...
 
 def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:
     for test in tests:
-        if test.rig_swings:
+        if test.unstable_pole:
             yield (
-                f"test {test.name}: {UNSTABLE_RIG}, whatever the compensator: {test.rig_swings}. It takes a lower "
+                f"test {test.name}: {UNSTABLE_RIG}, whatever the compensator: {test.unstable_pole}. It takes a lower "
                 "gain, a faster valve, stiffer oil, or a specimen with less damping"
             )
         if growing := [one for one in test.expected if one.grows_below > 0.0]:

@@ -13,7 +13,7 @@ from edesign.core.substructure import Recursion
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import AnalysisError, InputError
 from edesign.project.substructure import compensators as kinds
-from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swings
+from edesign.substructure.advice.loaded_rig import is_unstable, loaded_poles, pole_in_words
 from edesign.substructure.advice.sampled_rig import MOST_SUB_STEPS, REACH, sampled_rig
 from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
@@ -304,10 +304,10 @@ class LinearModel:
         return SampledLoop(self.plant, compensator.equation, unseen, corrected).stability()
 
     @property
-    def rig_swings(self) -> str:
+    def unstable_pole(self) -> str:
         """The unstable pole of a rig that the specimen makes unstable, in words; empty: it is stable."""
         poles = loaded_poles(self.laboratory.file.plant, self.specimen)
-        return swinging(poles) if swings(poles) else ""
+        return pole_in_words(poles) if is_unstable(poles) else ""
 
     def rig_delay_loop(self, name: str, compensator: CompensatorTransfer) -> Loop:
         """Return the loop of a test opened at its rig, the compensator being left as it is.
@@ -367,9 +367,9 @@ class LinearModel:
         Raises:
             InputError: a part of the loop has no finite transfer function.
         """
-        nan, swinging_rig = math.nan, self.rig_swings
-        if swinging_rig or not compensator.settles:
-            said, grown = UNSTABLE_RIG if swinging_rig else "unstable with the rig alone", math.inf
+        nan, unstable_pole = math.nan, self.unstable_pole
+        if unstable_pole or not compensator.settles:
+            said, grown = UNSTABLE_RIG if unstable_pole else "unstable with the rig alone", math.inf
             return ExpectedTest(name, said, None, False, nan, 0.0, False, nan, nan, grown, grown)
         if direct is not None:
             return self._in_loop(name, compensator, direct)

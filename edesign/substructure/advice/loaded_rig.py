@@ -47,7 +47,7 @@ def _poles(plant: ServoHydraulicRig, specimen: ComplexStiffness, omega: float) -
     return np.asarray(roots[np.argsort(-roots.real)], dtype=complex)
 
 
-def swings(poles: np.ndarray) -> bool:
+def is_unstable(poles: np.ndarray) -> bool:
     """Say whether a rig with its specimen is unstable: its rightmost pole is not left of the imaginary axis.
 
     Args:
@@ -56,7 +56,7 @@ def swings(poles: np.ndarray) -> bool:
     return bool(poles.size) and bool(poles[0].real >= 0.0)
 
 
-def swinging(poles: np.ndarray) -> str:
+def pole_in_words(poles: np.ndarray) -> str:
     """Return the unstable pole in words.
 
     Args:

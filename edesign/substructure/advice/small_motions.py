@@ -14,7 +14,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.project.substructure.rig import ServoHydraulicRig
 from edesign.substructure.advice.expectation import LinearModel, law_at
-from edesign.substructure.advice.loaded_rig import loaded_poles, swings
+from edesign.substructure.advice.loaded_rig import is_unstable, loaded_poles
 from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.advice.transfers import CompensatorTransfer, rig_response
 from edesign.substructure.stability.loop import Loop
@@ -87,7 +87,7 @@ def cycle_rms(growing: float, motion: np.ndarray) -> float:
 
 def _grows(model: LinearModel, name: str, learned: CompensatorTransfer, motion: np.ndarray) -> bool:
     file = model.laboratory.file
-    if swings(loaded_poles(file.plant, model.specimen)):
+    if is_unstable(loaded_poles(file.plant, model.specimen)):
         return True
     if model.part is None:
         return False

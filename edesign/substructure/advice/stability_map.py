@@ -129,7 +129,7 @@ def stability_map(model: LinearModel, motion: np.ndarray) -> StabilityMap | None
     Raises:
         InputError: the structure is undamped or unstable.
     """
-    if model.rig_swings or model.part is None:
+    if model.unstable_pole or model.part is None:
         return None
     modes = model.modes
     first = min(modes, key=lambda mode: mode.critical_delay)

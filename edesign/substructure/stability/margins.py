@@ -42,7 +42,7 @@ class LoopMode:
 
     Attributes:
         number: from 1.
-        frequency, damping: of the structure itself, Hz and ratio; nan: it does not swing.
+        frequency, damping: of the structure itself, Hz and ratio; nan: it does not oscillate.
         loop_frequency, loop_damping: in the loop as it is, Hz and ratio; nan: the root was lost.
         share: p, of the mode's stiffness that is the specimen's.
         delay: of rig and compensator at the mode's frequency, -phase(G C)/omega, s.

@@ -81,9 +81,9 @@ class Pencil:
             s[sought] += correction
             forms[sought] = _normed(pushed)
             there = np.abs(correction) <= ROOT_TOLERANCE * np.abs(s[sought])
-            swings = s[sought].imag > 0.0  # of nan it is not
-            found[sought[there & swings]] = s[sought[there & swings]]
-            sought = sought[~there & swings]
+            oscillates = s[sought].imag > 0.0  # of nan it is not
+            found[sought[there & oscillates]] = s[sought[there & oscillates]]
+            sought = sought[~there & oscillates]
         return found, forms
 
     def _finite(
@@ -139,7 +139,7 @@ def follow(pencil: Pencil, starts: np.ndarray, shapes: np.ndarray) -> tuple[np.n
         shapes: of them, (m, n).
 
     Returns:
-        (m,) 1/s, nan: the root is lost, as it meets another or ceases to swing; and (m, n).
+        (m,) 1/s, nan: the root is lost, as it meets another or ceases to oscillate; and (m, n).
     """
     roots, shapes = starts.astype(complex), shapes.astype(complex)
     share, step, drift = np.zeros(roots.size), np.full(roots.size, FIRST_STEP), np.zeros(roots.size, dtype=complex)

@@ -32,9 +32,9 @@ def loop_roots(loop: Loop) -> np.ndarray:
         return np.asarray(whole.specimen_at(s) * (1.0 + share * (loop.actuation(s) - 1.0)))
 
     roots = np.array([mode.root for mode in whole.modes])
-    swing = np.isfinite(roots)
+    oscillates = np.isfinite(roots)
     shapes = np.array([mode.shape for mode in whole.modes])
-    found[swing] = follow(whole.pencil(late), roots[swing], shapes[swing])[0]
+    found[oscillates] = follow(whole.pencil(late), roots[oscillates], shapes[oscillates])[0]
     return found
 
 

@@ -49,7 +49,7 @@ class StructureMode:
 
     @property
     def damping(self) -> float:
-        """Damping ratio -Re s / |s|; NaN: it does not swing."""
+        """Damping ratio -Re s / |s|; NaN: it does not oscillate."""
         return -self.root.real / abs(self.root)
 
 
@@ -155,9 +155,10 @@ class WholeStructure:
             return np.asarray(at_rest + share * (self.specimen_at(s) - at_rest))
 
         omega = np.sqrt(np.maximum(squares, 0.0))
-        roots, forms, swing = np.full(omega.size, complex(np.nan, np.nan)), shapes.T.astype(complex), omega > 0.0
-        roots[swing], followed = follow(self.pencil(damper, damps=False), 1j * omega[swing], forms[swing])
-        forms[swing] = np.where(np.isnan(roots[swing])[:, None], forms[swing], followed)
+        roots, forms, oscillates = np.full(omega.size, complex(np.nan, np.nan)), shapes.T.astype(complex), omega > 0.0
+        pencil = self.pencil(damper, damps=False)
+        roots[oscillates], followed = follow(pencil, 1j * omega[oscillates], forms[oscillates])
+        forms[oscillates] = np.where(np.isnan(roots[oscillates])[:, None], forms[oscillates], followed)
         if (undamped := np.flatnonzero(roots.real > -UNDAMPED * omega)).size:
             i = int(undamped[0])
             raise InputError(
@@ -179,7 +180,7 @@ class WholeStructure:
         return Pencil(own.damping, own.squares, own.interface, coupling, damps)
 
     def share_of(self, mode: StructureMode) -> float:
-        """Return the share of a mode's stiffness that is the specimen's; NaN: it does not swing."""
+        """Return the share of a mode's stiffness that is the specimen's; NaN: it does not oscillate."""
         if not mode.omega > 0.0:
             return math.nan
         deformation = abs(complex(self._own.interface @ mode.shape)) ** 2
@@ -250,8 +251,8 @@ class _NumericalModes:
         if not self._apart:
             return self._poles[0] if self._poles is not None else np.diagonal(self._schur[0])
         half = 0.5 * np.diagonal(self.damping)
-        swing = np.sqrt(half**2 - self.squares + 0j)
-        return np.concatenate([swing - half, -swing - half])
+        root = np.sqrt(half**2 - self.squares + 0j)
+        return np.concatenate([root - half, -root - half])
 
     def deformation(self, s: np.ndarray, loads: np.ndarray) -> np.ndarray:
         """Of the specimen's place under loads on the modes, (m, k) at s of shape (m,) and loads of (n, k)."""

@@ -215,15 +215,15 @@ def test_the_core_takes_each_branch_as_the_clauses_do() -> None:
         ]
         shares = np.concatenate([chosen, draw.choice(levels, (60, 6))])
         for number, size in enumerate(resistance * shares):
-            share = draw.choice([-1.0, 0.0, 0.4, 1.0], 6)  # of what has a sign; the rest swings
+            share = draw.choice([-1.0, 0.0, 0.4, 1.0], 6)  # of what has a sign; the rest alternates
             share[0] = -1.0 if number < len(chosen) else share[0]
-            steady, swing = share * size, (1.0 - np.abs(share)) * size
-            found = one(c, steady.tolist(), swing.tolist())
+            steady, alternating = share * size, (1.0 - np.abs(share)) * size
+            found = one(c, steady.tolist(), alternating.tolist())
             for check in Check:
-                trace, at = Trace(), ForcesAlong(np.zeros(1), steady[None], swing[None])
+                trace, at = Trace(), ForcesAlong(np.zeros(1), steady[None], alternating[None])
                 expected = utilisation(member, at, check.name, 0, trace=trace)
                 assert expected is not None and trace.steps[-1].value == expected
-                assert close(found[check], expected), (member, check, steady, swing)
+                assert close(found[check], expected), (member, check, steady, alternating)
                 steps = {step.symbol: step for step in trace.steps}
                 seen |= {name for name, (of, taken) in BRANCHES.items() if of == check.name and taken(member, steps)}
     assert set(BRANCHES) - seen == set()
@@ -251,9 +251,9 @@ def by_clauses(
     found, stations = np.zeros((len(members), len(Check))), range(statics.shape[2])
     for k, of in enumerate(combination_set):
         steady = np.einsum("c,cmsf->msf", static_factors[k], statics)
-        swing = np.einsum("d,dmsf->msf", np.abs(spectral_factors[k]), spectral)
+        alternating = np.einsum("d,dmsf->msf", np.abs(spectral_factors[k]), spectral)
         for m, member in enumerate(members):
-            forces = ForcesAlong(np.linspace(0.0, 1.0, len(stations)), steady[m], swing[m])
+            forces = ForcesAlong(np.linspace(0.0, 1.0, len(stations)), steady[m], alternating[m])
             for check in Check:
                 if masks[m, of] >> check & 1:
                     at = stations if check in (Check.M_Y, Check.M_Z, Check.N_M) else stations[:1]
@@ -339,9 +339,9 @@ def test_compression_and_tension() -> None:
     c = COLUMN.constants
     assert one(COLUMN, [1e6, 0, 0, 0, 0, 0])[Check.N_B] == 0.0
     assert one(COLUMN, [-1e6, 0, 0, 0, 0, 0])[Check.N_B] == pytest.approx(1e6 / c.N_b_z_Rd)
-    swinging = one(COLUMN, [0.4e6, 0, 0, 0, 0, 0], [1e6, 0, 0, 0, 0, 0])
-    assert swinging[Check.N] == pytest.approx(1.4e6 / c.N_Rd)
-    assert swinging[Check.N_B] == pytest.approx(0.6e6 / c.N_b_z_Rd)
+    alternating = one(COLUMN, [0.4e6, 0, 0, 0, 0, 0], [1e6, 0, 0, 0, 0, 0])
+    assert alternating[Check.N] == pytest.approx(1.4e6 / c.N_Rd)
+    assert alternating[Check.N_B] == pytest.approx(0.6e6 / c.N_b_z_Rd)
 
 
 def test_beam_of_a_frame() -> None:

@@ -281,10 +281,10 @@ def test_beams_without_a_slab_buckle_by_their_diagram() -> None:
     s, E, L = steel_section("IPE400"), 210e9, 6.0
     G, worst = E / 2.6, 0.0
     for row in free.members.rows[: sum(free.members.counts[:2])]:  # a beam that dissipates: persistent, seismic
-        steady, swing = free.effects.of_static(row)[number, :, 4], free.effects.of_seismic(row)[number, :, 4]
-        size = np.abs(steady) + swing
+        steady, alternating = free.effects.of_static(row)[number, :, 4], free.effects.of_seismic(row)[number, :, 4]
+        size = np.abs(steady) + alternating
         quarters = [
-            abs(3.0 * steady[a] + 6.0 * steady[b] - steady[3]) / 8.0 + 0.5 * (swing[a] + swing[b])
+            abs(3.0 * steady[a] + 6.0 * steady[b] - steady[3]) / 8.0 + 0.5 * (alternating[a] + alternating[b])
             for a, b in ((1, 2), (5, 4))
         ]
         C1 = lateral_torsional.diagram_factor(size.max(), quarters[0], size[3], quarters[1])

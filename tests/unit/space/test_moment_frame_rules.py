@@ -111,9 +111,9 @@ def test_design_actions_on_foundations(found: ElasticDesign) -> None:
     base, acting = found.foundations, found.effects
     assert base.combinations == ("G + 0.3 Q + E_x + 0.3 E_y", "G + 0.3 Q + E_y + 0.3 E_x")
     G = base.static[0] + 0.3 * base.static[1]
-    swing = base.factor[0][:, None] * base.seismic[0] + 0.3 * base.factor[1][:, None] * base.seismic[1]
-    np.testing.assert_allclose(base.largest[0], G + swing, rtol=1e-12, atol=1e-6)
-    np.testing.assert_allclose(base.least[0], G - swing, rtol=1e-12, atol=1e-6)
+    alternating = base.factor[0][:, None] * base.seismic[0] + 0.3 * base.factor[1][:, None] * base.seismic[1]
+    np.testing.assert_allclose(base.largest[0], G + alternating, rtol=1e-12, atol=1e-6)
+    np.testing.assert_allclose(base.least[0], G - alternating, rtol=1e-12, atol=1e-6)
     column, section = number_of(found.frame, "C_A1_1"), steel_section("HEB300")
     ratios = []
     for part, W in ((4, section.W_pl_y), (5, section.W_pl_z)):  # n is too small to reduce the resistance

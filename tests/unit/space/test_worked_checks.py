@@ -96,10 +96,10 @@ def test_a_published_column() -> None:
 def test_formulas_of_a_free_beam_give_their_values() -> None:
     """M_b,Rd of an IPE400 of 6 m, worked out from the printed moments, which have four digits."""
     member = Member(steel_section("IPE400"), 275e6, Stability(6.0, 6.0, 6.0), 1)
-    steady, swing = np.zeros((2, 7, 6))
+    steady, alternating = np.zeros((2, 7, 6))
     steady[:, 4] = [-90e3, -14e3, 31e3, 46e3, 31e3, -14e3, -90e3]
-    swing[:, 4] = np.abs(np.linspace(60e3, -60e3, 7))
-    forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, swing)
+    alternating[:, 4] = np.abs(np.linspace(60e3, -60e3, 7))
+    forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, alternating)
     steps = steps_of(member, forces, "M_B", 0, FreeBeam(6.0, 92e3))
     formulas = {step.symbol.replace(" ", "_"): step.expression for step in steps}
     values = {step.symbol.replace(" ", "_"): step.value for step in steps if isinstance(step.value, float)}
@@ -117,20 +117,20 @@ def test_a_free_beam_has_the_moment_of_the_function_of_arrays(name: str) -> None
     member = Member(s, 355e6, Stability(6.0, 6.0, 6.0), 3 if name == "HEA300" else 1, gamma_M1=1.1)
     bending = math.pi**2 * member.E * s.I_z
     for _ in range(30):
-        steady, swing = np.zeros((2, 7, 6))
-        steady[:, 4], swing[:, 4] = draw.uniform(-1e5, 1e5, 7), draw.uniform(0.0, 1e5, 7) * draw.integers(0, 2)
-        M_max = np.asarray((np.abs(steady[:, 4]) + swing[:, 4]).max())
+        steady, alternating = np.zeros((2, 7, 6))
+        steady[:, 4], alternating[:, 4] = draw.uniform(-1e5, 1e5, 7), draw.uniform(0.0, 1e5, 7) * draw.integers(0, 2)
+        M_max = np.asarray((np.abs(steady[:, 4]) + alternating[:, 4]).max())
         load = float(draw.uniform(-0.5, 2.0) * 4.0 * M_max / 6.0)  # about that of a uniform one on hinges
         expected = buckling_moments(
             np.asarray(getattr(s, f"W_{member.theory}_y") * member.fy),
             M_max,
-            quarter_moments(steady[:, 4], swing[:, 4]),
+            quarter_moments(steady[:, 4], alternating[:, 4]),
             tipping=np.asarray(max(load, 0.0) * 6.0 * s.h / 2.0 / math.pi**2),
             euler=np.asarray(bending / 6.0**2),
             squared=np.asarray(s.I_w / s.I_z + member.G * s.I_t * 6.0**2 / bending),
             imperfection=np.asarray(IMPERFECTION[rolled_curve(s.h, s.b)]),
         )
-        forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, swing)
+        forces = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, alternating)
         values = {step.symbol: step.value for step in steps_of(member, forces, "M_B", 0, FreeBeam(6.0, load))}
         assert values["M_b,Rd"] == pytest.approx(float(expected) / 1.1, rel=SAME)
 

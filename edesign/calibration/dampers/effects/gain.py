@@ -10,7 +10,7 @@ import numpy as np
 from edesign.calibration.dampers.acts import ForceChannel, MotionChannel
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.filters import swung
+from edesign.calibration.dampers.filters import second_order
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
@@ -92,7 +92,7 @@ def _heavy(p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np
 
 
 def _sprung(p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np.ndarray:
-    return np.asarray(force + p["mass"] * swung(motion, motion.acceleration, p["f"], p["zeta"]))
+    return np.asarray(force + p["mass"] * second_order(motion, motion.acceleration, p["f"], p["zeta"]))
 
 
 _MASS = EffectForm(
@@ -123,7 +123,7 @@ _SPRUNG = replace(
         shape("zeta", "", 0.1, 0.01, 0.5),  # more is a filter
     ),
     starts=lambda s: ((0.02 * s.force / s.acceleration, 10.0 * s.frequency, 0.2),),
-    refined=4,  # it swings between samples of a fit
+    refined=4,  # it oscillates between samples of a fit
 )
 
 FORMS = (_FORCE, _DISPLACEMENT, _MASS, _SPRUNG)

@@ -9,7 +9,7 @@ import numpy as np
 from edesign.calibration.dampers.acts import ForceChannel, MotionChannel
 from edesign.calibration.dampers.effect import REFINED, EffectForm
 from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.filters import relaxed, swung
+from edesign.calibration.dampers.filters import relaxed, second_order
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
@@ -83,8 +83,8 @@ def _filtered(p: Values, test: Experiment, motion: Motion, force: np.ndarray) ->
     return relaxed(motion, force, p["time_constant"])
 
 
-def _swinging(p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np.ndarray:
-    return swung(motion, force - force[0], p["f"], p["zeta"]) + force[0]
+def _of_second_order(p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np.ndarray:
+    return second_order(motion, force - force[0], p["f"], p["zeta"]) + force[0]
 
 
 def _time_constant(s: Sizes) -> tuple[Parameter, ...]:
@@ -162,7 +162,7 @@ FORMS = (
         form="second_order",
         title="analogue filter of second order in the force channel alone",
         source="second-order low-pass; Doebelin, Measurement Systems, section 3.3",
-        acts=(ForceChannel(_swinging),),
+        acts=(ForceChannel(_of_second_order),),
         parameters=_second_order,
         starts=lambda s: tuple((0.8 / (np.pi * part * s.lag_period), 0.8) for part in _STARTS),
     ),

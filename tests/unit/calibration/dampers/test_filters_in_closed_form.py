@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.calibration.dampers.filters import relaxed, swung
+from edesign.calibration.dampers.filters import relaxed, second_order
 from edesign.calibration.dampers.motion import Motion
 
 
@@ -37,6 +37,6 @@ def test_a_second_order_channel_rings_as_in_closed_form() -> None:
     time, f, zeta = _uneven(), 3.0, 0.2
     w = 2.0 * np.pi * f
     wd = w * np.sqrt(1.0 - zeta**2)
-    swings = 2.0 * zeta / w * np.cos(wd * time) - (1.0 - 2.0 * zeta**2) / wd * np.sin(wd * time)
-    expected = time - 2.0 * zeta / w + np.exp(-zeta * w * time) * swings
-    np.testing.assert_allclose(swung(_motion(time), time, f, zeta), expected, atol=1e-12)
+    decaying = 2.0 * zeta / w * np.cos(wd * time) - (1.0 - 2.0 * zeta**2) / wd * np.sin(wd * time)
+    expected = time - 2.0 * zeta / w + np.exp(-zeta * w * time) * decaying
+    np.testing.assert_allclose(second_order(_motion(time), time, f, zeta), expected, atol=1e-12)
