@@ -10,7 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import (
+from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effects import forms as damper_forms
+from edesign.calibration.dampers.mechanisms import (
     CoreEffect,
     ForceChannel,
     LastingExtremes,
@@ -20,8 +22,6 @@ from edesign.calibration.dampers.acts import (
     Placement,
     Rig,
 )
-from edesign.calibration.dampers.effect import EffectForm
-from edesign.calibration.dampers.effects import forms as damper_forms
 from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.properties import arrangement, reading
 from edesign.calibration.properties.reading import ReadingForm
@@ -104,7 +104,7 @@ class Row:
         if not isinstance(self.form, EffectForm) or self.form.kind != "damper":
             return ""
         kinds = [one.equation.split(".") for one in self.form.core_effects]
-        if any(isinstance(act, LawParameters) for act in self.form.acts):
+        if any(isinstance(mechanism, LawParameters) for mechanism in self.form.mechanisms):
             return "key `temperature_law`" if self.form.name == "temperature_law" else ""
         if len(kinds) != 1:
             return ""
@@ -222,28 +222,28 @@ def _placed(form: EffectForm | StructureForm | ReadingForm) -> tuple[str, tuple[
         return base, ("what was read",)
     if isinstance(form, StructureForm):
         kinds = {ChangedBuilding: "building", Links: "beside storeys"}
-        return base, (kinds.get(type(form.acts[0]), "channels"),)
+        return base, (kinds.get(type(form.mechanisms[0]), "channels"),)
     in_place = base.endswith("_in_place")
     base = base.removesuffix("_in_place")
-    placements = {act.placement for act in form.core_effects}
+    placements = {mechanism.placement for mechanism in form.core_effects}
     for one in Placement:
         if one in placements and base.endswith(f"_{one.value}"):
             base = base.removesuffix(f"_{one.value}")
     for side in _SIDES:
         base = base.removesuffix(side)
-    where = dict.fromkeys(place for act in form.acts if (place := _where(act)))
+    where = dict.fromkeys(place for mechanism in form.mechanisms if (place := _where(mechanism)))
     return base, ("in place of gamma_T",) if in_place else tuple(where)
 
 
-def _where(act: object) -> str:
-    if isinstance(act, CoreEffect):
-        return act.placement.value
-    if isinstance(act, MotionChannel):
-        return "displacement channel" if act.of == "actuator" else "motion of the specimen"
-    if isinstance(act, ForceChannel):
-        return "force channel" if act.of == "channel" else "what moves with the actuator"
+def _where(mechanism: object) -> str:
+    if isinstance(mechanism, CoreEffect):
+        return mechanism.placement.value
+    if isinstance(mechanism, MotionChannel):
+        return "displacement channel" if mechanism.of == "actuator" else "motion of the specimen"
+    if isinstance(mechanism, ForceChannel):
+        return "force channel" if mechanism.of == "channel" else "what moves with the actuator"
     others = {Rig: "in series", LawParameters: "parameters of the law", NuisanceAmplitudes: "nuisance amplitudes"}
-    return "from test to test" if isinstance(act, LastingExtremes) else others.get(type(act), "")
+    return "from test to test" if isinstance(mechanism, LastingExtremes) else others.get(type(mechanism), "")
 
 
 def _merged(rows: Sequence[Row]) -> list[Row]:

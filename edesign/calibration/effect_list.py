@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Placement
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms as damper_forms
+from edesign.calibration.dampers.mechanisms import Placement
 from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.properties import arrangement, reading
 from edesign.calibration.results.law_file import form_in_law_files, parameters_in_law_files
@@ -169,7 +169,7 @@ def _placed(form: Any) -> tuple[str, str]:
     """Name of a form without the placement in it, N for a number in it, and the placement; "" if it has none."""
     name = _NUMBERED.sub("N", form.form)
     if isinstance(form, EffectForm):
-        for placement in {act.placement for act in form.core_effects} - {Placement.WHOLE}:
+        for placement in {mechanism.placement for mechanism in form.core_effects} - {Placement.WHOLE}:
             if name.endswith(f"_{placement.value}"):
                 return name.removesuffix(f"_{placement.value}"), placement.value
         if form.core_effects:

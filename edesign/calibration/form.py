@@ -30,10 +30,10 @@ class Form(Generic[A, S]):
         title: for people.
         signature: what it leaves in the residual of a model without it, for people.
         source: paper, book.
-        acts: where it acts; most forms do so in one place.
+        mechanisms: by which it acts, each in its place; most forms have one.
         parameters: with priors that suit a campaign; the first is its size.
         starts: values, SI, to start from: a grid over what acts non-linearly, at a typical size; six at most.
-        constants: numbers that the campaign fixes (a reference, a side), SI; they are in the values of the acts too.
+        constants: numbers that the campaign fixes (a reference, a side), SI; they are in the values of mechanisms too.
         shown: whether a campaign can show it.
         proportional: whether what it does goes with its size, about nothing at zero.
         meanings: of parameters by name, for people, as far as no law file has them.
@@ -46,7 +46,7 @@ class Form(Generic[A, S]):
     title: str
     signature: str
     source: str
-    acts: tuple[A, ...]
+    mechanisms: tuple[A, ...]
     parameters: Callable[[S], tuple[Parameter, ...]]
     starts: Callable[[S], Rows]
     constants: Callable[[S], Values] = lambda _: {}
@@ -114,7 +114,7 @@ class FormInCampaign:
         return dict(self.form.meanings)
 
     def values(self, numbers: Iterable[float]) -> Values:
-        """Return all values of the acts by name, those of the parameters first.
+        """Return all values of the mechanisms by name, those of the parameters first.
 
         Args:
             numbers: of the parameters in their order, SI.

@@ -1,6 +1,6 @@
 """Tests of dampers as a problem of the search: experiments, effects with priors, predictions of whole campaigns.
 
-`from_campaign.py` makes the problem of a campaign file, `problem.py` is what the search works on. `acts.py` says where
-an effect acts, `effects` holds the tables of their forms; `prediction.py` predicts all tests for many sets of
+`from_campaign.py` makes the problem of a campaign file, `problem.py` is what the search works on. `mechanisms.py` says
+where an effect acts, `effects` holds the tables of their forms; `prediction.py` predicts all tests for many sets of
 parameters, with forces of the law from the core.
 """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from edesign.calibration.dampers.acts import Act, CoreEffect, NuisanceAmplitudes, Placement
+from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
 
@@ -20,7 +20,7 @@ _TITLES = {
 
 
 @dataclass(frozen=True, eq=False)
-class EffectForm(Form[Act, Sizes]):
+class EffectForm(Form[Mechanism, Sizes]):
     """A form of an effect of dampers, rigs and instruments.
 
     Attributes:
@@ -34,12 +34,12 @@ class EffectForm(Form[Act, Sizes]):
     @property
     def nuisance(self) -> bool:
         """Whether it acts through nuisance amplitudes of each test."""
-        return any(isinstance(act, NuisanceAmplitudes) for act in self.acts)
+        return any(isinstance(mechanism, NuisanceAmplitudes) for mechanism in self.mechanisms)
 
     @property
     def core_effects(self) -> tuple[CoreEffect, ...]:
         """What of it is in the C core."""
-        return tuple(act for act in self.acts if isinstance(act, CoreEffect))
+        return tuple(mechanism for mechanism in self.mechanisms if isinstance(mechanism, CoreEffect))
 
 
 def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:
@@ -51,8 +51,11 @@ def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:
     """
 
     def at(placement: Placement) -> EffectForm:
-        acts = tuple(replace(act, placement=placement) if isinstance(act, CoreEffect) else act for act in form.acts)
+        mechanisms = tuple(
+            replace(mechanism, placement=placement) if isinstance(mechanism, CoreEffect) else mechanism
+            for mechanism in form.mechanisms
+        )
         ending = "" if placement is Placement.WHOLE else f"_{placement.value}"
-        return replace(form, form=form.form + ending, title=form.title + _TITLES[placement], acts=acts)
+        return replace(form, form=form.form + ending, title=form.title + _TITLES[placement], mechanisms=mechanisms)
 
     return tuple(map(at, placements))

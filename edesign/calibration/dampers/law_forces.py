@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import RigValues
+from edesign.calibration.dampers.mechanisms import RigValues
 from edesign.calibration.dampers.motion import Motion
 from edesign.core import CampaignTest, CoreError, SeriesRig, campaign_forces
 from edesign.core.damper import CoreDamper, EffectValues

@@ -11,7 +11,10 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import (
+from edesign.calibration.dampers.effect import REFINED
+from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.law_forces import LONG, LawTest, forces
+from edesign.calibration.dampers.mechanisms import (
     CoreEffect,
     ForceChannel,
     LastingExtremes,
@@ -21,9 +24,6 @@ from edesign.calibration.dampers.acts import (
     Rig,
     RigValues,
 )
-from edesign.calibration.dampers.effect import REFINED
-from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.law_forces import LONG, LawTest, forces
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.form import FormInCampaign, Values
 from edesign.core import CoreError
@@ -181,14 +181,14 @@ class Prediction:
         self, values: Mapping[str, float], effects: Effects, wanted: Sequence[int], finer: float
     ) -> list[_Asked]:
         refined = finer * max((of.form.refined for of, _ in effects), default=REFINED)
-        core_effects = _acts(effects, CoreEffect)
-        rests = _acts(effects, Rest)
-        lasting = self._lasting or bool(_acts(effects, LastingExtremes))
-        rest = min((p[act.duration] for act, p in rests), default=LONG)
-        carries = self._ordered and (bool(rests) or any(act.carries for act, _ in core_effects))
-        rigs = [act.values(p) for act, p in _acts(effects, Rig)]
+        core_effects = _mechanisms(effects, CoreEffect)
+        rests = _mechanisms(effects, Rest)
+        lasting = self._lasting or bool(_mechanisms(effects, LastingExtremes))
+        rest = min((p[mechanism.duration] for mechanism, p in rests), default=LONG)
+        carries = self._ordered and (bool(rests) or any(mechanism.carries for mechanism, _ in core_effects))
+        rigs = [mechanism.values(p) for mechanism, p in _mechanisms(effects, Rig)]
         rig = RigValues.together(rigs) if rigs else None
-        changes = _acts(effects, LawParameters)
+        changes = _mechanisms(effects, LawParameters)
         at_temperature: dict[float, tuple[float, ...]] = {}
         prior, found = NONE, []
         before: tuple[Hashable, ...] = ()
@@ -206,7 +206,7 @@ class Prediction:
             law_test = LawTest(
                 self._law.name,
                 at_temperature[test.temperature],
-                tuple(act.in_test(p, test) for act, p in core_effects),
+                tuple(mechanism.in_test(p, test) for mechanism, p in core_effects),
                 rig,
                 own_extremes,
                 rest,
@@ -226,10 +226,10 @@ class Prediction:
         key: tuple[Hashable, ...] = (i, parts)
         actuator = motion
         for of in ("actuator", "specimen"):
-            for act, p in _acts(effects, MotionChannel):
-                if act.of == of:
-                    key = (*key, act, tuple(p.values()))
-                    motion = self._motions.of(key, partial(act.change, p, test, motion))
+            for mechanism, p in _mechanisms(effects, MotionChannel):
+                if mechanism.of == of:
+                    key = (*key, mechanism, tuple(p.values()))
+                    motion = self._motions.of(key, partial(mechanism.change, p, test, motion))
             actuator = motion if of == "actuator" else actuator
         return actuator, motion, key
 
@@ -238,9 +238,9 @@ class Prediction:
     ) -> tuple[float, ...]:
         """Return the parameters of the law in a test, in the order of the core."""
         own = dict(values)
-        for act, p in changes:
-            own = act.change(p, test, self._law, own)
-        if self._gamma is None or any(act.in_place_of_gamma for act, _ in changes):
+        for mechanism, p in changes:
+            own = mechanism.change(p, test, self._law, own)
+        if self._gamma is None or any(mechanism.in_place_of_gamma for mechanism, _ in changes):
             return tuple(self._law.complete(own).values())
         return tuple(at(self._law, own, test.temperature, self._gamma)[0].values())
 
@@ -253,7 +253,7 @@ class Prediction:
     ) -> list[np.ndarray] | PredictionError:
         """Return what the load cell records (n_i,) N, of the forces of the law."""
         found = []
-        channels = _acts(effects, ForceChannel)
+        channels = _mechanisms(effects, ForceChannel)
         for one in asked:
             force = known[one.key]
             if isinstance(force, PredictionError):
@@ -262,9 +262,9 @@ class Prediction:
                 continue
             try:
                 for of in ("carriage", "channel"):
-                    for act, p in channels:
-                        if act.of == of:
-                            force = act.change(p, self._experiments[one.index], one.actuator, force)
+                    for mechanism, p in channels:
+                        if mechanism.of == of:
+                            force = mechanism.change(p, self._experiments[one.index], one.actuator, force)
             except (OverflowError, ZeroDivisionError) as error:
                 return PredictionError(str(error))
             if not np.all(np.isfinite(force)):
@@ -280,6 +280,6 @@ def _runs(asked: Sequence[_Asked]) -> list[list[_Asked]]:
     return [[one] for one in asked]
 
 
-def _acts(effects: Effects, kind: type[Any]) -> list[tuple[Any, Values]]:
-    """Return the acts of a kind, with the values of their forms."""
-    return [(act, p) for of, p in effects for act in of.form.acts if isinstance(act, kind)]
+def _mechanisms(effects: Effects, kind: type[Any]) -> list[tuple[Any, Values]]:
+    """Return the mechanisms of a kind, with the values of their forms."""
+    return [(mechanism, p) for of, p in effects for mechanism in of.form.mechanisms if isinstance(mechanism, kind)]

@@ -10,11 +10,11 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import LastingExtremes, NuisanceAmplitudes
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.law_forces import accepted, length_of
+from edesign.calibration.dampers.mechanisms import LastingExtremes, NuisanceAmplitudes
 from edesign.calibration.dampers.prediction import Kept, Prediction
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncertain_inputs
@@ -130,13 +130,13 @@ class DamperProblem(TestedProblem):
     def _suits(self, form: EffectForm) -> bool:
         if form.laws and self.law.name not in form.laws:
             return False
-        if self.lasting and any(isinstance(act, LastingExtremes) for act in form.acts):
+        if self.lasting and any(isinstance(mechanism, LastingExtremes) for mechanism in form.mechanisms):
             return False
         if not form.core_effects:
             return True
         p = form.of(self.typical).values(form.starts(self.typical)[0])
         try:
-            effects = [act.in_test(p, self.experiments[0]) for act in form.core_effects]
+            effects = [mechanism.in_test(p, self.experiments[0]) for mechanism in form.core_effects]
         except PredictionError:
             return False
         return accepted(self.law, self.declared, effects)
@@ -248,7 +248,8 @@ class DamperModel(EffectModel[DamperProblem]):
         makers = [
             (of.form.label, *p.values())
             for of, p in self._of(values)[1]
-            if of.form.name in inputs or any(isinstance(act, NuisanceAmplitudes) for act in of.form.acts)
+            if of.form.name in inputs
+            or any(isinstance(mechanism, NuisanceAmplitudes) for mechanism in of.form.mechanisms)
         ]
         # a fit asks for them at each step, and mostly moves other parameters
         return list(self.problem.columns.of((self.tests, *makers), lambda: self._nuisance(values)))
@@ -267,12 +268,18 @@ class DamperModel(EffectModel[DamperProblem]):
         Args:
             values: (p,) SI.
         """
-        acts = [
-            (act, p) for of, p in self._of(values)[1] for act in of.form.acts if isinstance(act, NuisanceAmplitudes)
+        mechanisms = [
+            (mechanism, p)
+            for of, p in self._of(values)[1]
+            for mechanism in of.form.mechanisms
+            if isinstance(mechanism, NuisanceAmplitudes)
         ]
-        if not acts:
+        if not mechanisms:
             return [None] * len(self.tests)
-        return [np.hstack([act.columns(p, self.problem.experiments[i]) for act, p in acts]) for i in self.tests]
+        return [
+            np.hstack([mechanism.columns(p, self.problem.experiments[i]) for mechanism, p in mechanisms])
+            for i in self.tests
+        ]
 
     def input_uncertainty(self, values: np.ndarray) -> list[np.ndarray | None]:
         """Return columns (n_i, k) N of each test that uncertain inputs change of its force; None: there are none.

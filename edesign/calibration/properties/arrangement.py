@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import CoreEffect, LawParameters
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import CoreEffect, LawParameters
 from edesign.calibration.form import Values
 from edesign.damper.law import Law
 
@@ -50,7 +50,7 @@ _POWER_BESIDE = replace(
     form="power_beside",
     title="the power-law dashpot beside the Maxwell branch",
     source="thesis Eq. 4.24 read as elements in parallel",
-    acts=(
+    mechanisms=(
         LawParameters(_without_power),
         CoreEffect("velocity_exponent.dashpot", more=lambda p: {"c": p["c_NL"], "alpha": p["alpha"]}),
     ),
@@ -60,7 +60,7 @@ _ALL_BESIDE = replace(
     form="all_beside",
     title="softened spring, softened dashpot and power-law dashpot beside the Maxwell branch",
     source="thesis Eq. 4.24 read as elements in parallel: the relaxation c1/k1 is the branch's alone",
-    acts=(
+    mechanisms=(
         LawParameters(_without_branch),
         CoreEffect("relaxation_branch.maxwell", more=lambda p: {"k": p["k1"], "tau": p["c1"] / p["k1"]}),
     ),

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import CoreEffect, LawParameters
+from edesign.calibration.dampers.mechanisms import CoreEffect, LawParameters
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.properties.problem import PropertyProblem
@@ -40,12 +40,12 @@ def _arranged(
     """Return the parameters of another arrangement, and what stands beside the Maxwell branch in it."""
     of: FormInCampaign = effect.data
     values, beside = dict(fitted), []
-    for act in of.form.acts:
-        if isinstance(act, LawParameters):
-            values = act.change(fitted, inner.experiments[0], inner.law, values)
-        elif isinstance(act, CoreEffect) and act.more is not None:
-            name, _, form = act.equation.partition(".")
-            beside.append(LawEffect(name, form, dict(act.more(fitted))))
+    for mechanism in of.form.mechanisms:
+        if isinstance(mechanism, LawParameters):
+            values = mechanism.change(fitted, inner.experiments[0], inner.law, values)
+        elif isinstance(mechanism, CoreEffect) and mechanism.more is not None:
+            name, _, form = mechanism.equation.partition(".")
+            beside.append(LawEffect(name, form, dict(mechanism.more(fitted))))
     return values, beside
 
 

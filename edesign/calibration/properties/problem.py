@@ -8,9 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import LastingExtremes
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import LastingExtremes
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
@@ -187,7 +187,7 @@ class PropertyModel(EffectModel[PropertyProblem]):
         readings: list[tuple[Reading, Values]] = []
         for of, p in self.effect_values(values):
             if isinstance(of.form, ReadingForm):
-                readings += [(act, p) for act in of.form.acts]
+                readings += [(mechanism, p) for mechanism in of.form.mechanisms]
             else:
                 steady.append((of, law if of.form.name == ARRANGEMENT else p))
         return law, steady, readings
@@ -258,5 +258,7 @@ def problem_of(
 def _in_every_row(effect: Effect) -> bool:
     form: EffectForm = effect.data.form
     return (
-        _ONE_TEST not in form.form and not form.nuisance and not any(isinstance(a, LastingExtremes) for a in form.acts)
+        _ONE_TEST not in form.form
+        and not form.nuisance
+        and not any(isinstance(a, LastingExtremes) for a in form.mechanisms)
     )

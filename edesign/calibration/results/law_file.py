@@ -14,10 +14,10 @@ from functools import partial
 import numpy as np
 import yaml
 
-from edesign.calibration.dampers.acts import CoreEffect, LastingExtremes, LawParameters, Rest
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects.condition import CONDITION
 from edesign.calibration.dampers.effects.temperature_law import lost
+from edesign.calibration.dampers.mechanisms import CoreEffect, LastingExtremes, LawParameters, Rest
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
@@ -60,17 +60,17 @@ class Carried:
 
 def form_in_law_files(form: EffectForm) -> bool:
     """Return whether law files carry a form of an effect, of some law at least."""
-    acts = [act for act in form.acts if not isinstance(act, Rest | LastingExtremes)]
-    if form.kind != "damper" or not acts:
+    mechanisms = [mechanism for mechanism in form.mechanisms if not isinstance(mechanism, Rest | LastingExtremes)]
+    if form.kind != "damper" or not mechanisms:
         return False
-    if any(isinstance(act, LawParameters) for act in acts):
+    if any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         return form.name == "temperature_law"
-    return all(isinstance(act, CoreEffect) and _kind(form, act) is not None for act in acts)
+    return all(isinstance(mechanism, CoreEffect) and _kind(form, mechanism) is not None for mechanism in mechanisms)
 
 
 def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
     """Return the parameters that law files have of a form, by name."""
-    kinds = [kind for act in form.core_effects if (kind := _kind(form, act)) is not None]
+    kinds = [kind for mechanism in form.core_effects if (kind := _kind(form, mechanism)) is not None]
     return {one.name: one for kind in kinds for one in kind.parameters}
 
 
@@ -84,16 +84,18 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
         values: of its parameters, SI.
     """
     of: FormInCampaign = effect.data
-    p, acts = of.values(values), of.form.acts
-    if of.form.name == CONDITION and not any(isinstance(act, CoreEffect) and act.own for act in acts):
+    p, mechanisms = of.values(values), of.form.mechanisms
+    if of.form.name == CONDITION and not any(
+        isinstance(mechanism, CoreEffect) and mechanism.own for mechanism in mechanisms
+    ):
         return Carried()
-    if any(isinstance(act, LawParameters) for act in acts):
+    if any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         return _in_temperature_law(problem, of, p)
     found = []
-    for act in acts:
-        if isinstance(act, Rest | LastingExtremes):  # between tests alone
+    for mechanism in mechanisms:
+        if isinstance(mechanism, Rest | LastingExtremes):  # between tests alone
             continue
-        one = _law_effect(problem, of, act, p) if isinstance(act, CoreEffect) else None
+        one = _law_effect(problem, of, mechanism, p) if isinstance(mechanism, CoreEffect) else None
         if one is None:
             return None
         found.append(one)
@@ -101,30 +103,30 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
 
 
 def _law_effect(
-    problem: DamperProblem, of: FormInCampaign, act: CoreEffect, p: Mapping[str, float]
+    problem: DamperProblem, of: FormInCampaign, mechanism: CoreEffect, p: Mapping[str, float]
 ) -> LawEffect | None:
-    kind = _kind(of.form, act)
+    kind = _kind(of.form, mechanism)
     if kind is None:
         return None
-    if act.equation == _CONSTANT:
+    if mechanism.equation == _CONSTANT:
         p = {**p, "T0": REFERENCE_C, "n": float(problem.experiments[-1].order)}
-    elif act.more is not None:
-        p = {**p, **act.more(p)}
+    elif mechanism.more is not None:
+        p = {**p, **mechanism.more(p)}
     name, _, form = kind.name.partition(".")
     try:
         values = {one.name: p[one.name] for one in kind.parameters if one.name in p}
-        return LawEffect(name, form, values, act.placement.value)
+        return LawEffect(name, form, values, mechanism.placement.value)
     except InputError:  # a parameter, or a placement, that law files refuse
         return None
 
 
-def _kind(form: EffectForm, act: CoreEffect) -> LawEffectForm | None:
-    """Kind by which law files know what an act does; None: they know none."""
-    name, _, equation = act.equation.partition(".")
-    if act.equation == _CONSTANT:
-        name, equation = form.name, form.form.removesuffix(f"_{act.placement.value}")
+def _kind(form: EffectForm, mechanism: CoreEffect) -> LawEffectForm | None:
+    """Kind by which law files know what a mechanism does; None: they know none."""
+    name, _, equation = mechanism.equation.partition(".")
+    if mechanism.equation == _CONSTANT:
+        name, equation = form.name, form.form.removesuffix(f"_{mechanism.placement.value}")
     kind = form_if_known(name, equation)
-    return kind if kind is not None and kind.constant == (act.equation == _CONSTANT) else None
+    return kind if kind is not None and kind.constant == (mechanism.equation == _CONSTANT) else None
 
 
 def _in_temperature_law(problem: DamperProblem, of: FormInCampaign, p: Mapping[str, float]) -> Carried | None:

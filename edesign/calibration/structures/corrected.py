@@ -114,10 +114,10 @@ def _structure_text(found: Calibration, campaign: StructureCampaign, head: list[
     comments = []
     for effect in found.effects:
         of: FormInCampaign = forms[effect.label]
-        acts = [act for act in of.form.acts if isinstance(act, ChangedBuilding)]
-        if where_carried(effect) == STRUCTURE and acts:
-            for act in acts:
-                building = act.change(of.values(one.value for one in effect.parameters.values()), building)
+        mechanisms = [mechanism for mechanism in of.form.mechanisms if isinstance(mechanism, ChangedBuilding)]
+        if where_carried(effect) == STRUCTURE and mechanisms:
+            for mechanism in mechanisms:
+                building = mechanism.change(of.values(one.value for one in effect.parameters.values()), building)
         else:
             where = where_carried(effect)
             comments.append(f"{f'in {where}' if where else 'in no file'}: {_told(effect)}")

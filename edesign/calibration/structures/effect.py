@@ -49,9 +49,9 @@ class ChangedChannels:
     over_time: bool = False
 
 
-Act = ChangedBuilding | Links | ChangedChannels
+Mechanism = ChangedBuilding | Links | ChangedChannels
 
 
 @dataclass(frozen=True, eq=False)
-class StructureForm(Form[Act, StructureSizes]):
+class StructureForm(Form[Mechanism, StructureSizes]):
     """A form of an effect of a structure or of its instruments."""

@@ -16,7 +16,7 @@ from edesign.calibration.search.problem import Effect
 from edesign.calibration.signals.noise import white_noise
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.campaign import Isolation
-from edesign.calibration.structures.effect import Act, ChangedBuilding, ChangedChannels, Links
+from edesign.calibration.structures.effect import ChangedBuilding, ChangedChannels, Links, Mechanism
 from edesign.calibration.structures.effects import forms
 from edesign.calibration.structures.isolation import IsolationLaw
 from edesign.calibration.structures.record import Channel, Measure, StructureTest
@@ -197,7 +197,7 @@ class StructureModel(EffectModel[StructureProblem]):
 
     def near(self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]) -> list[Predicted]:
         """Return predictions as `predict` does, with changes from a set near by found by longer steps of links."""
-        linked = any(isinstance(act, Links) for act, _ in self._acts(around))
+        linked = any(isinstance(mechanism, Links) for mechanism, _ in self._mechanisms(around))
         if self.problem.every == 1 or len(values) < _WORTHWHILE or not linked:
             return self.predict(values)
         here, *there = self._each(np.vstack((around, values)), True)
@@ -231,15 +231,17 @@ class StructureModel(EffectModel[StructureProblem]):
         Raises:
             PredictionError: there is no response with these values.
         """
-        changes = [(act, p) for act, p in self._acts(values) if isinstance(act, ChangedChannels)]
+        changes = [
+            (mechanism, p) for mechanism, p in self._mechanisms(values) if isinstance(mechanism, ChangedChannels)
+        ]
         every = self.problem.every
-        within = every if not rough and any(act.over_time for act, _ in changes) else 1
+        within = every if not rough and any(mechanism.over_time for mechanism, _ in changes) else 1
         found = []
         for i, response in zip(self.tests, self._responses(values, every // within, rough), strict=True):
             test = self.problem.tests[i]
             motion = np.column_stack([getattr(response, c.measure)[:, c.floor] for c in test.channels])
-            for act, p in changes:
-                motion = act.change(p, test.step * (every // within), test.channels, motion)
+            for mechanism, p in changes:
+                motion = mechanism.change(p, test.step * (every // within), test.channels, motion)
             if not np.all(np.isfinite(motion)):
                 raise PredictionError("the response is not finite")
             found.append(motion[::within])
@@ -260,13 +262,13 @@ class StructureModel(EffectModel[StructureProblem]):
 
     def _responses(self, values: np.ndarray, every: int, rough: bool) -> list[Response]:
         building, links = self.problem.building(self.base_values(values))
-        acts = self._acts(values)
-        for act, p in acts:
-            if isinstance(act, ChangedBuilding):
-                building = act.change(p, building)
-        for act, p in acts:
-            if isinstance(act, Links):
-                links = (*links, *act.of(p, building))
+        mechanisms = self._mechanisms(values)
+        for mechanism, p in mechanisms:
+            if isinstance(mechanism, ChangedBuilding):
+                building = mechanism.change(p, building)
+        for mechanism, p in mechanisms:
+            if isinstance(mechanism, Links):
+                links = (*links, *mechanism.of(p, building))
         last = max(self.tests, default=-1)
         run = range(last + 1) if any(link.remembers for link in links) else self.tests
         try:
@@ -276,9 +278,9 @@ class StructureModel(EffectModel[StructureProblem]):
             raise PredictionError(str(error)) from error
         return [response for i, response in zip(run, found, strict=True) if i in self.tests]
 
-    def _acts(self, values: np.ndarray) -> list[tuple[Act, Values]]:
-        """Return where each effect acts, with its values."""
-        return [(act, p) for of, p in self.effect_values(values) for act in of.form.acts]
+    def _mechanisms(self, values: np.ndarray) -> list[tuple[Mechanism, Values]]:
+        """Return the mechanisms of each effect, with its values."""
+        return [(mechanism, p) for of, p in self.effect_values(values) for mechanism in of.form.mechanisms]
 
 
 def _about_declared(one: LawParameter, value: float) -> Parameter:

@@ -115,7 +115,7 @@ def test_every_effect_of_the_library_is_listed_once() -> None:
         for placement in form.placements or ("",)
     }
     for form in (form for table in TABLES for form in table.FORMS):
-        placements = {act.placement.value for act in form.core_effects} or {""}
+        placements = {mechanism.placement.value for mechanism in form.core_effects} or {""}
         stems = {form.form, *(form.form.removesuffix(f"_{placement}") for placement in placements)}
         assert any((form.name, stem, placement) in listed for stem in stems for placement in placements), form.label
     names = [(effect.tests, effect.name) for effect in known_effects()]

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import CoreEffect, ForceChannel, MotionChannel, Placement
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import CoreEffect, ForceChannel, MotionChannel, Placement
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.form import Values, size
 
@@ -46,7 +46,7 @@ _TARED = replace(
     form="pre_shear_tared",
     title="shear of the specimen before displacement and force were set to zero",
     signature="no force at rest, and loops that are not alike on both sides: even harmonics",
-    acts=(*_PRE_SHEAR.acts, ForceChannel(_tared)),
+    mechanisms=(*_PRE_SHEAR.mechanisms, ForceChannel(_tared)),
     starts=lambda s: ((0.15 * s.displacement,),),
     proportional=False,
 )
@@ -56,7 +56,7 @@ _AXIAL = replace(
     title="axial load on the specimen, which softens its springs and thickens its losses",
     signature="less stiffness and more damping by the same share, in all tests alike",
     source="Koh & Kelly (1988), Int. J. Mech. Sci. 30, 933-943",
-    acts=(
+    mechanisms=(
         CoreEffect("constant", Placement.SPRINGS, lambda p, test: 1.0 - p["q"]),
         CoreEffect("constant", Placement.DASHPOTS, lambda p, test: 1.0 + p["q"]),
     ),
@@ -69,7 +69,7 @@ _P_DELTA = replace(
     title="axial load on the specimen, which pushes it over",
     signature="a spring of negative stiffness, neither relaxing nor softening",
     source="equilibrium",
-    acts=(ForceChannel(_pushed_over, of="carriage"),),
+    mechanisms=(ForceChannel(_pushed_over, of="carriage"),),
     parameters=lambda s: (size("P_over_h", "N/m", 0.1 * s.stiffness, -s.stiffness, s.stiffness),),
     starts=lambda s: ((0.05 * s.stiffness,),),
 )

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import CoreEffect, LastingExtremes, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
+from edesign.calibration.dampers.mechanisms import CoreEffect, LastingExtremes, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, shape, size
 from edesign.damper.testing.start import SOFTENED

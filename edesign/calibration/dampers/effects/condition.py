@@ -8,10 +8,10 @@ from functools import partial
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Act, CoreEffect, ForceChannel, LawParameters, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.effects import gas_spring
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import CoreEffect, ForceChannel, LawParameters, Mechanism, Placement
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.form import Values, size
@@ -68,7 +68,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
     most = (1.0 - _LEAST) / one.reach
     named = f"{one.name}, {one.lowest:.4g} to {one.highest:.4g}"
 
-    def form(what: str, title: str, signature: str, act: Act) -> EffectForm:
+    def form(what: str, title: str, signature: str, mechanism: Mechanism) -> EffectForm:
         return EffectForm(
             CONDITION,
             f"{what}_of_{one.name}",
@@ -76,7 +76,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
             f"{title} that goes with {named}",
             signature,
             _LINEAR,
-            (act,),
+            (mechanism,),
             lambda s: (size("b", "", 1.0, -most, most),),
             lambda s: ((0.2,), (-0.2,)),
             lambda s: {"q_mean": one.mean, "q_range": one.span},
@@ -84,9 +84,9 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         )
 
     def of_parameter(parameter: str) -> EffectForm:
-        act = LawParameters(partial(_other, one.name, parameter))
+        mechanism = LawParameters(partial(_other, one.name, parameter))
         signature = f"{parameter} of the law another from test to test, in proportion to the condition"
-        return form(parameter, f"{parameter} of the law", signature, act)
+        return form(parameter, f"{parameter} of the law", signature, mechanism)
 
     push: Callable[..., np.ndarray] = partial(_pushed, one.name)
     constant = EffectForm(
@@ -114,7 +114,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         form=f"gas_of_{one.name}",
         title=f"gas that is compressed by the rod, its pressure in proportion to {named}",
         signature="a constant force and a stiffness in each test, both in proportion to the condition, at all rates",
-        acts=(replace(gas_spring.FORM.core_effects[0], own=partial(_filled, one.name)),),
+        mechanisms=(replace(gas_spring.FORM.core_effects[0], own=partial(_filled, one.name)),),
         constants=lambda s: {**gas_spring.FORM.constants(s), "q_mean": one.mean},
     )
     return (

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import CoreEffect, ForceChannel
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import CoreEffect, ForceChannel
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, share, size
@@ -55,7 +55,7 @@ _PRESLIDING = replace(
     form="presliding",
     title="friction that builds up over a way, in the guides or of a part that yields",
     source="Dahl (1968), Aerospace Corp. TOR-0158(3107-18)-1; Dahl (1976), AIAA Journal 14, 1675-1682",
-    acts=(CoreEffect("friction.presliding"),),
+    mechanisms=(CoreEffect("friction.presliding"),),
     # where the way is as long as the largest motion there is no sliding left: a spring and a lossy one at that
     parameters=lambda s: (
         _friction(s),
@@ -68,7 +68,7 @@ _STRIBECK = replace(
     form="stribeck",
     title="friction in the guides that is larger near rest",
     source="Armstrong-Helouvry, Dupont & Canudas de Wit (1994), Automatica 30, 1083-1138, section 2.1",
-    acts=(CoreEffect("friction.stribeck"),),
+    mechanisms=(CoreEffect("friction.stribeck"),),
     parameters=lambda s: (_friction(s), share("s", 0.0, 0.7, 3.0), _velocity("v_s", s, 0.1, 1e-3, 0.5)),
     starts=lambda s: tuple((0.03 * s.force, 0.5, v_s * s.velocity) for v_s in (0.1, 0.02)),
 )
@@ -78,7 +78,7 @@ _LOADED = replace(
     title="friction in the guides that grows with the force",
     signature="a force against the motion that jumps at every reversal, more at large forces than at small ones",
     source="Coulomb (1785), the load of the guides a share of the damper's force",
-    acts=(ForceChannel(_loaded, of="carriage"),),
+    mechanisms=(ForceChannel(_loaded, of="carriage"),),
     parameters=lambda s: (share("mu", 0.0, 0.1, 0.5), _friction(s, 0.03), _velocity("v0", s, 0.02, 1e-4, 0.3)),
     starts=lambda s: tuple((0.03, 0.01 * s.force, v0 * s.velocity) for v0 in (0.02, 0.1, 0.002)),
     proportional=False,

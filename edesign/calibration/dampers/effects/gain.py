@@ -7,10 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import ForceChannel, MotionChannel
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.filters import second_order
+from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
@@ -45,7 +45,7 @@ _DISPLACEMENT = replace(
     form="displacement",
     title="gain of the displacement channel",
     signature="that of a gain of the force where the law is linear; by its tangent where it is not",
-    acts=(MotionChannel(_reduced),),
+    mechanisms=(MotionChannel(_reduced),),
 )
 
 
@@ -116,7 +116,7 @@ _SPRUNG = replace(
     form="sprung",
     title="inertia of moving mass on a fixture that gives, in the force channel",
     source="Chopra, Dynamics of Structures, section 1.7 (motion of the support)",
-    acts=(ForceChannel(_sprung, of="carriage"),),
+    mechanisms=(ForceChannel(_sprung, of="carriage"),),
     parameters=lambda s: (
         _mass(s),
         shape("f", "Hz", 10.0 * s.frequency, s.frequency, 100.0 * s.frequency, spread=1.0),

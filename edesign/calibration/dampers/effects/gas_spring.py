@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import CoreEffect
 from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.mechanisms import CoreEffect
 from edesign.calibration.form import size
 
 _BETWEEN = 1.2  # exponent between that of slow motions, 1, and of fast ones, 1.4: their forces differ by a tenth

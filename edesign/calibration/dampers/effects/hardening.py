@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
+from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
 from edesign.estimation.parameters import Parameter

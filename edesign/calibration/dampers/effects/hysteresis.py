@@ -5,8 +5,8 @@ A part that yields at another deformation is `friction.presliding`: the equation
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import CoreEffect
 from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.mechanisms import CoreEffect
 from edesign.calibration.form import shape, size
 
 _STRETCH = EffectForm(

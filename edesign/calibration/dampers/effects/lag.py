@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import ForceChannel, MotionChannel
 from edesign.calibration.dampers.effect import REFINED, EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.filters import relaxed, second_order
+from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
@@ -122,7 +122,7 @@ _FILTER = replace(
     form="filter",
     title="analogue filter in the force channel alone",
     source="first-order low-pass; Doebelin, Measurement Systems, section 3.3",
-    acts=(ForceChannel(_filtered),),
+    mechanisms=(ForceChannel(_filtered),),
     parameters=_time_constant,
     refined=4,  # the force bends between samples of a fit more than a filter is long
 )
@@ -132,7 +132,7 @@ _GROWING = replace(
     title="lag between the channels that changes within tests and over the campaign",
     signature="proportional to the rate of the force, more and more so as time goes on",
     source="skew of clocks: Mills (1991), IEEE Trans. Commun. 39, 1482-1493; as `delay`",
-    acts=(MotionChannel(_growing),),
+    mechanisms=(MotionChannel(_growing),),
     parameters=lambda s: (
         _lag("lag", s),
         _lag("grown", s),
@@ -154,7 +154,7 @@ FORMS = (
         _FILTER,
         form="displacement_filter",
         title="analogue filter in the displacement channel alone",
-        acts=(MotionChannel(_ahead),),
+        mechanisms=(MotionChannel(_ahead),),
         refined=REFINED,
     ),
     replace(
@@ -162,7 +162,7 @@ FORMS = (
         form="second_order",
         title="analogue filter of second order in the force channel alone",
         source="second-order low-pass; Doebelin, Measurement Systems, section 3.3",
-        acts=(ForceChannel(_of_second_order),),
+        mechanisms=(ForceChannel(_of_second_order),),
         parameters=_second_order,
         starts=lambda s: tuple((0.8 / (np.pi * part * s.lag_period), 0.8) for part in _STARTS),
     ),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import REFINED, EffectForm, placed
+from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import shape, size
 from edesign.estimation.parameters import Parameter
@@ -81,7 +81,7 @@ _FORCE = replace(
     title="larger or smaller force where the force is",
     signature="peaks of the force larger to one side than to the other by a share, at all amplitudes and frequencies",
     source="phenomenological: factors of tension and compression, as for bonded layers that are not alike in both",
-    acts=(CoreEffect("one_sided.force"),),
+    mechanisms=(CoreEffect("one_sided.force"),),
     refined=REFINED,  # the force has no jump
 )
 _VALVE = EffectForm(

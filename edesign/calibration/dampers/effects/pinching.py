@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.calibration.dampers.acts import CoreEffect
 from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.mechanisms import CoreEffect
 from edesign.calibration.form import shape, size
 
 _SLIP = EffectForm(

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import MotionChannel, Rig, RigValues
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import MotionChannel, Rig, RigValues
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, size
@@ -93,7 +93,7 @@ _SEATED = replace(
     title="clearance of the pins, crossed under a small force, in series with the specimen",
     signature="force that hesitates where it changes its sign; the same length at all amplitudes",
     source=_JOINTS,
-    acts=(Rig(lambda p: RigValues(p["stiffness"], play=p["play"], play_stiffness=2.0 * p["F_c"] / p["play"])),),
+    mechanisms=(Rig(lambda p: RigValues(p["stiffness"], play=p["play"], play_stiffness=2.0 * p["F_c"] / p["play"])),),
     parameters=lambda s: (
         shape("play", "m", 0.02 * s.displacement, 1e-4 * s.displacement, 0.5 * s.displacement),
         _stiffness(s, 100.0, 2.0),
@@ -110,7 +110,7 @@ _BACKLASH = replace(
     title="backlash between the measured motion and the specimen",
     signature="the force rests after every reversal of the motion, over one length at all amplitudes",
     source="Krasnosel'skii & Pokrovskii (1989), Systems with Hysteresis, section 2.1 (play operator)",
-    acts=(MotionChannel(_follow, of="specimen"),),
+    mechanisms=(MotionChannel(_follow, of="specimen"),),
     parameters=lambda s: (_play(s),),
     starts=lambda s: tuple((play * s.displacement,) for play in (0.02, 0.1, 0.004, 0.0005)),
     refined=6,  # it rests and goes along within a step
@@ -121,7 +121,7 @@ _CLOSING_PLAY = replace(
     title="clearance of the pins that closes under a force, in series with the specimen",
     signature="a soft part of one length where the force changes its sign",
     source=_JOINTS,
-    acts=(Rig(_joint),),
+    mechanisms=(Rig(_joint),),
     parameters=lambda s: (
         _stiffness(s, 10.0, 0.1),
         _closes(s),
@@ -156,7 +156,7 @@ _DAMPED = replace(
     title="flexible parts of the rig in series with the specimen that lose work",
     signature="as series_flexibility.linear, and less of it the faster the force changes",
     source="Kelvin and Voigt's element in series: Christensen (1982), Theory of Viscoelasticity, 1.6",
-    acts=(Rig(lambda p: RigValues(p["stiffness"], damping=p["stiffness"] * p["t_r"])),),
+    mechanisms=(Rig(lambda p: RigValues(p["stiffness"], damping=p["stiffness"] * p["t_r"])),),
     parameters=lambda s: (
         _stiffness(s),
         Parameter("t_r", "s", 0.0, 1.0 / s.frequency, 0.0, 0.02 / s.frequency),
@@ -169,7 +169,7 @@ _STIFFENING = replace(
     title="parts of the rig in series with the specimen that stiffen with the force",
     signature="as series_flexibility.linear, and more of it at small forces than at large ones",
     source="joints that close: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936",
-    acts=(Rig(lambda p: RigValues(p["stiffness"], cubic=1.0 / p["e0"] ** 2)),),
+    mechanisms=(Rig(lambda p: RigValues(p["stiffness"], cubic=1.0 / p["e0"] ** 2)),),
     parameters=lambda s: (
         _stiffness(s),
         shape("e0", "m", 0.05 * s.displacement, 1e-4 * s.displacement, 10.0 * s.displacement),
@@ -185,7 +185,7 @@ _POWER = replace(
     title="contacts of the rig in series with the specimen that stiffen with a power of their approach",
     signature="as series_flexibility.linear, and ever more of it at small forces",
     source="Johnson (1985), Contact Mechanics, section 4.2 (Hertz); rough surfaces: Greenwood & Williamson (1966)",
-    acts=(Rig(lambda p: RigValues(p["stiffness"], cubic=(p["stiffness"] / p["F_r"]) ** 2, power=p["n"])),),
+    mechanisms=(Rig(lambda p: RigValues(p["stiffness"], cubic=(p["stiffness"] / p["F_r"]) ** 2, power=p["n"])),),
     parameters=lambda s: (_stiffness(s), shape("n", "", 1.5, 1.05, 12.0, spread=0.7)),
     starts=lambda s: tuple((20.0 * s.stiffness, n) for n in (1.5, 4.0)),
     constants=lambda s: {"F_r": 0.5 * s.force},
@@ -196,7 +196,7 @@ _CLOSING = replace(
     title="a joint of the rig in series with the specimen that closes or opens under a force",
     signature="as series_flexibility.linear up to a force, and less of it beyond, or more",
     source=_JOINTS,
-    acts=(Rig(_joint),),
+    mechanisms=(Rig(_joint),),
     parameters=lambda s: (_stiffness(s), _closes(s), shape("ratio", "", 1.0, _OPENS, _CLEARANCE, spread=0.8)),
     starts=lambda s: tuple(
         (20.0 * s.stiffness, part * s.force, ratio)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import CoreEffect, LawParameters, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import CoreEffect, LawParameters, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, Values, shape, size
 from edesign.damper.fitting.scales import Scales
@@ -107,7 +107,7 @@ _SHIFT = replace(
     title="relaxation that speeds up with temperature",
     signature=_FASTER,
     source="Ferry (1980), Viscoelastic Properties of Polymers, chapter 11, near one temperature; thesis Eq. 4.33",
-    acts=(LawParameters(_shifted),),
+    mechanisms=(LawParameters(_shifted),),
     starts=lambda s: ((0.05,),),
 )
 _SHIFT_WLF = replace(
@@ -124,7 +124,7 @@ _GAMMA = replace(
     title="another gamma_T of all of the law's parameters",
     signature=_SOFTER,
     source="thesis section 4.5: all parameters change with temperature at the same rate",
-    acts=(LawParameters(_at_rate),),
+    mechanisms=(LawParameters(_at_rate),),
     laws=("mgmm",),
 )
 _GAMMA_WLF = replace(
@@ -160,7 +160,7 @@ _TRANSITION = replace(
     form="transition",
     title="softening with temperature across a transition",
     source="Mahieux & Reifsnider (2001), Polymer 42, 3281-3291 (modulus over transitions), with a logistic step",
-    acts=(
+    mechanisms=(
         CoreEffect(
             "constant",
             factor=lambda p, test: 1.0 - p["d"] * float(passed(test.temperature, p["Tc"], p["w"], REFERENCE_C)),
@@ -174,14 +174,17 @@ _TRANSITION = replace(
 
 def _in_place(form: EffectForm) -> EffectForm:
     """Return the form in the place of the MGMM's own gamma_T, which is that of another elastomer."""
-    acts = tuple(replace(act, in_place_of_gamma=True) if isinstance(act, LawParameters) else act for act in form.acts)
-    if not any(isinstance(act, LawParameters) for act in acts):
-        acts = (*acts, LawParameters(_unchanged, in_place_of_gamma=True))
+    mechanisms = tuple(
+        replace(mechanism, in_place_of_gamma=True) if isinstance(mechanism, LawParameters) else mechanism
+        for mechanism in form.mechanisms
+    )
+    if not any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
+        mechanisms = (*mechanisms, LawParameters(_unchanged, in_place_of_gamma=True))
     return replace(
         form,
         form=f"{form.form}_in_place",
         title=f"{form.title}, in the place of the law's own",
-        acts=acts,
+        mechanisms=mechanisms,
         laws=("mgmm",),
         proportional=False,
     )

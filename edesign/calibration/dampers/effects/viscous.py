@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import CoreEffect, Placement
 from edesign.calibration.dampers.effect import EffectForm, placed
+from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, Values, shape, size
 
@@ -67,7 +67,7 @@ _POSITION = replace(
     title="viscous force that grows with the deformation",
     signature="in phase with the velocity, more of it at a larger deformation; nothing at the tips nor in the middle",
     source="damping by the depth of an impact: Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445 (alpha = 1)",
-    acts=(CoreEffect("velocity_exponent.position", more=_coefficient),),
+    mechanisms=(CoreEffect("velocity_exponent.position", more=_coefficient),),
     parameters=lambda s: (*_DASHPOT.parameters(s), shape("q", "", 1.0, 0.3, 4.0, spread=0.5)),
     starts=lambda s: tuple((0.08 * s.force, alpha, 1.0) for alpha in (0.2, 0.5, 1.0, 2.0)),
     constants=lambda s: {"V": s.velocity, "r": s.displacement},

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import CoreEffect, Placement, Rest
 from edesign.calibration.dampers.effect import EffectForm, placed
+from edesign.calibration.dampers.mechanisms import CoreEffect, Placement, Rest
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Rows, shape, size
 from edesign.estimation.parameters import Parameter
@@ -52,7 +52,7 @@ _CARRIED = replace(
     form="carried",
     title="softening by self-heating, part of which lasts into the next test",
     signature="as self_heating.rate, and a test that follows a heavy one begins with too little force",
-    acts=(*_RATE.acts, Rest("rest")),
+    mechanisms=(*_RATE.mechanisms, Rest("rest")),
     parameters=lambda s: (*_heat(s), shape("rest", "s", s.duration, 1e-2 * s.duration, 1e3 * s.duration)),
     starts=lambda s: tuple((*row, 0.7 * row[1]) for row in _heat_starts(s)),
     shown=_several,
@@ -102,7 +102,7 @@ _LOGARITHMIC = replace(
     form="logarithmic",
     title="ageing that slows down from test to test",
     source="physical ageing goes with the logarithm of time: Struik (1978), Physical Aging in Amorphous Polymers",
-    acts=(CoreEffect("constant", factor=lambda p, test: 1.0 + p["rate"] * math.log1p(test.order / p["n0"])),),
+    mechanisms=(CoreEffect("constant", factor=lambda p, test: 1.0 + p["rate"] * math.log1p(test.order / p["n0"])),),
     # where n0 is small most of it has come with the second test
     parameters=lambda s: (*_rate(s, math.log1p(s.tests - 1.0)), shape("n0", "", 1.0, 1e-3, 1e2)),
     starts=lambda s: tuple((0.1 / math.log1p((s.tests - 1.0) / n0), n0) for n0 in (0.01, 0.3, 3.0)),

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import ForceChannel, MotionChannel, NuisanceAmplitudes
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel, NuisanceAmplitudes
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, size
@@ -79,7 +79,7 @@ _PER_TEST = replace(
     form="per_test",
     title="zero of the force channel, set anew for each test",
     signature="a constant force in each test, another one from test to test",
-    acts=(NuisanceAmplitudes(_own_zero),),
+    mechanisms=(NuisanceAmplitudes(_own_zero),),
     parameters=lambda s: (),
     starts=lambda s: ((),),
     constants=_of_class,
@@ -101,7 +101,7 @@ _CAMPAIGN = replace(
     form="campaign",
     title="drift of the force channel through the whole campaign",
     signature="grows in proportion to time in every test and goes on in the next",
-    acts=(ForceChannel(_through),),
+    mechanisms=(ForceChannel(_through),),
     parameters=lambda s: (
         size("rate", "N/s", _CLASS * s.force / s.total, -s.force / s.duration, s.force / s.duration),
     ),
@@ -113,7 +113,7 @@ _DISPLACEMENT = replace(
     form="displacement",
     title="drift of the displacement channel within each test",
     signature="the force of a shear that grows in proportion to time, the same in every test",
-    acts=(MotionChannel(_running),),
+    mechanisms=(MotionChannel(_running),),
     parameters=lambda s: (
         size(
             "rate",
@@ -132,14 +132,14 @@ _EACH_OWN = replace(
     title="drift of the force channel, another in each test",
     signature="a straight line over time in each test, from nothing at its first sample, another from test to test",
     source=_DOEBELIN,
-    acts=(NuisanceAmplitudes(_own_line),),
+    mechanisms=(NuisanceAmplitudes(_own_line),),
 )
 _WARMING = replace(
     _EACH_OWN,
     form="warming",
     title="drift of the force channel that slows down, another in each test",
     signature="a line over time in each test, steeper in its beginning, another from test to test",
-    acts=(NuisanceAmplitudes(_own_warming),),
+    mechanisms=(NuisanceAmplitudes(_own_warming),),
 )
 
 

@@ -49,7 +49,7 @@ _ROCKING = replace(
     _SWAY,
     form="rocking",
     title="rotational flexibility of the ground",
-    acts=(ChangedBuilding(_rocks),),
+    mechanisms=(ChangedBuilding(_rocks),),
     parameters=lambda s: (size("f", "rad/(N*m)", 0.5 * _of_frame(s), 0.0, 50.0 * _of_frame(s)),),
     starts=lambda s: ((0.1 * _of_frame(s),),),
     shown=lambda s: not s.building.isolated and s.building.heights is not None,

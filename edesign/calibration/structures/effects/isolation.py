@@ -77,7 +77,7 @@ _FRICTION = replace(
     form="friction",
     title="friction in the isolation layer",
     source="Constantinou, Mokha & Reinhorn (1990), J. Struct. Engng 116, 455-474",
-    acts=_links(_slips),
+    mechanisms=_links(_slips),
     parameters=lambda s: (_force(s), _of_drift("Y", s, 0.02, 1e-3, 1.0)),
     starts=lambda s: tuple((0.05 * s.shear, part * float(s.drift[0])) for part in (0.01, 0.1)),
 )
@@ -86,7 +86,7 @@ _ENVELOPE = replace(
     form="envelope",
     title="stiffness of the isolation layer that falls with amplitude",
     source="Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92",
-    acts=_links(lambda p: Link.alone(0, p["k"], "payne.elastic", p["k"], p["a0"], p["m"], p["tau_a"])),
+    mechanisms=_links(lambda p: Link.alone(0, p["k"], "payne.elastic", p["k"], p["a0"], p["m"], p["tau_a"])),
     parameters=lambda s: (
         size("k", "N/m", 0.5 * _stiffness(s), -2.0 * _stiffness(s), 3.0 * _stiffness(s)),
         _of_drift("a0", s, 0.4, 0.01, 10.0),
@@ -102,7 +102,7 @@ _SCRAGGING = replace(
     form="scragging",
     title="stiffness of the isolation layer that is lost with the largest drift",
     source="Mullins (1969), Rubber Chem. Technol. 42, 339-362; EN 15129, 8.2 (scragging)",
-    acts=_links(lambda p: Link.breaking(0, p["k"], p["d"])),
+    mechanisms=_links(lambda p: Link.breaking(0, p["k"], p["d"])),
     parameters=lambda s: (
         size("k", "N/m", 0.5 * _stiffness(s), 0.0, 10.0 * _stiffness(s)),
         _of_drift("d", s, 0.5, 0.02, 20.0),
@@ -116,7 +116,7 @@ _POWER = replace(
     title="stiffness of the isolation layer that grows as a power of the drift",
     signature="peaks of acceleration at the largest drifts are too low, and come too late",
     source="Kelly (1997), Earthquake-Resistant Design with Rubber, 5.4; Yamamoto et al. (2009)",
-    acts=_links(_hardens),
+    mechanisms=_links(_hardens),
     parameters=lambda s: (
         size("k", "N/m", 0.3 * _stiffness(s), -_stiffness(s), 3.0 * _stiffness(s)),
         shape("p", "", 3.0, 1.5, 9.0, spread=0.7),
@@ -133,7 +133,7 @@ _THRESHOLD = replace(
     _POWER,
     form="threshold",
     title="a stop in the isolation layer",
-    acts=_links(lambda p: Link.alone(0, p["k"], "hardening.threshold", p["k"], p["u0"])),
+    mechanisms=_links(lambda p: Link.alone(0, p["k"], "hardening.threshold", p["k"], p["u0"])),
     parameters=lambda s: (
         size("k", "N/m", _stiffness(s), 0.0, 100.0 * _stiffness(s)),
         _of_drift("u0", s, 0.6, 0.1, 1.5),

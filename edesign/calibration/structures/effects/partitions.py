@@ -45,7 +45,7 @@ _LOST = replace(
     _UNIFORM,
     form="lost",
     title="added stiffness that is lost with the largest drift",
-    acts=(Links(_breaking),),
+    mechanisms=(Links(_breaking),),
     parameters=lambda s: (
         size("r", "", 0.5, 0.0, 10.0),
         shape("d", "m", s.storey_drift, 0.02 * s.storey_drift, 20.0 * s.storey_drift),
@@ -61,6 +61,6 @@ def of(sizes: StructureSizes) -> tuple[StructureForm, ...]:
 
     def single(i: int) -> StructureForm:
         title = f"added stiffness in storey {i + 1}"
-        return replace(_UNIFORM, form=f"storey_{i + 1}", title=title, acts=_stiffer((i,)), shown=has_storeys)
+        return replace(_UNIFORM, form=f"storey_{i + 1}", title=title, mechanisms=_stiffer((i,)), shown=has_storeys)
 
-    return replace(_UNIFORM, acts=_stiffer(storeys)), _LOST, *(single(i) for i in storeys if len(storeys) > 1)
+    return replace(_UNIFORM, mechanisms=_stiffer(storeys)), _LOST, *(single(i) for i in storeys if len(storeys) > 1)

@@ -220,7 +220,7 @@ def test_rough_steps_are_good_enough_for_differences() -> None:
 
 @pytest.mark.parametrize("lag", [0.02, 0.0137, -0.004])
 def test_a_late_channel_is_the_motion_before(lag: float) -> None:
-    (late,) = (form.acts[0] for form in FORMS if form.label == "lag.delay")
+    (late,) = (form.mechanisms[0] for form in FORMS if form.label == "lag.delay")
     time, omega = STEP * np.arange(300), np.array([12.0, 30.0])
     found = late.change({"lag": lag}, STEP, (), np.sin(np.outer(time, omega)))  # type: ignore[union-attr]
     inside = slice(10, -10)

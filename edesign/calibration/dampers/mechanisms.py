@@ -207,4 +207,6 @@ class NuisanceAmplitudes:
     columns: Callable[[Values, Experiment], np.ndarray]
 
 
-Act = CoreEffect | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | NuisanceAmplitudes
+Mechanism = (
+    CoreEffect | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | NuisanceAmplitudes
+)
