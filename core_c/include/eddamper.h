@@ -186,7 +186,7 @@ int ed_linked_history(int n_states, int n_links, const ed_damper *const *damper,
  * follows, and ED_E_NOT_FINITE says that there is some. */
 int ed_fading(int n, const double *decay, const double *made, double before, double *q);
 /* The same of complex numbers, real and imaginary part side by side. */
-int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q);
+int ed_fading_complex(int n, const double *decay, const double *made, const double *before, double *q);
 
 #ifdef __cplusplus
 }

@@ -58,7 +58,7 @@ static void call_fading(caller *c)
   double *decay = values_between(c, 2 * n, 0.1, 1.0), *made = values_between(c, 2 * n, 1e-3, 1.0), *q = room(2 * n), before[2];
   before[0] = signed_size(c, 1e-3, 1.0), before[1] = signed_size(c, 1e-3, 1.0);
   expect_finite(expect_listed(c, ed_fading(n, decay, made, before[0], q)), q, n);
-  expect_finite(expect_listed(c, ed_swinging(n, decay, made, before, q)), q, 2 * n);
+  expect_finite(expect_listed(c, ed_fading_complex(n, decay, made, before, q)), q, 2 * n);
   free(decay), free(made), free(q);
 }
 

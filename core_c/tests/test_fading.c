@@ -30,7 +30,7 @@ static void check_spiral(void)
     decay[2 * i] = size * cos(turn);
     decay[2 * i + 1] = size * sin(turn);
   }
-  CHECK_STATUS(ed_swinging(N, decay, made, before, q), ED_OK);
+  CHECK_STATUS(ed_fading_complex(N, decay, made, before, q), ED_OK);
   for (int i = 0; i < N; i++) {
     const double c = pow(size, i) * cos(turn * i), s = pow(size, i) * sin(turn * i);
     CHECK_NEAR(q[2 * i], 2.0 * c + s, 1e-12);
@@ -38,7 +38,7 @@ static void check_spiral(void)
   }
   for (int i = 0; i < N - 1; i++) /* fed so that it rests where it began: made = (1 - decay) before */
     made[2 * i] = 2.0 * (1.0 - decay[2 * i]) - decay[2 * i + 1], made[2 * i + 1] = decay[2 * i] - 1.0 - 2.0 * decay[2 * i + 1];
-  CHECK_STATUS(ed_swinging(N, decay, made, before, q), ED_OK);
+  CHECK_STATUS(ed_fading_complex(N, decay, made, before, q), ED_OK);
   CHECK_NEAR(q[2 * N - 2], 2.0, 1e-12);
   CHECK_NEAR(q[2 * N - 1], -1.0, 1e-12);
 }
@@ -48,7 +48,7 @@ static void check_ends(void)
   const double decay[3] = {0.5, 0.5, 0.5}, made[3] = {0.0, NAN, 0.0}, before[2] = {1.0, 0.0};
   double q[4];
   CHECK_STATUS(ed_fading(0, decay, made, 1.0, q), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_swinging(0, decay, made, before, q), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_fading_complex(0, decay, made, before, q), ED_E_ARGUMENT);
   CHECK_STATUS(ed_fading(1, decay, made, 7.0, q), ED_OK);
   CHECK(q[0] == 7.0);
   CHECK_STATUS(ed_fading(4, decay, made, 1.0, q), ED_E_NOT_FINITE);

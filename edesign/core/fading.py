@@ -30,5 +30,5 @@ def fading(decay: np.ndarray, made: np.ndarray, before: complex) -> np.ndarray:
     if kind is float:
         lib.ed_fading(found.size, of[0], of[1], before, of[2])
     else:
-        lib.ed_swinging(found.size, of[0], of[1], [before.real, before.imag], of[2])
+        lib.ed_fading_complex(found.size, of[0], of[1], [before.real, before.imag], of[2])
     return found

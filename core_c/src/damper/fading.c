@@ -20,7 +20,7 @@ int ed_fading(int n, const double *decay, const double *made, double before, dou
   return isfinite(last) ? ED_OK : ED_E_NOT_FINITE; /* it is passed on to the end */
 }
 
-int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q)
+int ed_fading_complex(int n, const double *decay, const double *made, const double *before, double *q)
 {
   if (n < 1)
     return ED_E_ARGUMENT;
