@@ -79,8 +79,8 @@ def main() -> None:
             if group.attributes.get("incremental") and group.attributes.get("variant") == variant
         ]
         steps, seconds = (sum(item.get(key, 0) for item in cost) for key in ("steps", "cpu_s"))
-        told = ", ".join(f"{count} {state}" for state, count in states.items())
-        print(f"{variant}: {told}; {steps} steps, {seconds:.1f} s in them ({1e6 * seconds / steps:.0f} us each)")
+        counted = ", ".join(f"{count} {state}" for state, count in states.items())
+        print(f"{variant}: {counted}; {steps} steps, {seconds:.1f} s in them ({1e6 * seconds / steps:.0f} us each)")
     for table in results_tables(found):
         print(plain(table))
     if options.figures is not None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, either, first_order, log_uniform
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, either, first_order, log_uniform
 from blind.law import velocity
 from blind.programme import Trial
 
@@ -32,7 +32,7 @@ class StickSlip(Effect):
                 out[i:] += rng.uniform(0.4, 1.0) * np.exp(-t / self.decay) * np.sin(2.0 * np.pi * self.frequency * t)
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"amplitude": (self.size, "kN"), "frequency": (self.frequency, "Hz")}
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 from scipy.signal import lfilter
 
-from blind.effects.base import Effect, Histories, Told, either
+from blind.effects.base import Effect, Histories, TrueParameters, either
 from blind.effects.lag import second_order
 from blind.programme import Trial
 
@@ -37,7 +37,7 @@ class Resonance(Effect):
         w = 2.0 * np.pi * self.frequency
         return [f + self.size * (second_order(f, t.h, w, self.damping) - f) for t, f in zip(tests, force, strict=True)]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"share": (self.size, "1"), "frequency": (self.frequency, "Hz"), "damping": (self.damping, "1")}
 
 

@@ -65,7 +65,9 @@ def truth(campaign: Campaign) -> dict[str, Any]:
                 "size": h.effect.size,
                 "nrms": h.alone,
                 "nrms_beside_others": h.beside,
-                "parameters": {key: {"value": value, "unit": unit} for key, (value, unit) in h.effect.told().items()},
+                "parameters": {
+                    key: {"value": value, "unit": unit} for key, (value, unit) in h.effect.true_parameters().items()
+                },
             }
             for h in campaign.hidden
         ],

@@ -17,8 +17,8 @@ def facts_html(title: str, rows: Iterable[tuple[str, object]]) -> str:
         title: above them.
         rows: name and value; of a list of texts the first are shown.
     """
-    told = [(name, _text(value)) for name, value in rows if value not in (None, "", [], ())]
-    return table_html(title, (), [[name.replace("_", " "), text] for name, text in told], left=2)
+    shown = [(name, _text(value)) for name, value in rows if value not in (None, "", [], ())]
+    return table_html(title, (), [[name.replace("_", " "), text] for name, text in shown], left=2)
 
 
 def table_html(

@@ -114,7 +114,7 @@ def earlier(*paths: Path) -> str:
     return f" ({', '.join(there)} {'is' if len(there) == 1 else 'are'} of an earlier run)" if there else ""
 
 
-def told(failures: Sequence[Failure]) -> str:
+def failure_text(failures: Sequence[Failure]) -> str:
     """Return the message of a command at whose end stages had failed.
 
     Args:

@@ -236,8 +236,8 @@ def unproven_sections(text: str) -> Iterator[tuple[int, str]]:
     """
     for found in re.finditer(r"^(#+ .+)\n((?:(?!^#).*\n?)*)", text, re.MULTILINE):
         line = text.count("\n", 0, found.start()) + 1
-        told = re.search(r"\bverif(?:ied|ication)\b|checked against", found[1], re.IGNORECASE)
-        if told and "\n| " in found[2] and " against |" in found[2] and not _TEST.search(found[2]):
+        verified = re.search(r"\bverif(?:ied|ication)\b|checked against", found[1], re.IGNORECASE)
+        if verified and "\n| " in found[2] and " against |" in found[2] and not _TEST.search(found[2]):
             yield line, found[1]
         for table in re.finditer(r"(?:^\|.*\n?)+", found[2], re.MULTILINE):
             head, *rows = table[0].splitlines()

@@ -111,16 +111,16 @@ def _forms(rows: Sequence[Row], several: bool) -> str:
         for row in rows
     ]
     text = _table(head, [one[: len(head)] for one in cells])
-    told: dict[tuple[str, str, str, str], list[str]] = {}
+    listed: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
         for one, prior, bounds in row.parameters:
-            told.setdefault((one.name, one.unit or "-", prior, bounds), []).append(names[id(row)])
+            listed.setdefault((one.name, one.unit or "-", prior, bounds), []).append(names[id(row)])
         for name, value in row.fixed.items():
-            told.setdefault((name, "", f"fixed: {value}", ""), []).append(names[id(row)])
-    if told:
+            listed.setdefault((name, "", f"fixed: {value}", ""), []).append(names[id(row)])
+    if listed:
         of_each = [
             (f"`{name}`", ", ".join(dict.fromkeys(of)), unit, prior, bounds)
-            for (name, unit, prior, bounds), of in told.items()
+            for (name, unit, prior, bounds), of in listed.items()
         ]
         text += "\n" + _table(("parameter", "forms", "unit", "prior", "bounds"), of_each)
     for title, key in (("Signature", "signature"), ("Source", "source")):

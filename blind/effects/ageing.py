@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Told, either
+from blind.effects.base import Effect, TrueParameters, either
 from blind.law import Parameters, stiffened
 from blind.programme import Trial
 
@@ -34,7 +34,7 @@ class Ageing(Effect):
             return {name: value * factor if name in _SPRINGS else value for name, value in p.items()}
         return stiffened(p, factor)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"change_at_end": (self.sense * self.size, "1")}
 
 

@@ -15,7 +15,7 @@ from blind.series import Joint
 
 Histories = list[np.ndarray]
 Factors = list[tuple[np.ndarray | float, np.ndarray | float, np.ndarray | float]]
-Told = dict[str, tuple[float, str]]
+TrueParameters = dict[str, tuple[float, str]]
 """Parameters with unit."""
 
 
@@ -83,7 +83,7 @@ class Effect:
         """Displacement as recorded."""
         return x
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         """Parameters for the truth file."""
         return {"size": (self.size, "1")}
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, log_uniform
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, log_uniform
 from blind.programme import Trial
 
 
@@ -34,7 +34,7 @@ class Linear(Effect):
         worn = [np.minimum(self.size * w / 1e4, 0.9) for w in work(u, force)]
         return [(1.0 - d, 1.0 - self.loss * d, 1.0 - self.loss * d) for d in worn]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"loss_at_10_kJ": (self.size, "1")}
 
 
@@ -50,7 +50,7 @@ class Saturating(Effect):
         worn = [1.0 - self.size * w / (w + self.half) for w in work(u, force)]
         return [(f, f, f) for f in worn]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.size, "1"), "half": (self.half, "J")}
 
 
@@ -76,7 +76,7 @@ class Fatigue(Effect):
     def _damage(self, x: np.ndarray) -> np.ndarray:
         return np.concatenate([[0.0], np.cumsum(np.abs(x[1:]) ** self.slope * np.abs(np.diff(x)))])
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"loss_at_end": (self.size, "1"), "slope": (self.slope, "1")}
 
 

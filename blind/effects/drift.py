@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 from scipy.signal import lfilter
 
-from blind.effects.base import Effect, Histories, Told, either
+from blind.effects.base import Effect, Histories, TrueParameters, either
 from blind.programme import Trial
 
 
@@ -39,7 +39,7 @@ class EachTest(Drift):
     def course(self, test: Trial) -> np.ndarray:
         return test.t / 15.0
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"rate": (self.side * self.size / 15.0, "kN/s")}
 
 
@@ -51,7 +51,7 @@ class Campaign(Drift):
     def course(self, test: Trial) -> np.ndarray:
         return (test.index + test.t / test.t[-1]) / test.count
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"at_end": (self.side * self.size, "kN")}
 
 
@@ -66,7 +66,7 @@ class Warming(Drift):
     def course(self, test: Trial) -> np.ndarray:
         return -np.expm1(-test.t / self.time)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"end": (self.side * self.size, "kN"), "time": (self.time, "s")}
 
 
@@ -84,7 +84,7 @@ class Wandering(Drift):
         quick = float(np.exp(-test.h / 0.2))
         return lfilter([1.0 - quick], [1.0, -quick], walk)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"standard_deviation": (self.size, "kN"), "time": (self.time, "s")}
 
 

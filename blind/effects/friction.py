@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told, log_uniform
+from blind.effects.base import Effect, Histories, TrueParameters, log_uniform
 from blind.programme import Trial
 
 
@@ -23,7 +23,7 @@ class Guides(Effect):
         """Friction (n,) kN."""
         raise NotImplementedError
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"force": (self.size, "kN")}
 
 
@@ -55,7 +55,7 @@ class Dahl(Guides):
             out.append(f)
         return np.array(out)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"force": (self.size, "kN"), "presliding": (self.presliding, "mm")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told, either
+from blind.effects.base import Effect, Histories, TrueParameters, either
 from blind.programme import Trial
 
 
@@ -25,7 +25,7 @@ class Gain(Effect):
         factor = 1.0 + self.sense * self.size
         return [y * factor if test.index >= self.since else y for test, y in zip(tests, channel, strict=True)]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {
             "error": (self.sense * self.size, "1"),
             "gain": (1.0 + self.sense * self.size, "1"),

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told
+from blind.effects.base import Effect, Histories, TrueParameters
 from blind.programme import Trial
 
 
@@ -23,7 +23,7 @@ class Polynomial(Effect):
     def right(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [self.size * x * (x / 6.0) ** (self.power - 1) for x in u]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness_at_6_mm": (self.size, "kN/mm"), "power": (self.power, "1")}
 
 
@@ -40,7 +40,7 @@ class Extensibility(Effect):
         squares = [np.minimum((x / self.length) ** 2, 0.95) for x in u]
         return [self.size * x * q / (1.0 - q) for x, q in zip(u, squares, strict=True)]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (self.size, "kN/mm"), "length": (self.length, "mm")}
 
 
@@ -56,7 +56,7 @@ class Exponential(Effect):
     def parallel(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [self.size * x * np.expm1((x / self.scale) ** 2) for x in u]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (self.size, "kN/mm"), "scale": (self.scale, "mm")}
 
 
@@ -77,7 +77,7 @@ class Locking(Effect):
             for x in u
         ]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (self.size, "kN/mm"), "at": (self.at, "mm")}
 
 

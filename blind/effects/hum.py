@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 from scipy.signal import lfilter
 
-from blind.effects.base import Effect, Histories, Told
+from blind.effects.base import Effect, Histories, TrueParameters
 from blind.programme import Trial
 
 
@@ -26,7 +26,7 @@ class Mains(Effect):
         """Tone (n,), its phase another one in each test."""
         return np.sin(2.0 * np.pi * self.frequency * test.t + rng.uniform(0.0, 2.0 * np.pi))
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"amplitude": (self.size, "kN"), "frequency": (self.frequency, "Hz")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told
+from blind.effects.base import Effect, Histories, TrueParameters
 from blind.effects.lag import second_order
 from blind.law import velocity
 from blind.programme import Trial
@@ -24,7 +24,7 @@ class Rigid(Effect):
         """Of the mass (n,), mm/s2: t mm/s2 is 1e-3 kN."""
         return velocity(test.v, test.h)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"mass": (self.size, "t")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.signal import lfilter
 
-from blind.effects.base import Effect, Histories, Told
+from blind.effects.base import Effect, Histories, TrueParameters
 from blind.programme import Trial
 
 
@@ -16,7 +16,7 @@ class Lag(Effect):
     first, most = 0.004, 0.15
     sense = 1.0
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"delay": (self.sense * self.size, "s")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, log_uniform
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, log_uniform
 from blind.programme import Trial
 
 
@@ -31,7 +31,7 @@ class Scragging(Effect):
             out.append((f, f, f))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"excess": (self.size, "1"), "work": (self.work, "mm^2"), "heals": (self.heals, "1")}
 
 
@@ -54,7 +54,7 @@ class Damage(Effect):
             out.append((1.0 - s, 1.0 - self.loss * s, 1.0 - self.loss * s))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.size, "1"), "base": (self.base, "mm^2"), "heals": (self.heals, "1")}
 
 
@@ -78,7 +78,7 @@ class CycleCount(Effect):
             out.append((1.0 + s, 1.0 + self.loss * s, 1.0 + self.loss * s))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"excess": (self.size, "1"), "cycles": (self.cycles, "1"), "heals": (self.heals, "1")}
 
 

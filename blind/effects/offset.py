@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told, either
+from blind.effects.base import Effect, Histories, TrueParameters, either
 from blind.programme import Trial
 
 
@@ -20,7 +20,7 @@ class Force(Effect):
     def force_channel(self, tests: Sequence[Trial], force: Histories) -> Histories:
         return [f + self.side * self.size for f in force]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"force": (self.side * self.size, "kN")}
 
 
@@ -34,7 +34,7 @@ class Displacement(Effect):
     def displacement_channel(self, tests: Sequence[Trial], x: Histories) -> Histories:
         return [y + self.side * self.size for y in x]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"displacement": (self.side * self.size, "mm")}
 
 
@@ -50,7 +50,7 @@ class EachTest(Effect):
     def force_channel(self, tests: Sequence[Trial], force: Histories) -> Histories:
         return [f + self.size * self.values[test.index] for test, f in zip(tests, force, strict=True)]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"standard_deviation": (self.size, "kN")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, either
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, either
 from blind.programme import Trial
 
 
@@ -27,7 +27,7 @@ class TwoModuli(Effect):
             out.append((1.0 + s, 1.0 + self.loss * s, 1.0 + self.loss * s))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"excess": (self.size, "1"), "side": (self.side, "1")}
 
 
@@ -43,7 +43,7 @@ class SquareSpring(Effect):
     def right(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [self.side * self.size * x * x / 6.0 for x in u]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness_at_6_mm": (self.size, "kN/mm"), "side": (self.side, "1")}
 
 
@@ -60,7 +60,7 @@ class Buffer(Effect):
     def parallel(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [self.side * self.size * np.maximum(self.side * x - self.gap, 0.0) ** 1.5 for x in u]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"coefficient": (self.size, "kN/mm^1.5"), "gap": (self.gap, "mm"), "side": (self.side, "1")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, faded_peak, first_order, log_uniform
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, faded_peak, first_order, log_uniform
 from blind.law import middle, velocity
 from blind.programme import Trial
 from blind.signals import rise
@@ -30,7 +30,7 @@ class LogEnvelope(Effect):
             out.append((1.0 - self.size * s, 1.0 - self.loss * self.size * s, 1.0 - self.loss * self.size * s))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.size, "1"), "low": (self.low, "mm"), "high": (self.high, "mm"), "fade": (self.fade, "s")}
 
 
@@ -51,7 +51,7 @@ class Network(Effect):
             out.append((f, f, f))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.size, "1"), "heal": (self.heal, "s"), "path": (self.path, "mm")}
 
 
@@ -73,7 +73,7 @@ class RmsMemory(Effect):
             out.append((f, np.sqrt(f), np.sqrt(f)))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.size, "1"), "memory": (self.memory_time, "s"), "half": (self.half, "mm")}
 
 
@@ -98,7 +98,7 @@ class LossHump(Effect):
             out.append((1.0 - self.size * broken, loss, np.where(fast, loss, 1.0)))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.size, "1"), "half": (self.half, "mm"), "fade": (self.fade, "s")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told, log_uniform
+from blind.effects.base import Effect, Histories, TrueParameters, log_uniform
 from blind.programme import Trial
 from blind.series import Joint
 
@@ -33,7 +33,7 @@ class Gap(Effect):
 
         return force
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"gap": (self.size, "mm"), "contact": (self.contact, "kN/mm")}
 
 
@@ -66,7 +66,7 @@ class Backlash(Effect):
             out.append(np.array(course))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"gap": (self.size, "mm")}
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 from scipy.signal import lfilter
 
-from blind.effects.base import Effect, Histories, Told, log_uniform
+from blind.effects.base import Effect, Histories, TrueParameters, log_uniform
 from blind.programme import Trial
 
 
@@ -27,7 +27,7 @@ class Maxwell(Effect):
     def parallel(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [branch(x, test.h, self.size, self.tau) for test, x in zip(tests, u, strict=True)]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (self.size, "kN/mm"), "relaxation_time": (self.tau, "s")}
 
 
@@ -65,7 +65,7 @@ class Spectrum(Effect):
             for test, x in zip(tests, u, strict=True)
         ]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"sum_of_stiffness": (self.size, "kN/mm"), "shortest": (float(self.times[0]), "s")}
 
 

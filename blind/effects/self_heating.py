@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, first_order, log_uniform
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, first_order, log_uniform
 from blind.law import middle, velocity
 from blind.programme import Trial
 
@@ -46,7 +46,7 @@ class Heating(Effect):
     def factors(self, tests: Sequence[Trial], u: Histories, force: Histories) -> Factors:
         return [(f, f, f) for f in (self.soft(w) for w in self.warmth(tests, u, force))]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {
             "softening": (self.size, "1/K"),
             "capacity": (self.capacity, "J/K"),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Told
+from blind.effects.base import Effect, TrueParameters
 from blind.programme import Trial
 from blind.series import Joint
 
@@ -19,7 +19,7 @@ class Linear(Effect):
         k = 1.0 / self.size
         return lambda w: (k * w, k)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (1.0 / self.size, "kN/mm")}
 
 
@@ -37,7 +37,7 @@ class Stiffening(Effect):
         curve = k / (0.5 * self.bedded * self.size) ** 2
         return lambda w: (k * w + curve * w**3, k + 3.0 * curve * w * w)
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (1.0 / self.size, "kN/mm"), "bedded": (self.bedded, "kN")}
 
 
@@ -61,7 +61,7 @@ class Shims(Effect):
 
         return force
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"stiffness": (1.0 / self.size, "kN/mm"), "closed": (self.closed, "kN")}
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Histories, Told, either
+from blind.effects.base import Effect, Histories, TrueParameters, either
 from blind.programme import Trial
 
 
@@ -22,7 +22,7 @@ class PreShear(Effect):
     def deformation(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [x + self.side * self.size for x in u]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"pre_shear": (self.side * self.size, "mm")}
 
 
@@ -47,7 +47,7 @@ class HangingMass(Effect):
     def rig(self, tests: Sequence[Trial], force: Histories) -> Histories:
         return [f + self.side * self.size for f in force]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"force": (self.side * self.size, "kN")}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Told, either
+from blind.effects.base import Effect, TrueParameters, either
 from blind.law import Parameters, stiffened
 from blind.programme import Trial
 
@@ -27,7 +27,7 @@ class Arrhenius(Effect):
         at = self.sense * self.size * (1.0 / (273.15 + test.temperature) - 1.0 / 293.15)
         return stiffened(p, float(np.exp(at)))
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         # near 20 degC, per kelvin of warming
         return {"activation": (self.sense * self.size, "K"), "rate": (self.sense * self.size / 293.15**2, "1/K")}
 
@@ -46,7 +46,7 @@ class ShiftOfLoss(Effect):
         factor = float(np.exp(-self.sense * self.size * warmer / (self.second + warmer)))
         return {name: value * factor if name in _LOSSY else value for name, value in p.items()}
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"c1": (self.sense * self.size, "1"), "c2": (self.second, "K")}
 
 
@@ -66,7 +66,7 @@ class Transition(Effect):
 
         return stiffened(p, 1.0 - self.sense * self.size * (step(test.temperature) - step(20.0)))
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"depth": (self.sense * self.size, "1"), "at": (self.at, "degC")}
 
 

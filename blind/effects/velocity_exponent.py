@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.random import Generator
 
-from blind.effects.base import Effect, Factors, Histories, Told, either, log_uniform
+from blind.effects.base import Effect, Factors, Histories, TrueParameters, either, log_uniform
 from blind.law import velocity
 from blind.programme import Trial
 
@@ -25,7 +25,7 @@ class Dashpot(Effect):
         speeds = [velocity(x, test.h) / 20.0 for test, x in zip(tests, u, strict=True)]
         return [self.size * np.abs(v) ** self.power * np.sign(v) for v in speeds]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"force_at_20_mm_s": (self.size, "kN"), "exponent": (self.power, "1")}
 
 
@@ -45,7 +45,7 @@ class Kink(Effect):
             out.append((1.0, 1.0, over ** (self.sense * self.size)))
         return out
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"velocity": (self.at, "mm/s"), "change_of_exponent": (self.sense * self.size, "1")}
 
 
@@ -61,7 +61,7 @@ class Eyring(Effect):
     def right(self, tests: Sequence[Trial], u: Histories) -> Histories:
         return [self.size * np.arcsinh(velocity(x, test.h) / self.scale) for test, x in zip(tests, u, strict=True)]
 
-    def told(self) -> Told:
+    def true_parameters(self) -> TrueParameters:
         return {"force": (self.size, "kN"), "velocity": (self.scale, "mm/s")}
 
 

@@ -82,8 +82,8 @@ def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | 
         true |= {"Fy": true["Fy"] * size, "Y": true["Y"] * size, "beta": true["beta"] * size ** true["n"]}
     if truth["law"] == "friction":  # the fit holds N
         true |= {"mu": true["mu"] * true["N"] / declared["N"]}
-    told = {name: fitted[name]["interval"] for name in true if fitted.get(name, {}).get("standard_error")}
-    return [sum(low <= true[name] <= high for name, (low, high) in told.items()), len(told)]
+    intervals = {name: fitted[name]["interval"] for name in true if fitted.get(name, {}).get("standard_error")}
+    return [sum(low <= true[name] <= high for name, (low, high) in intervals.items()), len(intervals)]
 
 
 def matched(true: Sequence[set[str]], found: Sequence[str]) -> bool:

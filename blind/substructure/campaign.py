@@ -73,10 +73,10 @@ def write_new(planned: Planned, seed: int, folder: Path) -> None:
     path = write(made.campaign, folder)
     text = path.read_text(encoding="ascii")
     path.write_text(text.replace("\ntests:\n", "\nstart: at_rest\ntests:\n"), encoding="ascii")
-    truth_path(folder).write_text(json.dumps(told(made), indent=1) + "\n", encoding="ascii")
+    truth_path(folder).write_text(json.dumps(truth_of(made), indent=1) + "\n", encoding="ascii")
 
 
-def told(made: Tested) -> dict[str, Any]:
+def truth_of(made: Tested) -> dict[str, Any]:
     """What the judge knows."""
     weighted = {"weights": made.weights, "times": made.times, "memories": MEMORIES, "amplitudes": made.amplitudes}
     return {**truth(made.campaign), "rig": vars(made.rig), "lag": made.lag, **weighted}

@@ -107,11 +107,11 @@ def summary(scores: Sequence[Mapping[str, Any]]) -> str:
 def line(score: Mapping[str, Any]) -> str:
     """A score in a line."""
     hidden = "".join(f" + {' '.join(effect)}" for effect in score["effects"])
-    told = f"c{score['number']:03d} {score['seconds']:5.0f} s  {score['kind']}{hidden}, {1e3 * score['lag']:.2f} ms: "
+    about = f"c{score['number']:03d} {score['seconds']:5.0f} s  {score['kind']}{hidden}, {1e3 * score['lag']:.2f} ms: "
     if score["failure"]:
-        return told + score["failure"]
+        return about + score["failure"]
     found = ", ".join(" ".join(str(word) for word in effect) for effect in score["found"]) or "nothing"
-    return told + found + (f", {1e3 * score['found_lag']:.2f} ms" if score["named"] else "")
+    return about + found + (f", {1e3 * score['found_lag']:.2f} ms" if score["named"] else "")
 
 
 def _part(scores: Sequence[Mapping[str, Any]], *all_of: str) -> str:

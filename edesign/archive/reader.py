@@ -180,10 +180,10 @@ class Archive:
         """Return the damage and the readable part in lines, with the first damaged groups; "" unless it is damaged."""
         if not self.damage_in_short():
             return ""
-        told = [f"\n  {place or 'the root'}: {why}" for place, why in list(self.damage.items())[:NAMED]]
+        damage = [f"\n  {place or 'the root'}: {why}" for place, why in list(self.damage.items())[:NAMED]]
         if len(self.damage) > NAMED:
-            told.append(f"\n  and {len(self.damage) - NAMED} more")
-        return f"{self.path}: {self.damage_in_short()}{''.join(told)}"
+            damage.append(f"\n  and {len(self.damage) - NAMED} more")
+        return f"{self.path}: {self.damage_in_short()}{''.join(damage)}"
 
     def _found(self, path: str, read: Callable[[str], Found]) -> Found:
         place = path.strip("/")
@@ -273,22 +273,22 @@ def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) 
         ArchiveError: nothing can be read.
     """
     with Archive(path, damaged=True) as archive:
-        told = archive.describe_damage()
-        return _used(archive, use, told), told
+        damage = archive.describe_damage()
+        return _used(archive, use, damage), damage
 
 
-def _used(archive: Archive, use: Callable[[Archive], Found], told: str) -> Found:
+def _used(archive: Archive, use: Callable[[Archive], Found], damage: str) -> Found:
     try:
         return use(archive)
     except (DamagedArchive, OSError):
         raise
     except EdesignError as error:
-        if not told:
+        if not damage:
             raise
-        raise ArchiveError(f"{told}\n  nothing of it can be shown: {error} [E-ARCH-03]") from error
+        raise ArchiveError(f"{damage}\n  nothing of it can be shown: {error} [E-ARCH-03]") from error
     except Exception as error:
-        if archive.sealed and not told:
+        if archive.sealed and not damage:
             raise  # what edesign wrote, edesign reads: its own mistake
         what = f"its content does not fit together ({type(error).__name__}: {error})"
-        message = f"{told}\n  {what}" if told else f"{archive.path}: the archive is damaged: {what} [E-ARCH-03]"
+        message = f"{damage}\n  {what}" if damage else f"{archive.path}: the archive is damaged: {what} [E-ARCH-03]"
         raise DamagedArchive(message) from error

@@ -197,8 +197,8 @@ class Tree:
         if place not in self._known:
             source = self._open(place)
             stored = self._attributes(source)
-            told = decode(stored.get(DIMENSIONS, "json:{}"))
-            dims = {name: tuple(map(str, told[name])) for name in self.links(place) if name in told}
+            dimensions = decode(stored.get(DIMENSIONS, "json:{}"))
+            dims = {name: tuple(map(str, dimensions[name])) for name in self.links(place) if name in dimensions}
             self._known[place] = source, _decoded(stored), dims
         return self._known[place]
 

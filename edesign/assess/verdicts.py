@@ -266,7 +266,7 @@ def _remark(
         remarks.append("failed histories count as beyond the limit")
     if found.not_run:
         remarks.append("histories not run yet")
-    told = {name: None for group in found.completed.values() for name in group.attributes.get(STILL_BEAMS) or ()}
-    if still := [name for name in map(str, told) if asked.bends(name)]:
+    still_beams = {name: None for group in found.completed.values() for name in group.attributes.get(STILL_BEAMS) or ()}
+    if still := [name for name in map(str, still_beams) if asked.bends(name)]:
         remarks.append(f"vertical motion does not bend {listed(still, 3)}: masses stand at the ends of beams")
     return "; ".join(remarks)

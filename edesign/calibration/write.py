@@ -86,8 +86,8 @@ def write_files(found: Calibration, folder: Path) -> list[Path]:
         ArchiveError: one cannot be written.
     """
     make_folder(folder)
-    told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
-    write_text(told, folder / JSON)
+    text = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
+    write_text(text, folder / JSON)
     texts: Mapping[str, str] = {}
     kept = f"{folder / JSON} is written"
     with optional("the corrected model", kept + earlier(folder / LAW, folder / STRUCTURE)):
@@ -101,7 +101,7 @@ def write_files(found: Calibration, folder: Path) -> list[Path]:
         return [folder / name for name in (JSON, *texts)]
     root = _root(found.campaign, folder)
     root.attributes |= {"verdict": found.verdict, "search": found.ending}
-    root.add("calibration", (), told, "", JSON)
+    root.add("calibration", (), text, "", JSON)
     root.add("campaign", (), found.campaign.text, "", "the campaign file")
     with ArchiveWriter(folder / ARCHIVE, root) as writer:
         for name, group in groups.items():

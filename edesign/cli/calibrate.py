@@ -62,7 +62,7 @@ def calibrate(
     from edesign.report.calibration.tables import tables_of
     from edesign.report.calibration.verdict import verdict_text
     from edesign.report.page.calibration import calibration_page
-    from edesign.report.tables.text import filled, print_tables, told
+    from edesign.report.tables.text import filled, print_tables, progress_text
 
     folder = campaign.parent if output is None else output
     options = print_options(pdf, paper, appendix=False)
@@ -75,7 +75,7 @@ def calibrate(
 
     def tell(what: str) -> None:
         if not quiet:
-            progress_line(told(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr))
+            progress_line(progress_text(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr))
 
     tell("reading the tests")
     loaded = load(campaign)

@@ -159,8 +159,8 @@ def fit(
     finally:  # an interrupt does not take what is fitted by then with it
         found = list(results.values())
         if json_output and found:
-            told = [_json(result) for result in found]
-            print(json.dumps(told[0] if alone else told, indent=1, allow_nan=False))
+            results = [_json(result) for result in found]
+            print(json.dumps(results[0] if alone else results, indent=1, allow_nan=False))
         elif found and not quiet:
             with optional("the tables"):
                 fits, outs = [result.fit for result in found], [result.held_out for result in found]
@@ -215,7 +215,7 @@ def _fit(
         yield result
     if out:
         with optional(f"the cross-validation of {law.name}", kept):
-            held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, told=progress, **options)
+            held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, progress=progress, **options)
             result = replace(result, held_out=held_out)
         yield result
 

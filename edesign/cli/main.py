@@ -202,7 +202,7 @@ def _run(words: list[str], debug: bool) -> int:
         for failure in failures:
             with suppress(OSError):  # the exit code must do
                 traceback.print_exception(failure.error)
-    return _fail(told(failures), code or StageFailed.exit_code, debug=False)
+    return _fail(failure_text(failures), code or StageFailed.exit_code, debug=False)
 
 
 def _called(words: list[str], debug: bool) -> int:

@@ -96,7 +96,7 @@ def sheet(
         print_tables([own, *each, tables.acceptance_table(judged, runs)])
         print(tables.verdict_text(judged, runs))
     if output is not None:
-        _told(output, as_json)
+        _print_path(output, as_json)
     if page is None and pdf is None:
         return
     with optional("the report", "the sheet stands"):
@@ -104,14 +104,14 @@ def sheet(
         if page is not None:
             with optional(str(page), f"the sheet stands{earlier(page)}"):
                 write_html(report, page)
-                _told(page, as_json)
+                _print_path(page, as_json)
         if pdf is not None:
             with optional(str(pdf), f"the sheet stands{earlier(pdf)}"):
                 write_page_as_pdf(report, pdf, options=options)
-                _told(pdf, as_json)
+                _print_path(pdf, as_json)
 
 
-def _told(path: Path, as_json: bool) -> None:
+def _print_path(path: Path, as_json: bool) -> None:
     """Say which file was written, unless JSON alone is asked for."""
     if not as_json:
         print(f"written: {path}")

@@ -122,8 +122,8 @@ def _branches_apart(
             found[f"{name}{i}"], given_as[f"{name}{i}"] = one, name
     counts = {name: len(several) for name, several in lists.items()}
     if len(set(counts.values())) > 1:
-        told = ", ".join(f"{count} of `{name}`" for name, count in counts.items())
-        problems.append((next(iter(counts)), f"as many values of each are needed, and there are {told}"))
+        counted = ", ".join(f"{count} of `{name}`" for name, count in counts.items())
+        problems.append((next(iter(counts)), f"as many values of each are needed, and there are {counted}"))
     return found, problems, given_as
 
 

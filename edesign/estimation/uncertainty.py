@@ -101,7 +101,7 @@ def uncertainty(
     data = triangle(*slopes, np.zeros((index.size, index.size)))
     whole = triangle(*slopes, np.diag(root))
     spread, _ = _inverse(whole)
-    told, ratios = _inverse(data)
+    inverse, ratios = _inverse(data)
     samples = np.array([noise.independent(i, r.size) for i, r in enumerate(here.residuals)])
     freedom = max(float(samples.sum() - np.sum((data @ spread) ** 2)), 1.0)
     sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(here.residuals, samples, strict=True)]
@@ -115,9 +115,9 @@ def uncertainty(
     moved = np.array(cut) @ spread @ spread.T
     pulls[:, index] = moved - moved.mean(axis=0)
     scatter = triangle(*(size * j for size, j in zip(sizes, slopes, strict=True)), np.diag(root)) @ spread
-    untold = np.diag(np.maximum(1.0 - np.sum((whole @ spread) ** 2, axis=0), 0.0)) * np.mean(np.square(sizes))
-    within[np.ix_(index, index)] = spread @ (scatter.T @ scatter + untold) @ spread.T
-    loose[index] = np.sum(told[:, lost] ** 2, axis=1) / np.maximum(np.sum(told**2, axis=1), 1e-300)
+    undetermined = np.diag(np.maximum(1.0 - np.sum((whole @ spread) ** 2, axis=0), 0.0)) * np.mean(np.square(sizes))
+    within[np.ix_(index, index)] = spread @ (scatter.T @ scatter + undetermined) @ spread.T
+    loose[index] = np.sum(inverse[:, lost] ** 2, axis=1) / np.maximum(np.sum(inverse**2, axis=1), 1e-300)
     condition = 1.0 / max(float(ratios.min(initial=1.0)), 1e-300)
     return Uncertainty(fitted.model.parameters, fitted.z, within, freedom, pulls, loose, condition)
 

@@ -174,7 +174,7 @@ def method_group(results: MethodResults, time: np.ndarray) -> Group:
     Args:
         time: (n,) s, of the earthquake.
     """
-    group = Group(attributes={"kind": results.kind, "outcome": results.outcome, "told": list(results.told)})
+    group = Group(attributes={"kind": results.kind, "outcome": results.outcome, "told": list(results.notes)})
     record = results.record
     count = 0 if record is None else record.deformation.size
     group.coords["time"] = Variable(("time",), time[:count], "s", "time of the earthquake")

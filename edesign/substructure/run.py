@@ -118,8 +118,8 @@ def _asked(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:
     """Return results with what the linearised loop says of them; where it cannot be asked, runs get a warning."""
     with optional(f"whether the loops of {results.name} are stable") as attempt:
         return with_unstable_loops(laboratory, results)
-    told = str(attempt.failure)
-    return replace(results, runs=tuple(replace(run, warnings=(*run.warnings, told)) for run in results.runs))
+    reason = str(attempt.failure)
+    return replace(results, runs=tuple(replace(run, warnings=(*run.warnings, reason)) for run in results.runs))
 
 
 def write_run(run: VirtualTest, path: Path) -> None:

@@ -27,9 +27,9 @@ def test_a_hidden_spring_is_found_and_stands_in_the_law_file(tmp_path: Path, cap
         "calibration.html",
         "law.yaml",
     }
-    told = json.loads((out / "calibration.json").read_text(encoding="utf-8"))
-    assert (told["verdict"], told["search"]) == ("explained", "complete")
-    assert [effect["name"] for effect in told["effects"]] == ["hardening"]
+    reported = json.loads((out / "calibration.json").read_text(encoding="utf-8"))
+    assert (reported["verdict"], reported["search"]) == ("explained", "complete")
+    assert [effect["name"] for effect in reported["effects"]] == ["hardening"]
     page = (out / "calibration.html").read_text(encoding="utf-8")
     assert "what no model can predict" in page and "In tests that nothing was fitted to" in page
     found = resolve(*read_law_file(out / "law.yaml"), 20.0)

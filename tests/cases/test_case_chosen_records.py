@@ -79,7 +79,7 @@ def test_the_period_is_that_of_the_frame(suite: Group, results_of: Callable[[str
     assert suite.attributes["choice"]["T_1_given"] is False
 
 
-def test_what_was_left_out_is_told(suite: Group) -> None:
+def test_what_was_left_out_is_reported(suite: Group) -> None:
     refused = {item["name"]: item["reason"] for item in suite.attributes["choice"]["refused"]}
     assert set(refused) == {"small", "nowhere"}
     assert refused["small"] == "its magnitude of 5 is outside of 5.5 to 7.5"
@@ -109,7 +109,7 @@ def test_the_criteria_in_the_archive_are_those_of_the_scaled_set(suite: Group) -
     assert ratio.min() >= 0.9 * (1.0 - 5e-3)
 
 
-def test_check_tells_the_choice(capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_reports_the_choice(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(CASE / "project.yaml")]) == 0
     output = capsys.readouterr().out
     assert "set: the best 3 of 6\n" in output and "chosen for T_1 = " in output

@@ -138,16 +138,16 @@ def test_what_does_not_apply_is_not_open(archive: Path, answers: Answers, capsys
     }
     assert not any(verdict.answer == "open" for verdict in answers.values())
     assert main(["show", str(archive), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)["criteria"]
-    assert len(told) == len(answers) == 17 * 2 + 1
-    by_name = {(item["criterion"], item["variant"]): item for item in told}
+    reported = json.loads(capsys.readouterr().out)["criteria"]
+    assert len(reported) == len(answers) == 17 * 2 + 1
+    by_name = {(item["criterion"], item["variant"]): item for item in reported}
     assert by_name["stroke", "bare"]["verdict"] == "does not apply" and by_name["stroke", "bare"]["value"] is None
     assert by_name["uplift", "damped"]["governing_place"] == "A0"
     table = archive.with_name("verdicts.csv")
     assert main(["show", str(archive), "--csv", str(table)]) == 0
     capsys.readouterr()
     rows = list(csv.DictReader(io.StringIO(table.read_text(encoding="utf-8"))))
-    assert [row["verdict"] for row in rows] == [item["verdict"] for item in told]
+    assert [row["verdict"] for row in rows] == [item["verdict"] for item in reported]
 
 
 def test_verdicts_fit_a_terminal_and_stand_in_the_report(archive: Path) -> None:

@@ -62,7 +62,7 @@ def test_strain_of_the_histories_of_the_verification(archive: Path) -> None:
     assert design.attributes["strain"] == taken[chosen] != design.attributes["estimated_strain"]
 
 
-def test_a_design_that_is_none_is_told_everywhere(study: Path, archive: Path) -> None:
+def test_a_design_that_is_none_is_reported_everywhere(study: Path, archive: Path) -> None:
     beginnings = (
         "the dampers are beyond the size that adds most damping",
         "the dampers stiffen the frame more than they damp it: with k_D of up to 3.46 times the stiffness of a storey",

@@ -56,7 +56,7 @@ def test_work_of_the_supports_is_in_the_balance(results_of: Results) -> None:
     assert "wave" not in str(results_of(CASE, "at_once").attributes.get("warnings", ""))
 
 
-def test_a_record_that_ends_with_a_velocity_is_told(results_of: Results) -> None:
+def test_a_record_that_ends_with_a_velocity_is_reported(results_of: Results) -> None:
     """Some 20 mm/s, the integral of the archived acceleration, are 1 mm in 50 ms."""
     group = results_of(CASE, "passing")
     end = np.trapezoid(group.variables["ground_acceleration"].values.astype(float), dx=0.005)

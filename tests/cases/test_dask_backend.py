@@ -106,7 +106,7 @@ def _plain_answer(port: int) -> bytes:
         return b""
 
 
-def test_works_run_at_the_same_time_and_tell_their_progress(backend: Backend, tmp_path: Path) -> None:
+def test_works_run_at_the_same_time_and_report_their_progress(backend: Backend, tmp_path: Path) -> None:
     """Each waits until all have begun, in processes of their own; they end when the first has told its progress."""
     listener = Listener()
     calls = [Call(name, toy_calls.until_stopped, (tmp_path, name)) for name in "abc"]
@@ -291,7 +291,7 @@ def _stop_at_progress(listener: Listener, keys: set[str]) -> Listener:
 
     def progress(key: str, done: int, total: int) -> None:
         tell(key, done, total)
-        if keys <= {told for told, *_ in listener.told}:
+        if keys <= {reported for reported, *_ in listener.reported}:
             listener.stop.set()
 
     listener.progress = progress  # type: ignore[method-assign]

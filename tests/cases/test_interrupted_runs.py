@@ -75,7 +75,7 @@ def test_a_second_run_of_the_same_archive_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="no resource limits")
-def test_a_disk_that_fills_up_is_told_with_what_was_kept(tmp_path: Path) -> None:
+def test_a_disk_that_fills_up_is_reported_with_what_was_kept(tmp_path: Path) -> None:
     """A limit on the size of files stands for the full disk: the history does not fit, what came before does."""
     import resource
 

@@ -66,7 +66,7 @@ def test_scale_keeps_the_shape(tmp_path: Path) -> None:
         assert all(verdict["passed"] is not False for verdict in verdicts)
 
 
-def test_periods_outside_of_the_fit_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_periods_outside_of_the_fit_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """2 T1 = 3 s, fitted up to 2 s."""
     suite = suite_project.write_suite(tmp_path)
     assert main(["match", str(suite), *SITE, *FIT, "--t1", "1.5s", "--archive", str(tmp_path / "out.h5")]) == 0
@@ -232,7 +232,7 @@ def test_several_samples_a_line(
     assert "--layout, --component, --column: only for record files" in capsys.readouterr().err
 
 
-def test_scaling_beyond_the_usual_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_scaling_beyond_the_usual_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     suite, archive = suite_project.write_suite(tmp_path), tmp_path / "out.h5"
     site = ["--a-gr", "9g", "--ground", "B", "--method", "scale", "--periods", "0.1s", "2s", "--t1", "0.5s"]
     words = ["match", str(suite), *site, "--scale-bounds", "0.1", "100", "--select", "3", "--archive", str(archive)]

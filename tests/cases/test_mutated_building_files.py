@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 import pytest
-from cases.told_commands import TooLong, fault, told
+from cases.mutated_commands import TooLong, fault, outcome
 from every_building_key import EVERY_KEY, OTHER_FORMS
 from file_mutants import MUTATIONS, mutants
 from pydantic import BaseModel
@@ -57,7 +57,7 @@ def test_mutated_building_files_are_read_or_refused_with_a_place(tmp_path: Path)
         path.write_text(text, encoding="utf-8", newline="")
         for words in commands(name.split()[1], path, tmp_path):
             begin = time.process_time()
-            code, said = told(words)
+            code, said = outcome(words)
             slowest = max(slowest, time.process_time() - begin)
             assert code != TooLong.__name__, f"{name}: {words[0]}"
             ends[words[0], code] += 1
@@ -76,7 +76,7 @@ def test_a_few_mutants_of_each_kind_are_refused_with_a_place(tmp_path: Path) -> 
         for number in range(2):
             path = tmp_path / f"{mutation.__name__}{number}.yaml"
             path.write_text(mutation(EVERY_KEY, rnd), encoding="utf-8", newline="")
-            code, said = told(["check", str(path)])
+            code, said = outcome(["check", str(path)])
             assert not fault(code, said, path), f"{path.name}: {said}"
 
 
@@ -84,8 +84,8 @@ def test_a_few_mutants_of_each_kind_are_refused_with_a_place(tmp_path: Path) -> 
 def test_the_files_themselves_are_right(kind: str, tmp_path: Path) -> None:
     path = tmp_path / "building.yaml"
     path.write_text(texts()[kind], encoding="utf-8")
-    assert told(["check", str(path)])[0] == 0
-    code, said = told(["run", str(path), "--quiet"])
+    assert outcome(["check", str(path)])[0] == 0
+    code, said = outcome(["run", str(path), "--quiet"])
     assert code == 0, said
 
 

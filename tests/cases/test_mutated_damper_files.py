@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from cases.conftest import HERE
-from cases.told_commands import fault, told
+from cases.mutated_commands import fault, outcome
 from file_mutants import mutants
 
 CASES = ("placement", "elastomer_strain", "hysteretic_dampers", "viscous_dampers", "isolated_frame")
@@ -29,7 +29,7 @@ def ends(case: str, count: int, seed: int, folder: Path, run: bool) -> list[str]
             path.write_text(text if kind == name.split()[1] else texts[kind], encoding="utf-8", newline="")
         run_words = ["run", str(paths["study"]), "--archive", str(folder / "run.h5"), "--overwrite", "--quiet"]
         for words in [["check", str(paths["study"])], *([run_words] if run else [])]:
-            code, said = told(words)
+            code, said = outcome(words)
             # 3: a frame that gives way under gravity or in histories, a design that misses
             if why := fault(code, said, *paths.values(), allowed=(0, 2, 3)):
                 wrong.append(f"{case} {name}: {words[0]} {why}: {said[-300:]}")

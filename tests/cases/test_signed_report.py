@@ -80,8 +80,8 @@ def rows_of(table: Table) -> list[dict[str, str]]:
 
 def test_the_cover_says_whose_the_report_is(viscous: Made) -> None:
     cover = viscous.page[viscous.page.index('<header class="cover">') : viscous.page.index("</header>")]
-    told = re.findall(r"<dt>([^<]+)</dt><dd>([^<]+)</dd>", cover)
-    assert told == [
+    reported = re.findall(r"<dt>([^<]+)</dt><dd>([^<]+)</dd>", cover)
+    assert reported == [
         ("Client", "Municipality of &lt;Chania&gt;"),
         ("Author", "A. Petrou"),
         ("Checked by", "B. Ioannou"),

@@ -101,11 +101,11 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("slip", REFUSED)
-def test_refusals_tell_the_reason(templates: Path, tmp_path: Path, capsys: Capture, slip: str) -> None:
+def test_refusals_give_the_reason(templates: Path, tmp_path: Path, capsys: Capture, slip: str) -> None:
     old, new, said = REFUSED[slip]
     assert main(["check", str(changed(templates, tmp_path, "frame/project.yaml", old, new))]) == 2
-    told = capsys.readouterr()
-    assert told.out == "" and [words for words in said if words not in told.err] == []
+    reported = capsys.readouterr()
+    assert reported.out == "" and [words for words in said if words not in reported.err] == []
 
 
 def changed(templates: Path, tmp_path: Path, place: str, old: str, new: str) -> Path:

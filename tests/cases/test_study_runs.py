@@ -111,14 +111,14 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def told(study: Path) -> subprocess.CompletedProcess[str]:
+def reported(study: Path) -> subprocess.CompletedProcess[str]:
     """The run that is not disturbed."""
     return edesign("run", study)
 
 
 @pytest.fixture(scope="module")
-def archive(study: Path, told: subprocess.CompletedProcess[str]) -> Path:
-    assert told.returncode == 0, told.stderr
+def archive(study: Path, reported: subprocess.CompletedProcess[str]) -> Path:
+    assert reported.returncode == 0, reported.stderr
     return study.parent / "out.h5"
 
 
@@ -135,15 +135,15 @@ def undisturbed(archive: Path) -> dict[str, Any]:
 
 
 def test_a_run_makes_designs_and_histories_and_judges_them(
-    told: subprocess.CompletedProcess[str], archive: Path, whole: str
+    reported: subprocess.CompletedProcess[str], archive: Path, whole: str
 ) -> None:
-    lines = told.stderr.splitlines()
+    lines = reported.stderr.splitlines()
     assert lines.index("design added: round 1, target damping ratio, or beta 0.04") < lines.index("[1/29] bare.modes")
-    assert f"[{PLANNED}/{PLANNED}] damped.35C.DBE.first: completed" in told.stderr
-    assert "Traceback" not in told.stderr and not archive.with_name("out.h5.partial").exists()
+    assert f"[{PLANNED}/{PLANNED}] damped.35C.DBE.first: completed" in reported.stderr
+    assert "Traceback" not in reported.stderr and not archive.with_name("out.h5.partial").exists()
     for title in ("Verdicts", "Mean response of the records", "analyses  ", "All tables: edesign show"):
-        assert title in told.stdout
-    assert max(map(len, told.stdout.splitlines()[3:-2])) <= 80  # all but paths
+        assert title in reported.stdout
+    assert max(map(len, reported.stdout.splitlines()[3:-2])) <= 80  # all but paths
     for title in ("Mean response", "Design added: strain energy", "Criteria", "Rehabilitation objectives", "Analyses"):
         assert title in whole
     with open_archive(archive) as opened:
@@ -175,7 +175,7 @@ def test_a_variant_and_a_history_at_a_temperature_are_the_same(archive: Path) ->
 
 
 def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
-    told: subprocess.CompletedProcess[str], archive: Path, whole: str
+    reported: subprocess.CompletedProcess[str], archive: Path, whole: str
 ) -> None:
     """EN 1998-1, 3.2.3.1.2(4)c. T1 is that of the modal analysis of the variant; the ratio is computed here anew."""
     with open_archive(archive) as opened:
@@ -201,12 +201,12 @@ def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
         (one,) = (c for key, c in found.items() if key.endswith(text))
         assert one["value"] == pytest.approx(ratio, rel=1e-6) and one["passed"] is (ratio >= 0.9)
         said = f"records set: not met: 3.2.3.1.2(4)c, {one['text']}: {ratio:.3g}, required 0.9"
-        assert (said in told.stderr) is not one["passed"] and one["text"][:50] in whole
+        assert (said in reported.stderr) is not one["passed"] and one["text"][:50] in whole
     assert {c["passed"] for c in found.values()} == {True, False}  # the shortest period passes, that of the bare fails
 
 
-def test_scaling_beyond_the_usual_is_told_by_run_and_archive(
-    told: subprocess.CompletedProcess[str], archive: Path, whole: str
+def test_scaling_beyond_the_usual_is_reported_by_run_and_archive(
+    reported: subprocess.CompletedProcess[str], archive: Path, whole: str
 ) -> None:
     """The factors at the MCE are match_scale (1.54 to 1.59) times suite_factor (1.5) times gamma_I (1.71): above 3."""
     with open_archive(archive) as opened:
@@ -216,7 +216,7 @@ def test_scaling_beyond_the_usual_is_told_by_run_and_archive(
     assert said.startswith("MCE: 3 of 3 records are scaled beyond the usual 1/3 to 3 (FEMA P-751, 3.3.1.4): ")
     for name, about in of.items():
         assert f"{name} by {about['match_scale'] * about['suite_factor'] * level:.3g}" in said
-    assert f"records set: {said}" in told.stderr and f"set: {said}" in " ".join(whole.split())
+    assert f"records set: {said}" in reported.stderr and f"set: {said}" in " ".join(whole.split())
 
 
 def test_details_are_kept_of_the_records_that_are_named(archive: Path) -> None:
@@ -227,7 +227,7 @@ def test_details_are_kept_of_the_records_that_are_named(archive: Path) -> None:
     assert whole["floor_displacement"].values.shape[0] == (500 + 1) // 2  # every second of 0 to 4.98 s in 0.01 s
 
 
-def test_check_tells_what_a_run_would_do(study: Path, call: Caller) -> None:
+def test_check_reports_what_a_run_would_do(study: Path, call: Caller) -> None:
     checked = call("check", study)
     assert checked.code == 0 and checked.out.endswith("ok, with 7 warnings\n") and checked.err == ""
     assert "design added, first round: the dampers reach 5" in checked.out  # thin layers; the design counts on 20 %
@@ -236,9 +236,11 @@ def test_check_tells_what_a_run_would_do(study: Path, call: Caller) -> None:
     assert "records:    set (3 from files)" in checked.out and "variant warm: damper law rubber" in checked.out
 
 
-def test_show_tells_the_same_as_the_run(told: subprocess.CompletedProcess[str], archive: Path, call: Caller) -> None:
+def test_show_prints_the_same_as_the_run(
+    reported: subprocess.CompletedProcess[str], archive: Path, call: Caller
+) -> None:
     shown = call("show", archive)
-    lines = told.stdout.splitlines()
+    lines = reported.stdout.splitlines()
     assert shown.code == 0 and shown.out.splitlines()[2:] == lines[2:-1]  # all but the path and the time
     assert "One of them had no room here." in shown.out
     whole = call("show", archive, "--all")
@@ -360,17 +362,18 @@ def test_a_design_that_cannot_be_ends_with_its_reason_and_the_rest_is_there(tmp_
     assert "failed: not met within 2 rounds" in call("show", tmp_path / "out.h5", "--all").out
 
 
-def test_a_target_no_damper_can_reach_is_told_before_anything_is_run(tmp_path: Path, call: Caller) -> None:
+def test_a_target_no_damper_can_reach_is_reported_before_anything_is_run(tmp_path: Path, call: Caller) -> None:
     """Eq. 5.9: 2 zeta must be less than the loss factor; also behind a design whose rounds would come first."""
     path = write(tmp_path, UNREACHABLE)
     for name in ("check", "run"):
-        told = call(name, path)
-        assert told.code == 2 and told.err.startswith(f"edesign: {place_of(path, 'method')}: ")
+        reported = call(name, path)
+        assert reported.code == 2 and reported.err.startswith(f"edesign: {place_of(path, 'method')}: ")
         assert (
-            "designs.added: a damping of 30 % is a target no damper can reach: with a loss factor n of 0." in told.err
+            "designs.added: a damping of 30 % is a target no damper can reach: with a loss factor n of 0."
+            in reported.err
         )
-        assert "(n / 2 for rigid braces, thesis Eq. 5.9)" in told.err
-        assert "matching" not in told.err and not list(tmp_path.glob("out.h5*"))
+        assert "(n / 2 for rigid braces, thesis Eq. 5.9)" in reported.err
+        assert "matching" not in reported.err and not list(tmp_path.glob("out.h5*"))
     assert call("run", path, "--only", "bare.DBE", "--quiet").code == 0  # which needs no design
 
 
@@ -428,12 +431,12 @@ def test_folders_that_are_wrong(elsewhere: Path, call: Caller) -> None:
         (elsewhere, f"--folder: there is no folder {elsewhere}"),
         (folder / "empty", f"folders: no {NAME}.AT2 in {folder / 'empty'}"),
     ):
-        told = call("run", elsewhere, "--folder", place)
-        assert told.code == 2 and said in told.err
+        reported = call("run", elsewhere, "--folder", place)
+        assert reported.code == 2 and said in reported.err
     other = folder / "other"
     other.mkdir()
-    told = call("run", write_project(other), "--folder", folder / "mine")
-    assert told.code == 2 and f"--folder: {other / 'project.yaml'} has no suite of recordings" in told.err
+    reported = call("run", write_project(other), "--folder", folder / "mine")
+    assert reported.code == 2 and f"--folder: {other / 'project.yaml'} has no suite of recordings" in reported.err
     assert not list(folder.rglob("*.h5*"))
 
 

@@ -160,7 +160,7 @@ def test_workers_do_not_change_the_results(archive: Path, tmp_path: Path) -> Non
         ),
     ],
 )
-def test_a_mistake_is_told_before_anything_runs(
+def test_a_mistake_is_reported_before_anything_runs(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, said: str
 ) -> None:
     if old == "a_gR: 0.2 g":

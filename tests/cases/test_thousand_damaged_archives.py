@@ -70,7 +70,7 @@ def test_a_thousand_damaged_archives(samples: dict[str, Path], tmp_path: Path, l
         if layout == "partial" and kind in CRAFTS:
             continue  # it is no file of HDF5 that a library changes
         (crafted_copy if kind in CRAFTS else damaged_copy)(sample, mutant, kind, random)  # type: ignore[operator]
-        for words, told in zip(commands, right, strict=True):
+        for words, reported in zip(commands, right, strict=True):
             ended = command(_words(words, mutant), LIMIT)
             ends[kind.__name__].append(ended)
             where = f"{layout}, seed {seed}: {kind.__name__}, {words[0]}: {ended}"
@@ -78,7 +78,7 @@ def test_a_thousand_damaged_archives(samples: dict[str, Path], tmp_path: Path, l
             if layout == "whole":
                 assert ended.code == 4, where
             elif layout == "killed" and kind in DAMAGES:
-                assert ended.code == 4 or ended.output == told, where
+                assert ended.code == 4 or ended.output == reported, where
         if seed % 20 == 0:
             page = str(tmp_path / "page.html")
             ended = command(["report", "--quiet", "--output", page, str(mutant)], 3 * LIMIT)

@@ -66,9 +66,12 @@ def test_what_is_hidden_is_found(tmp_path: Path, hidden: Hidden, equations: Mapp
     assert effect.label in equations and found.verdict == "explained"
     names = {label.partition(".")[0] for label in equations}
     assert effect.name in names and names <= {effect.name, *effect.indistinguishable_from}
-    told = {"offset": "zero of the force channel, the same in all tests (instrument", "static_offset": "shear of the "}
-    for name in names & set(told):  # one of them is as good as the other, and the verdict says both
-        assert told[name] in verdict_text(found).partition(". ")[0]
+    reported = {
+        "offset": "zero of the force channel, the same in all tests (instrument",
+        "static_offset": "shear of the ",
+    }
+    for name in names & set(reported):  # one of them is as good as the other, and the verdict says both
+        assert reported[name] in verdict_text(found).partition(". ")[0]
     parameter, value = equations[effect.label]
     if parameter:
         estimate = effect.parameters[parameter]
@@ -90,7 +93,7 @@ def test_a_late_force_is_a_lag(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("late", [0.002, LATE])
-def test_a_short_lag_is_told_though_others_do_as_well(tmp_path: Path, late: float) -> None:
+def test_a_short_lag_is_reported_though_others_do_as_well(tmp_path: Path, late: float) -> None:
     """Eight tests at up to 3 Hz: a lag of some milliseconds is a phase, which masses and filters have too."""
     found = calibrate(campaign(tmp_path, late=late), threads=1)
     (effect,) = found.effects
@@ -129,7 +132,7 @@ def test_a_law_that_is_not_to_be_fitted_again_stays_beside_what_is_found(tmp_pat
     assert {name: one.value for name, one in found.parameters["corrected"].items()} == {"k": K, "c": C}
 
 
-def test_what_nothing_known_explains_is_told_as_that(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_nothing_known_explains_is_reported_as_that(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     random = np.random.default_rng(8)
 
     def stuck(t: np.ndarray, u: np.ndarray, v: np.ndarray, a: np.ndarray, order: int) -> np.ndarray:
@@ -145,5 +148,5 @@ def test_what_nothing_known_explains_is_told_as_that(tmp_path: Path, monkeypatch
     assert found.more_is_left and found.worst is not None
     assert found.unexplained_share > 0.2
     assert found.unexplained_shape
-    told = json.loads(json.dumps(calibration_json(found), allow_nan=False))
-    assert told["verdict"] == found.verdict and told["effects"] == []
+    reported = json.loads(json.dumps(calibration_json(found), allow_nan=False))
+    assert reported["verdict"] == found.verdict and reported["effects"] == []

@@ -87,11 +87,11 @@ def test_columns_lack_the_couples_of_dampers_between_floors(tmp_path: Path) -> N
         reactions = values(group, "overturning_moment") - moment_of_reactions(group)
         lacking = reactions if "time" in group.coords else reactions[-1]
         assert np.abs(lacking - couple).max() < SINGLE * np.abs(couple).max()
-        (told,) = warnings_of(group)
-        assert told.kind == "damper_couple"
+        (reported,) = warnings_of(group)
+        assert reported.kind == "damper_couple"
         most, of, at_line = np.abs(couple).max() / 1e3, np.abs(total).max() / 1e3, np.abs(couple).max() / 2.0 / 5e3
         # dampers are alike in both bays, and line C ends the narrower one
-        assert told.text.startswith(
+        assert reported.text.startswith(
             f"{most:.4g} of {of:.4g} kNm of overturning are in no column, at line C {at_line:.4g} kN; "
         )
     for group in results(tmp_path, "chevron").values():
@@ -105,14 +105,14 @@ def test_all_dampers_overturn(tmp_path: Path) -> None:
     kinds = "storey, bays: 1, storeys: all, law: pad}, {kind: chevron"
     group = results(tmp_path, kinds)["shake"]
     force = values(group, "storey_damper_force")
-    (told,) = warnings_of(group)
+    (reported,) = warnings_of(group)
     total = np.abs((values(group, "storey_shear") + force) @ HEIGHTS).max() / 1e3
     own = [i for i, name in enumerate(group.coords["damper"].values) if str(name).startswith("S_")]
     couple = np.abs(values(group, "damper_force")[:, own] @ HEIGHTS).max() / 1e3
-    assert told.text.startswith(f"{couple:.4g} of {total:.4g} kNm of overturning are in no column")
+    assert reported.text.startswith(f"{couple:.4g} of {total:.4g} kNm of overturning are in no column")
 
 
-def test_small_couples_are_not_told(tmp_path: Path) -> None:
+def test_small_couples_are_not_reported(tmp_path: Path) -> None:
     """Up to the tenth of the overturning moment that EN 1998-1, 4.4.2.2(2), lets second-order effects have."""
     group = results(tmp_path, "storey", k=0.2, c=1.0)["shake"]
     force, shear = values(group, "storey_damper_force"), values(group, "storey_shear")
@@ -121,8 +121,8 @@ def test_small_couples_are_not_told(tmp_path: Path) -> None:
     assert warnings_of(group) == []
 
 
-def test_check_tells_before_the_run(tmp_path: Path) -> None:
-    for kind, told in (("storey", True), ("chevron", False)):
+def test_check_reports_before_the_run(tmp_path: Path) -> None:
+    for kind, reported in (("storey", True), ("chevron", False)):
         file = tmp_path / f"{kind}.yaml"
         file.write_text(PROJECT.format(kind=kind, k=15.0, c=1000.0, motion=MOTION), encoding="utf-8")
         warnings = check_project(load_project(file)).get("warnings", "")

@@ -142,39 +142,39 @@ def warnings_of(text: str) -> list[str]:
     return first_warnings(project, "tried", design(f"{COMMON}, {text}", project), Path("."))
 
 
-def test_more_stiffness_than_adds_damping_is_told_with_the_share_that_does() -> None:
+def test_more_stiffness_than_adds_damping_is_reported_with_the_share_that_does() -> None:
     text = "method: strain_energy, damping: 13 %, strain: 20 %, brace: {ratio: 3}"
-    (told,) = [line for line in warnings_of(text) if "beyond the size" in line]
+    (reported,) = [line for line in warnings_of(text) if "beyond the size" in line]
     n = loss_factor(0.2)
     ratio = 0.26 / (n - 0.26)
     added = 1.0 / (1.0 / (ratio * (1.0 + 1j * n)) + 1.0 / 3.0)
     damping = 0.5 * added.imag / (1.0 + added.real)
     share = stiffness_ratio(damping, n, 3.0) / ratio  # the smaller root of the quadratic of Eq. 5.9 with braces
-    found = re.search(r"they add ([\d.]+) %, and ([\d.]+) % of the elastomer", told)
+    found = re.search(r"they add ([\d.]+) %, and ([\d.]+) % of the elastomer", reported)
     assert found is not None
     assert [float(x) for x in found.groups()] == pytest.approx([100.0 * damping, 100.0 * share], rel=5e-3)
     assert not [line for line in warnings_of(text.replace("13 %", "7 %")) if "beyond the size" in line]
 
 
-def test_a_strain_that_is_not_reached_is_told_with_what_it_makes_of_the_damping() -> None:
+def test_a_strain_that_is_not_reached_is_reported_with_what_it_makes_of_the_damping() -> None:
     text = "method: strain_energy, damping: 10 %, strain: 45 %"
-    (told,) = [line for line in warnings_of(text) if "not the 45 % of the design" in line]
-    there = float(re.search(r"reach ([\d.]+) % strain", told)[1]) / 100.0  # type: ignore[index]
+    (reported,) = [line for line in warnings_of(text) if "not the 45 % of the design" in line]
+    there = float(re.search(r"reach ([\d.]+) % strain", reported)[1]) / 100.0  # type: ignore[index]
     k_D = 0.2 / (loss_factor(0.45) - 0.2)
     stored = modulus(there) / modulus(0.45)
-    assert f"store {stored:.3g} and" in told and stored > 1.2
+    assert f"store {stored:.3g} and" in reported and stored > 1.2
     damping = 0.5 * loss_factor(there) * k_D * stored / (1.0 + k_D * stored)
-    said = float(re.search(r"they add ([\d.]+) % of damping", told)[1]) / 100.0  # type: ignore[index]
+    said = float(re.search(r"they add ([\d.]+) % of damping", reported)[1]) / 100.0  # type: ignore[index]
     assert said == pytest.approx(damping, rel=5e-3)
     assert not [line for line in warnings_of(text.replace("45 %", "spectrum")) if "of the design. There" in line]
 
 
-def test_slender_layers_are_told() -> None:
+def test_slender_layers_are_reported() -> None:
     # G A / h over 1 + h^2 / (3 b^2), Rivlin and Saunders (1949): 0.75 for a cube
     project = shear_project(1)
     text = COMMON.replace("160 mm", "@ mm").replace("level: DBE, ", "") + ", method: strain_energy, strain: 20 %"
     common = f"{text}, damping: 8 %, number: 10"
-    for thickness, told in ((20, False), (900, True)):
+    for thickness, reported in ((20, False), (900, True)):
         spec = design(common.replace("@", str(thickness)), project)
         lines = first_warnings(project, "tried", spec, Path("."))
-        assert bool([line for line in lines if "it bends" in line]) == told, lines
+        assert bool([line for line in lines if "it bends" in line]) == reported, lines

@@ -100,10 +100,10 @@ def test_least_coefficients_whatever_the_estimate_says(a_gR: float) -> None:
     def of(run: DamperRun) -> tuple[np.ndarray, np.ndarray]:
         return np.zeros((1, 2)), 1e3 * np.array([run.scale])
 
-    told = run_design(project, "tried", design(text, project), Path("."))
-    assert (told.status == "failed") == (a_gR != 0.06)
-    if told.reason:
-        assert told.reason.endswith("this is an estimate by the response spectrum: with `verify` histories decide")
+    reported = run_design(project, "tried", design(text, project), Path("."))
+    assert (reported.status == "failed") == (a_gR != 0.06)
+    if reported.reason:
+        assert reported.reason.endswith("this is an estimate by the response spectrum: with `verify` histories decide")
     histories = Histories(of)
 
     def verified(rounds: int) -> DesignResult:

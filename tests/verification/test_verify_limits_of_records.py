@@ -40,7 +40,7 @@ def test_clipped_samples_have_no_weight(tmp_path: Path) -> None:
     assert f"{next(iter(beyond))} {next(iter(beyond.values()))}" in plain(each_test_table(found))
 
 
-def test_a_floor_that_no_record_shows_is_told(tmp_path: Path) -> None:
+def test_a_floor_that_no_record_shows_is_reported(tmp_path: Path) -> None:
     found = calibrate(campaign(tmp_path, tests=4, noise=0.0), threads=1)
     names = [one.name for one in found.series]
     assert found.verdict == "none" and calibration_json(found)["noise_assumed"] == names

@@ -36,7 +36,7 @@ def test_a_record_matched_to_its_own_spectrum_stays_as_it_is(method: Method, poi
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_a_motion_that_drifts_but_fits_is_left_alone_and_its_drift_is_told(method: Method) -> None:
+def test_a_motion_that_drifts_but_fits_is_left_alone_and_its_drift_is_reported(method: Method) -> None:
     still = synthetic()
     drifting = Record("drifting", still.acceleration + 0.004, still.time_step, "made here")
     match = match_record(drifting, Own(drifting), MatchOptions(method=method))

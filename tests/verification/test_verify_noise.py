@@ -199,7 +199,7 @@ def test_what_a_model_can_have_repeats() -> None:
     assert repeatability(motion, without_tones(motion, left)) == pytest.approx(400.0, rel=0.08)
 
 
-def test_a_test_without_cycles_does_not_tell_what_repeats() -> None:
+def test_a_test_without_cycles_does_not_show_what_repeats() -> None:
     t = np.arange(0.0, 15.0, 1.0 / 500.0)
     assert repeatability(Cycles(t, earthquake(t)[0]), np.random.default_rng(10).standard_normal(t.size)) is None
 

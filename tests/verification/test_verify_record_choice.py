@@ -174,7 +174,7 @@ def test_an_earlier_choice_is_taken_only_where_nothing_has_changed(folder: Path)
     assert set(again(found.checksum, others, 1.01 * T1).candidates) != set(others)
 
 
-def test_too_few_candidates_are_told_with_what_was_left_out(tmp_path: Path) -> None:
+def test_too_few_candidates_are_reported_with_what_was_left_out(tmp_path: Path) -> None:
     write(tmp_path / "all", {"one": motion(1)})
     (tmp_path / "all" / "bad.AT2").write_text("nothing\n")
     with pytest.raises(InputError) as caught:

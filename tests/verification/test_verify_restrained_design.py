@@ -195,7 +195,7 @@ def test_each_place_has_its_own_length() -> None:
     np.testing.assert_allclose(made.model.yield_deformation, yields, rtol=1e-12)
 
 
-def test_a_strain_beyond_the_values_of_the_manufacturer_is_told() -> None:
+def test_a_strain_beyond_the_values_of_the_manufacturer_is_reported() -> None:
     project = shear_project(1, LAWS).with_values("hazard.a_gR", "1.2 g")
     text = f"{RISING}, shear_share: 1 %, level: DBE"
     group = run_design(project, "tried", design(text, project), Path(".")).group

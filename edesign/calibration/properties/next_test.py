@@ -41,10 +41,10 @@ def next_test(problem: PropertyProblem, posterior: Posterior) -> NextTest | None
         except PredictionError:
             continue
         for text, difference in _tests(problem, one, other):
-            told = min(posterior.odds(i), 1.0) * difference
-            if difference < max(_GAIN * so_far, problem.repeats**2) or (best is not None and told <= best[0]):
+            expected = min(posterior.odds(i), 1.0) * difference
+            if difference < max(_GAIN * so_far, problem.repeats**2) or (best is not None and expected <= best[0]):
                 continue
-            best = told, NextTest(text, (one.label, other.label), difference, so_far)
+            best = expected, NextTest(text, (one.label, other.label), difference, so_far)
     return None if best is None else best[1]
 
 

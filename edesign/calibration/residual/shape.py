@@ -62,16 +62,16 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | Non
     if structured < _NOISE:
         return f"{left}, all of it noise{' but ' + hum if hum else ''}."
     rest = pool.error
-    told: list[str] = []
-    while len(told) < _MOST:
+    named: list[str] = []
+    while len(named) < _MOST:
         best = _best(rest, pool)
         share = best.share * float(rest @ rest) / total if best else 0.0
         if best is None or share < WORTH_TELLING:
             break
-        told.append(f"{best.words} ({100.0 * share:.0f} %)")
+        named.append(f"{best.words} ({100.0 * share:.0f} %)")
         rest = rest - best.fitted
     first = f"{left}, {100.0 * structured:.0f} % of it structure in the band of the motion"
-    like = f" It is like {', then '.join(told)}." if told else " None of the quantities examined explains it."
+    like = f" It is like {', then '.join(named)}." if named else " None of the quantities examined explains it."
     return f"{first}{', beside ' + hum if hum else ''}.{like}"
 
 

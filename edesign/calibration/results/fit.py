@@ -62,8 +62,8 @@ def _estimates(model: FittedModel) -> list[Estimate]:
         rate = one.spread * (one.value(float(sure.z[i])) if one.logarithmic else 1.0)  # for a change of its coordinate
         error = math.inf if bound else sure.standard_error(alone) * rate
         loose = float(sure.loose[i]) >= 0.5
-        untold = "only a combination of it with others is known" if loose else "not known to a decade"
-        why = f"at its {bound} bound" if bound else "" if sure.determined(i) else untold
+        undetermined = "only a combination of it with others is known" if loose else "not known to a decade"
+        why = f"at its {bound} bound" if bound else "" if sure.determined(i) else undetermined
         found.append(Estimate(value, error, one.unit, sure.interval(i), why))
     return found
 

@@ -81,7 +81,7 @@ def next_test(problem: DamperProblem, posterior: Posterior) -> NextTest | None:
     if len(models) < 2:
         return None
     share = posterior.best.nrms
-    told: list[tuple[float, str, tuple[int, int], float, float]] = []
+    candidates: list[tuple[float, str, tuple[int, int], float, float]] = []
     for text, test in _tests(problem):
         forces = _forces(replace(problem, experiments=(*problem.experiments, test)), models)
         if forces is None:
@@ -93,10 +93,10 @@ def next_test(problem: DamperProblem, posterior: Posterior) -> NextTest | None:
         }
         pair = max(apart, key=lambda pair: apart[pair])
         most = _nrms(forces[pair[0]], forces[pair[1]])
-        told.append((sum(apart.values()), text, pair, most, noise / max(float(np.mean(forces[0] ** 2)), 1e-300)))
-    if not told:
+        candidates.append((sum(apart.values()), text, pair, most, noise / max(float(np.mean(forces[0] ** 2)), 1e-300)))
+    if not candidates:
         return None
-    _, text, (i, k), most, noise = max(told, key=lambda one: one[0])
+    _, text, (i, k), most, noise = max(candidates, key=lambda one: one[0])
     so_far = _so_far(problem, models[i], models[k])
     if most < max(_GAIN * so_far, noise):
         return None

@@ -120,7 +120,7 @@ def _structure_text(found: Calibration, campaign: StructureCampaign, head: list[
                 building = mechanism.change(of.values(one.value for one in effect.parameters.values()), building)
         else:
             where = where_carried(effect)
-            comments.append(f"{f'in {where}' if where else 'in no file'}: {_told(effect)}")
+            comments.append(f"{f'in {where}' if where else 'in no file'}: {_in_words(effect)}")
     data: dict[str, Any] = {"structure": _block(building, campaign)}
     if campaign.isolation is not None:
         data["law"] = _law(found, campaign)
@@ -141,7 +141,7 @@ def _law_texts(found: Calibration, campaign: StructureCampaign, head: list[str],
             law = {"type": kind, "parameters": write_parameters(law_of(kind), own)}
             beside[where] = _text([first, *head], law)
         elif where != LAW:
-            others.append(f"{f'in {where}' if where else 'in no file'}: {_told(effect)}")
+            others.append(f"{f'in {where}' if where else 'in no file'}: {_in_words(effect)}")
     data = _law(found, campaign)
     if found.law_file.effects:
         data["effects"] = write_effects(found.law_file.effects)
@@ -187,7 +187,7 @@ def _block(building: Building, campaign: StructureCampaign) -> dict[str, Any]:
     return block
 
 
-def _told(effect: FoundEffect) -> str:
+def _in_words(effect: FoundEffect) -> str:
     numbers = ", ".join(f"{name} = {one.value:.6g} {one.unit}".rstrip() for name, one in effect.parameters.items())
     return f"{effect.label} ({effect.kind}): {effect.title}; {numbers}"
 

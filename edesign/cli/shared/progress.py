@@ -18,7 +18,7 @@ from edesign.study.run.progress import Listener, Progress, Tally, silent
 
 LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
 LINE_AFTER = 2.0  # s: quicker analyses have lines at their start and end only
-TOLD_FROM = 1.0  # s: less that is left is not worth telling
+REPORTED_FROM = 1.0  # s: less that is left is not worth telling
 
 
 @contextmanager
@@ -37,7 +37,7 @@ class PlainLines:
     """A listener that prints a line at the start and the end of each analysis, and at every tenth of long ones."""
 
     def __init__(self) -> None:
-        self._told: dict[str, int] = {}
+        self._reported: dict[str, int] = {}
         self._began: dict[str, float] = {}
         self._tally = Tally()
 
@@ -54,9 +54,9 @@ class PlainLines:
             if now - self._began.get(report.analysis, now) < LINE_AFTER:
                 return
             tenths = int(report.fraction / LINE_EVERY + 1e-9)
-            if tenths <= self._told.get(report.analysis, 0) or report.fraction >= 1:
+            if tenths <= self._reported.get(report.analysis, 0) or report.fraction >= 1:
                 return
-            self._told[report.analysis] = tenths
+            self._reported[report.analysis] = tenths
             text = f"{visible_line(place(report) + report.analysis)}: {tenths * LINE_EVERY:.0%}"
         try:
             print(text, file=sys.stderr, flush=True)
@@ -94,7 +94,7 @@ def duration(seconds: float) -> str:
 
 def remaining(seconds: float | None, before: str = "") -> str:
     """Return the estimate of the remaining time, such as "25 s left"; "" if there is none or it is negligible."""
-    if seconds is None or seconds < TOLD_FROM:
+    if seconds is None or seconds < REPORTED_FROM:
         return ""
     step = 1 if seconds < 10 else 5 if seconds < 120 else 60  # s: no more digits than an estimate has
     return f"{before}{duration(step * round(seconds / step))} left".replace(" min 0 s", " min")

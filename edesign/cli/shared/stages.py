@@ -57,15 +57,15 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
 
     context: Any = contextvars.copy_context()
     thread = threading.Thread(target=context.run, args=(run,), daemon=True)
-    told = ""
+    reported = ""
     try:
         thread.start()
         while thread.is_alive():
             thread.join(LOOK)
             stage, since = stages[-1] if stages else ("", 0.0)
             lasts = time.monotonic() - since >= LINE_AFTER
-            if by_time and not quiet and stage != told and thread.is_alive() and lasts:
-                told = stage
+            if by_time and not quiet and stage != reported and thread.is_alive() and lasts:
+                reported = stage
                 _tell(stage)
     except KeyboardInterrupt:
         ended.set()

@@ -68,7 +68,7 @@ def cross_validate(
     folds: int | None = None,
     whole: Fit | None = None,
     predict: Predict | None = None,
-    told: Progress | None = None,
+    progress: Progress | None = None,
     **options: Any,
 ) -> CrossValidation:
     """Leave tests out in turn, fit to the others, predict those left out.
@@ -79,7 +79,7 @@ def cross_validate(
         folds: parts of the tests that are left out in turn, test i in part i modulo `folds`; None: each test alone.
         whole: the fit to all tests, whose values are then the start: folds differ by little, and one descent does.
         predict: as of fit_forces.
-        told: of every fold that is done.
+        progress: of every fold that is done.
         **options: of fit_forces.
         options: of fit_forces.
 
@@ -106,6 +106,6 @@ def cross_validate(
         except InputError as error:
             raise InputError(f"cross-validation without {', '.join(test.name for test in out)}: {error}") from error
         errors |= prediction_errors(found, out, predict)
-        if told is not None:
-            told("held out", fold + 1, count)
+        if progress is not None:
+            progress("held out", fold + 1, count)
     return CrossValidation({test.name: errors[test.name] for test in tests}, count)

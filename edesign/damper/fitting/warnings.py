@@ -13,7 +13,7 @@ from edesign.damper.history import sign_questionable
 CORRELATED = 0.98
 LOOSE = 0.5
 """Share of a parameter's variance in combinations that data do not tell, for it to be named."""
-_TOLD = 0.05  # standard error / value, up to which correlation does no harm
+_PRECISE = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
 
 
@@ -45,7 +45,7 @@ def identifiability_warnings(
             rho = float(correlation[i, j])
             unsure = max(errors[name] / max(abs(values[name]), 1e-300) for name in (first, names[j]))
             together = first in loose and names[j] in loose
-            if abs(rho) > CORRELATED and unsure > _TOLD and not together:
+            if abs(rho) > CORRELATED and unsure > _PRECISE and not together:
                 said.append(f"{names[j]} and {first} are correlated by {rho:.3f}: the data can hardly tell them apart")
     for name in names:
         if name not in loose and errors[name] > _UNSURE * abs(values[name]):

@@ -162,7 +162,7 @@ def _en(asked: Acceptance) -> list[AcceptanceCriterion]:
             AcceptanceCriterion("en_15129", "7", one, "design", design, (LEAST_CYCLES,) * 2) for one in (*PEAKS, ENERGY)
         ]
     clause = "8.2" if isolator else "6"
-    told = [
+    criteria = [
         AcceptanceCriterion("en_15129", clause, one, "design", design, (LEAST_CYCLES,) * 2)
         for one in (STIFFNESS, DAMPING)
     ]
@@ -176,7 +176,7 @@ def _en(asked: Acceptance) -> list[AcceptanceCriterion]:
             AcceptanceCriterion("en_15129", clause, one, "third", asked.from_third, (2, 10**6))
             for one in (STIFFNESS, DAMPING)
         ]
-    return [*repeated, *told]
+    return [*repeated, *criteria]
 
 
 def _ntc(asked: Acceptance) -> list[AcceptanceCriterion]:
@@ -195,13 +195,13 @@ def _ntc(asked: Acceptance) -> list[AcceptanceCriterion]:
         )
 
     if asked.device == "viscous":
-        told = [designed("11.9.6", one, 0.15) for one in PEAKS]
-        return [*repeated("11.9.6", ENERGY), *told, designed("11.9.6", ENERGY, 0.15, fall_only=True)]
+        criteria = [designed("11.9.6", one, 0.15) for one in PEAKS]
+        return [*repeated("11.9.6", ENERGY), *criteria, designed("11.9.6", ENERGY, 0.15, fall_only=True)]
     if asked.device == "elastomeric_isolator":
         return [designed("11.9.7", one, 0.20) for one in (STIFFNESS, DAMPING)]
     if asked.device == "hysteretic":  # whose K_2, the stiffness beyond yielding, is not found
-        told = [designed("11.9.5", STIFFNESS, 0.15), designed("11.9.5", DAMPING, 0.10)]
-        return [*repeated("11.9.5", DAMPING), *told]
+        criteria = [designed("11.9.5", STIFFNESS, 0.15), designed("11.9.5", DAMPING, 0.10)]
+        return [*repeated("11.9.5", DAMPING), *criteria]
     return [*repeated("11.9.4", STIFFNESS, DAMPING), *(designed("11.9.4", one, 0.15) for one in (STIFFNESS, DAMPING))]
 
 

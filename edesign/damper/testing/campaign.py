@@ -194,10 +194,10 @@ def _readings(tests: Sequence[DamperTest]) -> tuple[str, ...]:
     return _by_tests((f"read: {test.reading}" if test.reading else "", test.name) for test in tests)
 
 
-def _by_tests(told: Iterable[tuple[str, str]]) -> tuple[str, ...]:
+def _by_tests(notes: Iterable[tuple[str, str]]) -> tuple[str, ...]:
     """Each text once, behind the names of the tests that it is told of."""
     names: dict[str, list[str]] = {}
-    for text, name in told:
+    for text, name in notes:
         if text:
             names.setdefault(text, []).append(name)
     return tuple(f"{', '.join(tests)}: {text}" for text, tests in names.items())

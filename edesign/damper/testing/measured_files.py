@@ -177,8 +177,8 @@ def _from_zero(
         first = float(displacement[0])
         if abs(first) <= _AT_REST * np.ptp(displacement):
             return displacement, rest
-        told = f"the first sample is displaced by {1e3 * first:.3g} mm, taken as recorded"
-        return displacement, ", ".join(part for part in (told, rest) if part)
+        note = f"the first sample is displaced by {1e3 * first:.3g} mm, taken as recorded"
+        return displacement, ", ".join(part for part in (note, rest) if part)
     if zero == "rest" and not samples:
         raise InputError(
             f"{table.where(row=0)}: the displacement moves from the first samples on, so there is no rest to take its "
@@ -186,8 +186,8 @@ def _from_zero(
         )
     offset = float(np.mean(displacement[:samples])) if zero == "rest" else float(displacement[0])
     whose = "the rest" if zero == "rest" else "the first sample"
-    told = f"{1e3 * offset:.3g} mm, the displacement of {whose}, taken off all"
-    return displacement - offset, ", ".join(part for part in (told, rest) if part)
+    note = f"{1e3 * offset:.3g} mm, the displacement of {whose}, taken off all"
+    return displacement - offset, ", ".join(part for part in (note, rest) if part)
 
 
 def _columns(

@@ -36,7 +36,7 @@ PUSH, QUAKE, VERTICAL = 2, 3, 4
 """Tags of the patterns beside gravity, and of their time series."""
 NAMED = 4
 """Analyses that a sentence names."""
-TOLD_EVERY = 5
+REPORTED_EVERY = 5
 """Records between words on how many are ready."""
 
 
@@ -224,7 +224,7 @@ def _motions(project: Project, tasks: Iterable[PlannedAnalysis], tell: Tell) -> 
 
     def each(motion: Motion) -> None:
         ready.append(motion.name)
-        if fits and len(ready) % TOLD_EVERY == 0:
+        if fits and len(ready) % REPORTED_EVERY == 0:
             tell(f"fitting records to the spectrum: {len(ready)} of {len(wanted)} done")
 
     fits = any(match_options(project, name) is not None for name in wanted)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.record_table import COLUMNS, ROWS, RecordTable, check_units, told
+from edesign.ground_motion.formats.record_table import COLUMNS, ROWS, RecordTable, check_units, form_in_words
 from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.ground_motion.plausibility import LONGEST_STEP
@@ -109,7 +109,8 @@ def read_csv(
         )
         raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`) [E-REC-17]")
     check_step(f"{path}", time_step)
-    source = ", ".join(part for part in (f"{path.name} in {acceleration_unit}", told(table.form, given)) if part)
+    how = f"{path.name} in {acceleration_unit}", form_in_words(table.form, given)
+    source = ", ".join(part for part in how if part)
     with np.errstate(over="ignore"):
         acceleration = factor * np.array(samples)
     if (beyond := np.flatnonzero(~np.isfinite(acceleration))).size:

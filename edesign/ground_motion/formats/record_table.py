@@ -157,7 +157,7 @@ class RecordTable:
             )
 
 
-def told(form: Form, given: TableFormat | None) -> str:
+def form_in_words(form: Form, given: TableFormat | None) -> str:
     """Return how a table was read, where that was said or is not plain."""
     found = (
         form.skipped or form.units_line or form.decimal == "comma" or form.encoding in ("utf-16", "gbk", "shift-jis")

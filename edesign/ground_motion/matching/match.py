@@ -86,7 +86,7 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
         shape=shape,
         iterations=adjusted.iterations,
         history=adjusted.history,
-        told=(*notes, *adjusted.notes),
+        messages=(*notes, *adjusted.notes),
     )
 
 

@@ -114,7 +114,7 @@ class Match:
         shape: how far the motion's character changed, against the scaled original.
         iterations: how many were done.
         history: misfit (rms over the matching periods) before the first and after each iteration.
-        told: what scaling and method had to say.
+        messages: what scaling and method had to say.
         suite_factor: on the result, the same for a whole suite so that its mean satisfies the code; 1 as matched.
     """
 
@@ -137,13 +137,13 @@ class Match:
     shape: Shape
     iterations: int
     history: tuple[float, ...]
-    told: tuple[str, ...]
+    messages: tuple[str, ...]
     suite_factor: float = 1.0
 
     @property
     def notes(self) -> tuple[str, ...]:
         """Notes that the user should read; empty if all went well."""
-        found = list(self.told)
+        found = list(self.messages)
         off, end_velocity = self.misfit_after, self.after.end_velocity
         if self.method != "scale" and off.rms > GOOD:
             found.append(

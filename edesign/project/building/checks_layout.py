@@ -152,19 +152,19 @@ def _braces(building: Building, problems: Problems) -> None:
     held = {(line, floor) for line, storey in layout.column_at for floor in (storey - 1, storey)}
     held |= {(line, place.floor) for place in layout.beam_at for line in place.lines}
     numbers = {id(run): i for i, run in enumerate(building.braces)}
-    told: set[tuple[int, str]] = set()
+    reported: set[tuple[int, str]] = set()
     for place, run in layout.brace_at.items():
         i = numbers[id(run)]
         beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place[:3], place.storey)
         if beam not in layout.beam_at:
             where = "at the base, where there is none" if beam.floor == 0 else "which is missing"
-            told.add((i, f"{place} needs the beam {beam}, {where}"))
+            reported.add((i, f"{place} needs the beam {beam}, {where}"))
             continue
         points = {point for pair in ways(place, run).values() for point in pair}
         for line, floor in sorted((line, floor) for line, floor in points if line is not None):
             if (line, floor) not in held:
-                told.add((i, f"{place} ends at {node_name(line, floor)}, where no column or beam is"))
-    for i, message in sorted(told):
+                reported.add((i, f"{place} ends at {node_name(line, floor)}, where no column or beam is"))
+    for i, message in sorted(reported):
         problems.at_value(("braces", i), message)
 
 

@@ -31,8 +31,8 @@ def readable_part(model: type[M], problems: Problems) -> M | None:
     given = {key: value for key, value in plain.items() if key in names}
     absent = [key for key in names if key not in given]
     meant = {nearest(key, absent) for key in plain if key not in names}  # by keys that are misspelt
-    told = {_STEP.split(problem.keys_text)[0] for problem in problems.found}
-    wrong = {name for key, name in names.items() if key in told | meant}
+    reported = {_STEP.split(problem.keys_text)[0] for problem in problems.found}
+    wrong = {name for key, name in names.items() if key in reported | meant}
     right: dict[str, Any] = {
         name: (info.annotation, info) for name, info in model.model_fields.items() if name not in wrong
     }

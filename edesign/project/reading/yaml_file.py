@@ -87,7 +87,7 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
         return model.model_validate(_without(root, set(empty.values()))), problems
     except ValidationError as error:
         explain(error, model, problems)
-        echoes = [problem for problem in problems.found[told:] if problem.keys_text in empty]  # that it is missing
+        echoes = [problem for problem in problems.found[reported:] if problem.keys_text in empty]  # that it is missing
         problems.found = [problem for problem in problems.found if problem not in echoes]
         problems.found = _without_echoes(problems.found, {fault.mark for fault in faults})
         _tell_other_kind(problems, what, begins)

@@ -134,16 +134,16 @@ def _cover(source: Source) -> Cover:
     about, kind = source.attributes, kind_of(source.archive)
     date = str(source.provenance.get("created", ""))[:10]
     who = f"edesign {about.get('edesign_version', '')}"
-    told = [source.archive.damage_in_short()]
+    warnings = [source.archive.damage_in_short()]
     if not source.archive.complete:
-        told.append(f"The run goes on or was interrupted: {kind.unfinished(source)}")
+        warnings.append(f"The run goes on or was interrupted: {kind.unfinished(source)}")
     return Cover(
         title=str(about.get("title") or source.archive.path.stem),
         kind=kind.report,
         about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
         origin=" · ".join(part for part in (who, date) if part),
         created=str(source.provenance.get("created", "")),
-        banner=" ".join(filter(None, told)),
+        banner=" ".join(filter(None, warnings)),
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
         f"{input_checksum(about)[:16]}. "
         "All numbers are computed from the archive.",

@@ -51,10 +51,10 @@ class _Part(NamedTuple):
 
     @property
     def notes(self) -> list[str]:
-        told = {name: item for name, item in self.endings.items() if item["reason"] and item["status"] not in EXPECTED}
+        unexpected = {name: item for name, item in self.endings.items() if item["status"] not in EXPECTED}
         lines = warning_lines(self.groups)
         return [
-            *(f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()),
+            *(f"{name}: {item['status']}: {item['reason']}" for name, item in unexpected.items() if item["reason"]),
             *(f"{self.title}: {line}" if len(self.groups) > 1 else line for line in lines),
         ]
 

@@ -59,8 +59,8 @@ def response_in_short(sets: Sequence[HistorySet]) -> Table:
     several = any(len(found.completed) > 1 for found in shown)
     title = "Mean response of the records" if several else "Response"
     table = RESPONSE.of(shown, title=title, without=() if several else ("n",))
-    told = [f"{one.header}: {MEANINGS[one.header]}" for one in table.columns if one.header in MEANINGS]
-    if told:
-        table.notes.append(f"Largest values; {', '.join(told)}{', n: records' * several}")
+    meanings = [f"{one.header}: {MEANINGS[one.header]}" for one in table.columns if one.header in MEANINGS]
+    if meanings:
+        table.notes.append(f"Largest values; {', '.join(meanings)}{', n: records' * several}")
     table.notes += missing_notes(sets)
     return table

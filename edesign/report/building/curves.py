@@ -58,7 +58,7 @@ def _spectra(results: BuildingResults) -> Figure:
     period = results.values("spectrum", "period")
     axes.plot(period, results.values("spectrum", "elastic"), color=BEFORE, label="elastic, Sₑ")
     T = results.values("modes", "period")
-    told: set[int] = set()
+    numbered: set[int] = set()
     for axis in AXES:
         S_d = results.values("spectrum", f"design_{axis}")
         label = f"design along {axis}, q = {results.number(f'q_{axis}'):g}"
@@ -66,8 +66,8 @@ def _spectra(results: BuildingResults) -> Figure:
         large = np.flatnonzero(results.values("modes", f"effective_mass_ratio_{axis}") > _SMALL)
         value = results.values("modes", f"design_acceleration_{axis}")
         axes.plot(T[large], value[large], "o", color=_COLOURS[axis], markersize=4.0)
-        _number(axes, [(int(k), float(T[k]), float(value[k])) for k in large if k not in told], axis == AXES[-1])
-        told |= set(large.tolist())
+        _number(axes, [(int(k), float(T[k]), float(value[k])) for k in large if k not in numbered], axis == AXES[-1])
+        numbered |= set(large.tolist())
     axes.set_xlim(0.0, float(period[-1]))
     axes.set_ylim(0.0, None)
     axes.set_xlabel("period T [s]")

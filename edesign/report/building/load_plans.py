@@ -95,7 +95,7 @@ def _areas(sheet: Sheet, building: Building, grid: Grid, floor: int, panels: fro
             for panel in panels_in(load.bays, n_x, n_y) & panels:
                 found.setdefault(panel, []).append(load)
     marks: dict[str, str] = {}
-    untold: list[str] = []
+    unlabelled: list[str] = []
     for (i, j), loads in sorted(found.items()):
         text = " + ".join(_case_values(load.G, load.Q, load.category, 1e3) for load in loads)
         x0, x1, y0, y1 = grid.xs[i - 1], grid.xs[i], grid.ys[j - 1], grid.ys[j]
@@ -104,13 +104,13 @@ def _areas(sheet: Sheet, building: Building, grid: Grid, floor: int, panels: fro
         fits = sheet.fits(text, wide, 6.0)
         word = text if fits else marks.setdefault(text, f"q{len(marks) + 1}")
         if not sheet.place([Spot(x, y + 0.07)], word, (6.0,), AFTER):
-            untold.append(f"bay {i}, {j}: {text}")
+            unlabelled.append(f"bay {i}, {j}: {text}")
         _span(sheet, x, y - 0.07, loads[0], min(0.3 * wide, 0.28), min(0.25 * high, 0.12))
     below = -BELOW - 0.2
     for text, mark in marks.items():
         sheet.text(Spot(0.0, below, "left"), f"{mark}: {text} kN/m²", color=AFTER)
         below -= 0.13
-    yield from untold
+    yield from unlabelled
 
 
 def _case_values(G: float, Q: float, category: str | None, unit: float) -> str:

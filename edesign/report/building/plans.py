@@ -141,7 +141,7 @@ def _draw_grid(axes: Axes, across_x: dict[str, float], across_y: dict[str, float
     for along, lines in ((0, across_x), (1, across_y)):
         across = across_y if along == 0 else across_x
         low, high = min(across.values()) - 0.4 * inch, max(across.values()) + 0.12 * inch
-        told = last = -np.inf
+        labelled = last = -np.inf
 
         def point(place: float, beside: float, along: int = along) -> tuple[float, float]:
             return (place, origin[1] - beside * inch) if along == 0 else (origin[0] - beside * inch, place)
@@ -149,9 +149,9 @@ def _draw_grid(axes: Axes, across_x: dict[str, float], across_y: dict[str, float
         for name, place in sorted(lines.items(), key=lambda line: line[1]):
             ends = [(place, low), (place, high)] if along == 0 else [(low, place), (high, place)]
             axes.plot(*zip(*ends, strict=True), color="#c9ced6", linewidth=0.5, zorder=0)
-            if place - told > 0.24 * inch:
+            if place - labelled > 0.24 * inch:
                 axes.text(*point(place, 0.5), name, fontsize=7.0, ha="center", va="center", bbox=bubble)
-                told = place
+                labelled = place
             if place - last > 0.3 * inch and np.isfinite(last):
                 text, turned = f"{place - last:.4g}", 90.0 * along
                 middle = point(0.5 * (place + last), 0.27)
@@ -197,7 +197,7 @@ def _bays(results: BuildingValues, members: np.ndarray) -> list[tuple[str, int]]
 def _draw_braces(axes: Axes, results: BuildingValues, braces: np.ndarray, narrow: float, named: bool) -> None:
     start, end = (results.values("members", name)[braces] for name in ("start", "end"))
     section = results.values("members", "section")[braces]
-    told: set[str] = set()
+    labelled: set[str] = set()
     for a, b, name in zip(start, end, section, strict=True):
         way = (b - a)[:2]
         length = float(np.hypot(*way))
@@ -206,8 +206,8 @@ def _draw_braces(axes: Axes, results: BuildingValues, braces: np.ndarray, narrow
         side = _BRACE * narrow * np.array([-abs(way[1]), abs(way[0])]) / length
         (x0, y0), (x1, y1) = a[:2] + 0.12 * way + side, b[:2] - 0.12 * way + side
         axes.plot([x0, x1], [y0, y1], color=AFTER, linewidth=1.3, linestyle=(0, (4, 2)), zorder=2)
-        if named and name not in told:
-            told.add(str(name))
+        if named and name not in labelled:
+            labelled.add(str(name))
             along_x = abs(way[0]) > abs(way[1])
             x, y = np.array([0.5 * (x0 + x1), 0.5 * (y0 + y1)]) + side
             turned = {"rotation": 0, "ha": "center"} if along_x else {"rotation": 90, "ha": "right"}

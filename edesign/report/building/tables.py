@@ -252,8 +252,10 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
     """
     name = f"storeys_{axis}"
     limit = results.group(name).attributes.get("limit")
-    told = [] if limit is None else [f"Limit of nu d_r/h: {significant(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))"]
-    return STOREYS.of(reversed(results.rows(name, "storey")), axis=axis, notes=told)
+    limits = (
+        [] if limit is None else [f"Limit of nu d_r/h: {significant(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))"]
+    )
+    return STOREYS.of(reversed(results.rows(name, "storey")), axis=axis, notes=limits)
 
 
 def criteria_table(results: BuildingResults) -> Table:

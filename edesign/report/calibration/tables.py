@@ -149,7 +149,7 @@ def effect_parameters_table(calibration: Calibration) -> Table:
             shown = practical(estimate, own)
             meaning = known[name].meaning if name in known else effect.meanings.get(name)
             rows.append((effect.label, name, value_cell(shown), _interval(shown), shown.unit or None, meaning))
-        notes += _untold(own, f"{effect.label}: ")
+        notes += _undetermined(own, f"{effect.label}: ")
     return EFFECT_PARAMETERS.of(rows, notes=notes)
 
 
@@ -208,7 +208,7 @@ def _interval(estimate: Estimate) -> str:
     return UNKNOWN if estimate.not_determined else interval_text(estimate)
 
 
-def _untold(estimates: Mapping[str, Estimate], of: str) -> list[str]:
+def _undetermined(estimates: Mapping[str, Estimate], of: str) -> list[str]:
     """Why the tests do not determine parameters, one line for each reason."""
     reasons: dict[str, list[str]] = {}
     for name, one in estimates.items():

@@ -99,8 +99,8 @@ def _found(calibration: Calibration) -> str:
 def _or_others(effect: Effect) -> str:
     """Return other effects that may as well stand in the place of one, for a sentence."""
     close = [effect.titles.get(name, name_of(name)) for name, p in effect.indistinguishable_from.items() if p >= _CLOSE]
-    if len(close) > _TOLD:
-        close = [*close[:_TOLD], "others"]
+    if len(close) > _NAMED:
+        close = [*close[:_NAMED], "others"]
     return f", or {', or '.join(close)} in its place" if close else ""
 
 

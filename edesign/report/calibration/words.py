@@ -9,7 +9,7 @@ from edesign.calibration.results.result import Calibration, Effect, Estimate
 from edesign.report.calibration.error_tables import MODELS
 from edesign.report.calibration.units import UNKNOWN, percent, plus_minus, value_text
 
-_TOLD = 2  # parameters of an effect in a sentence
+_NAMED = 2  # parameters of an effect in a sentence
 _LEAST = 1e-4  # probability that is told as a number
 
 
@@ -33,7 +33,7 @@ def searched(calibration: Calibration) -> str:
 
 def effect_text(effect: Effect) -> str:
     """Return an effect in words, with its first parameters."""
-    numbers = numbers_text(effect, _TOLD)
+    numbers = numbers_text(effect, _NAMED)
     return f"{effect.title} ({effect.kind}{', ' + numbers if numbers else ''})"
 
 

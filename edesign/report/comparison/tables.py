@@ -143,8 +143,8 @@ def _response_block(table: ComparedTable, comparison: Comparison, cells: list[Co
         _Row(f"{name_of(cell)}{notes.mark(cell.note)}{notes.mark(statistic_note(cell, usual))}", cell) for cell in cells
     ]
     without = [*([] if bars else ["bar %"]), *(["of"] if even else [])]
-    told = [*notes.lines, *missing_notes(cells, comparison)]
-    return VALUES.of(rows, title=title, of="quantity", without=without, notes=told)
+    texts = [*notes.lines, *missing_notes(cells, comparison)]
+    return VALUES.of(rows, title=title, of="quantity", without=without, notes=texts)
 
 
 def made_of(cell: ComparedCell) -> str:
@@ -198,9 +198,9 @@ def _change_block(table: ComparedTable, level: str) -> Table:
 def _variable_block(table: ComparedTable, cells: list[ComparedCell], bars: bool) -> Table:
     notes, of_all = Notes(), common_note(cells)
     rows = [_Row(cell.index + ("" if of_all else notes.mark(cell.note)), cell) for cell in cells]
-    told = [*of_all, *notes.lines, *dict.fromkeys(cell.reason for cell in cells if cell.reason)]
+    texts = [*of_all, *notes.lines, *dict.fromkeys(cell.reason for cell in cells if cell.reason)]
     without = ("of",) if bars else ("of", "bar %")
-    return VALUES.of(rows, title=f"{table.title} - {name_of(cells[0])}", of=table.over, without=without, notes=told)
+    return VALUES.of(rows, title=f"{table.title} - {name_of(cells[0])}", of=table.over, without=without, notes=texts)
 
 
 def common_note(cells: Sequence[ComparedCell]) -> list[str]:

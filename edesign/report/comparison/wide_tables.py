@@ -84,8 +84,8 @@ def _wide_responses(table: ComparedTable, comparison: Comparison, level: str) ->
     counts = [next(cell for cell in cells if cell.variant == variant) for variant in variants]
     made = "; ".join(f"{cell.variant}: {WORDS[usual]}{made_of(cell)}" for cell in counts if cell.of)
     more = _columns([f"{variant}, reference" for variant in variants], bool(changes))
-    told = [note for note in [*notes.lines, made, *missing_notes(cells, comparison)] if note]
-    return WIDE.of(rows, title=f"{table.title} - {level}", of="quantity", more=more, notes=told)
+    texts = [note for note in [*notes.lines, made, *missing_notes(cells, comparison)] if note]
+    return WIDE.of(rows, title=f"{table.title} - {level}", of="quantity", more=more, notes=texts)
 
 
 def _wide_cell(cell: ComparedCell | None, notes: Notes | None) -> Row:
@@ -117,5 +117,5 @@ def _wide_variables(table: ComparedTable, rows: list[list[ComparedCell]], first:
         beside = [_wide_cell(cell, None if common_note(row) else notes) for cell, row in zip(cells, rows, strict=True)]
         lines.append([cells[0].index, *chain.from_iterable(beside)])
     reasons = dict.fromkeys(cell.reason for row in rows for cell in row if cell.reason)
-    title, told = table.title if first else "", [*notes.lines, *reasons]
-    return WIDE.of(lines, title=title, of=table.over, more=_columns(heads), notes=told)
+    title, texts = table.title if first else "", [*notes.lines, *reasons]
+    return WIDE.of(lines, title=title, of=table.over, more=_columns(heads), notes=texts)

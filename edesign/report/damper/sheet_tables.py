@@ -211,13 +211,13 @@ def verdict_text(judged: Sequence[Judged], runs: Sequence[Run]) -> str:
     if not failed:
         where = "the run" if len(runs) == 1 else f"all {len(runs)} runs"
         return f"Met: all {count} criteria are met in {where}.{left}"
-    told = "; ".join(
+    missed = "; ".join(
         f"{one.criterion.quantity.name} in {name_of(one.run, runs)}, cycle {one.cycle}: {100.0 * one.value:+.1f} % "
         f"{_REFERENCES[one.criterion.reference]}, {100.0 * one.criterion.limit:g} % allowed "
         f"({STANDARDS[one.criterion.standard]}, {one.criterion.clause})"
         for one in failed
     )
-    return f"Not met: {len(failed)} of {count} criteria fail: {told}.{left}"
+    return f"Not met: {len(failed)} of {count} criteria fail: {missed}.{left}"
 
 
 def csv_rows(runs: Sequence[Run]) -> tuple[list[str], Iterator[list[Any]]]:

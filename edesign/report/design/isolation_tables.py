@@ -137,9 +137,9 @@ def isolation_statistics_table(sets: Sequence[HistorySet]) -> Table:
     Args:
         sets: histories by variant and level; those without isolated base are left out.
     """
-    told, rows = [], []
+    shown, rows = [], []
     for found in sets:
         isolated = sum("isolator_axial_force_max" in group.variables for group in found.completed.values())
-        told += [found] if isolated else []
+        shown += [found] if isolated else []
         rows += [_Statistic(found, name) for name in ("mean", "largest")[-isolated:] if isolated]
-    return STATISTICS.of(rows, notes=missing_notes(told))
+    return STATISTICS.of(rows, notes=missing_notes(shown))

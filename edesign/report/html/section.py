@@ -135,5 +135,5 @@ def made(name: str, make: Callable[[], Section]) -> Section:
     with optional(f"the section `{words}` of the report") as attempt:
         return make()
     assert attempt.failure is not None
-    told = Warnings("This section could not be made", (attempt.failure.reason,))
-    return Section(words.replace(" ", "-"), words[:1].upper() + words[1:], (), (told,))
+    warning = Warnings("This section could not be made", (attempt.failure.reason,))
+    return Section(words.replace(" ", "-"), words[:1].upper() + words[1:], (), (warning,))

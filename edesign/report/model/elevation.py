@@ -137,13 +137,13 @@ def draw_axis_names(sheet: Sheet, names: Sequence[str], places: Sequence[Point],
         places: of the circles, inches.
         ends: of the lines from there, inches.
     """
-    told: list[Point] = []
+    labelled: list[Point] = []
     order = sorted(range(len(names)), key=lambda k: 0 < k < len(names) - 1)
     for k in order:
         (x, y), wide = places[k], 2.0 * BUBBLE + 0.01
-        if any(abs(x - u) < wide and abs(y - v) < wide for u, v in told):
+        if any(abs(x - u) < wide and abs(y - v) < wide for u, v in labelled):
             continue
-        told.append((x, y))
+        labelled.append((x, y))
         sheet.line((x, y), ends[k], color=FAINT, width=0.5, zorder=0.5)
         sheet.dots([(x, y)], 2.0 * BUBBLE * 72.0, mew=0.5)
         sheet.text(Spot(x, y), names[k], TEXT if len(names[k]) < 3 else 5.0)

@@ -50,8 +50,8 @@ def geometry(project: Project, heading: Sequence[str] = (), of: str = "") -> Nam
 def loads_and_masses(project: Project, heading: Sequence[str] = (), of: str = "") -> Named:
     """Return the drawing of loads and masses; arguments as `project_figures`."""
     caption = f"Loads and masses of the model{_of(of)}: permanent (G) and variable (Q) loads in kN/m and kN."
-    told = f"{caption} The sums are those of the floors.{_scales(project)}"
-    return file_name("model_loads", of), told, loads_figure(project, _under(heading, caption))
+    captioned = f"{caption} The sums are those of the floors.{_scales(project)}"
+    return file_name("model_loads", of), captioned, loads_figure(project, _under(heading, caption))
 
 
 def _of(what: str) -> str:

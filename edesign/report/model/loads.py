@@ -88,7 +88,7 @@ def draw_loads(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
         *_columns(sheet, place, found),
         *_base(sheet, place, project),
     ]
-    return [f"{label.where}: {label.text} {label.unit}" for label in labels if not _told(sheet, label)]
+    return [f"{label.where}: {label.text} {label.unit}" for label in labels if not _in_drawing(sheet, label)]
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ class _Label:
     unit: str = "kN/m"
 
 
-def _told(sheet: Sheet, label: _Label) -> bool:
+def _in_drawing(sheet: Sheet, label: _Label) -> bool:
     return sheet.place(label.spots, label.text, color=AFTER)
 
 

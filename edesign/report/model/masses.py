@@ -70,7 +70,7 @@ def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float],
     above = place.top + 0.26
     below = -0.32
     order = [frame.n_storeys, *range(frame.n_storeys - 1, -1, -1)]
-    untold: dict[int, list[str]] = {}
+    unlabelled: dict[int, list[str]] = {}
     for header, values, unit in columns:
         words, _, label = header.rpartition(" ")
         sheet.text(Spot(left + 0.45, above, "right", "bottom"), words, SMALLEST, SOFT)
@@ -85,5 +85,5 @@ def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float],
         left += 0.72
     if columns:
         sheet.text(Spot(left - 0.1, below, "left"), "in all", SMALLEST, SOFT)
-    for floor, texts in untold.items():
+    for floor, texts in unlabelled.items():
         yield f"floor {floor}: {', '.join(texts)}"

@@ -45,7 +45,7 @@ class _Drawn:
         return f"variant{'s' * (len(self.variants) > 1)} {some_names(self.variants, 4)}"
 
     @property
-    def told(self) -> str:
+    def differences(self) -> str:
         """The notes as a sentence, "" without any."""
         return f" {_some_names_of(self.notes)}." if self.notes else ""
 
@@ -66,7 +66,7 @@ def study_figures(study: Study, designed: Mapping[str, Dampers], heading: Sequen
         project = drawn.project
         if not _same(project, bare, GEOMETRY):
             name, caption, figure = geometry(project, heading, drawn.named)
-            yield name, f"{caption}{drawn.told}", figure
+            yield name, f"{caption}{drawn.differences}", figure
         elif has_dampers(project):
             yield _dampers(drawn, heading)
         if not any(_same(project, other, LOADS) and project.isolation == other.isolation for other in loaded):
@@ -88,7 +88,7 @@ def _dampers(drawn: _Drawn, heading: Sequence[str]) -> Named:
     caption = f"{'Isolated base and dampers' if isolated else 'Dampers'} of the {drawn.named}: {what}."
     above = (*heading, caption.rstrip(".")) if heading else ()
     figure = dampers_figure(drawn.project, above, drawn.design)
-    return file_name("model", drawn.variants[0]), f"{caption}{drawn.told}", figure
+    return file_name("model", drawn.variants[0]), f"{caption}{drawn.differences}", figure
 
 
 def _different(study: Study, designed: Mapping[str, Dampers]) -> list[_Drawn]:

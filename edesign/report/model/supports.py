@@ -56,8 +56,8 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
                 sheet.place([Spot(x + 0.22, y - 0.08, "left"), Spot(x - 0.22, y - 0.08, "right")], mark, color=SOFT)
         where = f" ({axes(lines, frame.lines)})" if len(kinds) > 1 else ""
         high = 0.1 if support == "fixed" else 0.26
-        told = f"{mark}: {words(support)}{where}" if mark else f"{words(support)}{where}"
-        entries.append(Entry(told, _handle(sign, support), high))
+        label = f"{mark}: {words(support)}{where}" if mark else f"{words(support)}{where}"
+        entries.append(Entry(label, _handle(sign, support), high))
     return entries
 
 
@@ -141,8 +141,8 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
                 shifts[line] = shifts.get(line, 0) + 1
                 shift = 0.12 * shifts[line]
             sign(sheet, at[line] + shift, 0.0, color)
-        told = f"{_base_device(project, item)} ({axes(lines, frame.lines)})"
-        yield Entry(told, _colored(sign, color), 0.26 if sign is _isolator_sign else 0.0)
+        label = f"{_base_device(project, item)} ({axes(lines, frame.lines)})"
+        yield Entry(label, _colored(sign, color), 0.26 if sign is _isolator_sign else 0.0)
 
 
 def _base_device(project: Project, item: BaseDevice) -> str:

@@ -73,8 +73,8 @@ def write_drawings(drawings: Iterable[Named], path: Path, title: str, about: str
     written: list[Path] = []
     with garbage_between_figures() as collect:
         for name, _, figure in drawings:
-            told = name.partition("_")[2]  # model_loads: loads
-            written.append(path.with_name(f"{path.stem}_{told}{path.suffix}") if written else path)
+            part = name.partition("_")[2]  # model_loads: loads
+            written.append(path.with_name(f"{path.stem}_{part}{path.suffix}") if written else path)
             save(figure, written[-1])
             del figure
             collect()

@@ -36,8 +36,8 @@ def analysis_words(name: str, group: Group) -> str:
         degrees = about.get("temperature_C")
         warm = "" if degrees is None or not own else f" at {float(str(degrees)):g} °C"
         before = before.strip(".")
-        told = [f"{own}{warm}", level if level and before.endswith(level) else before]
-        return ", ".join(part for part in (*told, record_label(record), after.strip(".")) if part)
+        parts = [f"{own}{warm}", level if level and before.endswith(level) else before]
+        return ", ".join(part for part in (*parts, record_label(record), after.strip(".")) if part)
     words = [_METHODS.get(part, _SIDES.get(part, part.replace("_", " "))) for part in rest.split(".")]
     return ", ".join(part for part in (own, *words) if part)
 

@@ -135,7 +135,7 @@ def _footings(groups: Mapping[str, Group]) -> list[Table]:
     on_footings = {name: group for name, group in groups.items() if "footing" in group.coords}
     if not on_footings:
         return []
-    tables, alike = [], groups_alike(on_footings, _told)
+    tables, alike = [], groups_alike(on_footings, _shown)
     for several in alike:
         of = f" ({some_names(several)})" if len(alike) > 1 else ""
         footings = list(places(dict([next(iter(several.items()))]), "footing"))
@@ -145,7 +145,7 @@ def _footings(groups: Mapping[str, Group]) -> list[Table]:
     return [*tables, first_mode_table(on_footings), _work(on_footings)]
 
 
-def _told(group: Group) -> tuple[str, ...]:
+def _shown(group: Group) -> tuple[str, ...]:
     """What tables say of the footings of an analysis."""
     values = [
         f"{value:.4g}"

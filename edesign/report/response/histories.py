@@ -123,16 +123,16 @@ def missing_text(chosen: Iterable[History]) -> str:
     return f" Missing, as the analysis did not complete: {'; '.join(named)}." if named else ""
 
 
-def groups_alike(groups: Mapping[str, Group], told: Callable[[Group], Hashable]) -> list[dict[str, Group]]:
+def groups_alike(groups: Mapping[str, Group], shown: Callable[[Group], Hashable]) -> list[dict[str, Group]]:
     """Return groups in sets of equal description, in their order.
 
     Args:
         groups: results by the name of the analysis.
-        told: what a table would say of a group.
+        shown: what a table would say of a group.
     """
     found: dict[Hashable, dict[str, Group]] = {}
     for name, group in groups.items():
-        found.setdefault(told(group), {})[name] = group
+        found.setdefault(shown(group), {})[name] = group
     return list(found.values())
 
 

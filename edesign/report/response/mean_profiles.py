@@ -127,7 +127,7 @@ def _numbers(panels: Sequence[tuple[Kind, Mapping[str, np.ndarray]]]) -> str:
     """The largest mean of each variant in words."""
     texts = []
     for kind, values in panels:
-        told = ", ".join(f"{variant} {plain(float(of.mean(axis=0).max()))}" for variant, of in values.items())
-        texts.append(f"{kind.title} up to {told} {kind.unit}")
+        peaks = ", ".join(f"{variant} {plain(float(of.mean(axis=0).max()))}" for variant, of in values.items())
+        texts.append(f"{kind.title} up to {peaks} {kind.unit}")
     text = "; ".join(texts)
     return f"{text[:1].upper()}{text[1:]}."

@@ -91,7 +91,7 @@ def restrained_tables(groups: Mapping[str, Group]) -> list[Table]:
         groups: results of analyses by name; those that failed, or have no such braces, are left out.
     """
 
-    def told(group: Group) -> tuple[str, ...]:
+    def shown(group: Group) -> tuple[str, ...]:
         numbers = [f"{value:.9g}" for variable in _KNOWN for value in _values(group, variable)]
         return (*names_of(group, "damper"), *numbers)
 
@@ -100,7 +100,7 @@ def restrained_tables(groups: Mapping[str, Group]) -> list[Table]:
         for name, group in groups.items()
         if LARGEST in group.variables and group.attributes.get("status") == "completed"
     }
-    alike, tables = groups_alike(restrained, told), []
+    alike, tables = groups_alike(restrained, shown), []
     for several in alike:
         one = next(iter(several.values()))
         of = f" ({some_names(several)})" if len(alike) > 1 else ""

@@ -157,7 +157,7 @@ def building_tables(archive: Archive) -> list[Table]:
     peaks = PEAKS.of(_beside(found), notes=[line for warning in warned for line in wrapped(warning)])
     work = "`dampers` has the work on the specimen, as the numerical part did it."
     energies = ENERGIES.of(_beside(found), notes=[work])
-    return [_told(peaks), _told(energies), *_levels(archive, found)]
+    return [_without_empty_rows(peaks), _without_empty_rows(energies), *_levels(archive, found)]
 
 
 def _building(archive: Archive, name: str) -> Group | None:
@@ -178,7 +178,7 @@ def _beside(found: dict[str, list[tuple[str, Group]]]) -> Iterator[_Beside]:
         yield row._replace(direct=dict(found[test]).get(DIRECT)) if name != DIRECT and row.completed else row
 
 
-def _told(table: Table) -> Table:
+def _without_empty_rows(table: Table) -> Table:
     """The table; without rows where no analysis has a value."""
     return table if len(table.columns) > table.keys else replace(table, rows=[])
 

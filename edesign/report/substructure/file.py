@@ -38,14 +38,14 @@ class ArchivedTests:
 
     Attributes:
         file: None: its text cannot be read.
-        told: sentences on what is not known, or comes from elsewhere.
+        notes: sentences on what is not known, or comes from elsewhere.
         plant: the rig; None: its file is not at hand.
         tests: of the file, made ready; None: they cannot be made from what is held.
         transfer: of the rig; None: not known.
     """
 
     file: RtsFile | None
-    told: list[str] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
     plant: RigModel | None = None
     tests: VirtualLaboratory | None = None
     transfer: RigTransfer | None = None
@@ -80,7 +80,7 @@ def archived_tests(archive: Archive) -> ArchivedTests:
             return ArchivedTests(None, [f"This version cannot read the text of {path.name}."])
         found.read_from(path, texts["rts_text"], problems.root)
         tests = ArchivedTests(found)
-        found.set_named(_project(found, texts), _rig(found, texts, archive, tests.told))
+        found.set_named(_project(found, texts), _rig(found, texts, archive, tests.notes))
         placed = found.law
         if placed is not None and placed.path == found.path and placed.law.file is not None:
             take_text(found, placed.law.file, texts.get("law_text"))
@@ -108,7 +108,7 @@ def _project(file: RtsFile, texts: dict[str, str]) -> Project | None:
     return project_of_texts(texts, Path(file.structure.project))
 
 
-def _rig(file: RtsFile, texts: dict[str, str], archive: Archive, told: list[str]) -> RigFile | None:
+def _rig(file: RtsFile, texts: dict[str, str], archive: Archive, notes: list[str]) -> RigFile | None:
     """The rig file, by its text, or as it stands beside the file of tests today."""
     if not isinstance(file.rig, RigInFile):
         return None
@@ -117,7 +117,7 @@ def _rig(file: RtsFile, texts: dict[str, str], archive: Archive, told: list[str]
         found, problems = check_model(texts["rig_text"], RigFile, "rig file", "rig: {kind: second_order, ...}")
         if found is not None and not problems.found:
             return found
-        told.append(f"This version cannot read the text of the rig file {name}.")
+        notes.append(f"This version cannot read the text of the rig file {name}.")
         return None
     beside = archive.path.parent / str(archive.attributes.get("source_file") or file.path)
     there = beside.parent / name
@@ -126,7 +126,7 @@ def _rig(file: RtsFile, texts: dict[str, str], archive: Archive, told: list[str]
     except EdesignError:
         found = None
     said = f"is read from {name} as it is today" if found is not None else f"stands in {name}, which is not at hand"
-    told.append(f"The archive does not hold the rig; it {said}.")
+    notes.append(f"The archive does not hold the rig; it {said}.")
     return found
 
 
@@ -140,6 +140,6 @@ def _make_laboratory(tests: ArchivedTests) -> None:
         tests.tests = VirtualLaboratory(file)
         tests.transfer = tests.tests.laboratory.transfer
     except (EdesignError, OSError) as error:
-        tests.told.append(f"Structure and law are not drawn: {error}.")
+        tests.notes.append(f"Structure and law are not drawn: {error}.")
         if tests.plant.kind != "servo_hydraulic":  # of which the specimen is a part
             tests.transfer = rig_transfer(tests.plant, 0.0)

@@ -19,7 +19,7 @@ from edesign.substructure.judgement.judge import JudgedResponse, Judgement, Qual
 
 _UNITS = {"s": MS, "m": MM, "m2": MM2, "Hz": HZ, "J": J, "1": Unit("-")}
 _SHARES = ("nrms", "nrms_root", "maximum_error", "peak_error_mean", "peak_error_largest", "relative_energy_error")
-_UNTOLD = "not told"
+_UNDETERMINED = "not determined"
 
 
 def _value(one: QualityCriterion) -> Value:
@@ -107,7 +107,7 @@ def _tracking(found: Judgement) -> Table:
 def _indicator(found: Tracking, name: str, unit: str) -> Row:
     value, words = getattr(found, name), name.replace("_", " ")
     if isinstance(value, float) and math.isnan(value):
-        return (words, _UNTOLD, "")
+        return (words, _UNDETERMINED, "")
     if name in _SHARES:
         return _share(words, value)
     shown = _UNITS.get(unit, Unit(unit))

@@ -217,16 +217,16 @@ def other_methods(archive: Archive) -> Table:
     """
     most = response_error_limit(archive)
     rows: list[Row] = []
-    told: list[str] = []
+    notes: list[str] = []
     for test in archive.names(PLACE):
         group = archive.group(f"{PLACE}/{test}").without("time")
         if str(group.attributes.get("kind")) in METHODS:
             rows += _of_method(test, group, most)
             lines = group.attributes.get("told")
             words = [str(line).rstrip(".") for line in lines] if isinstance(lines, list) else []
-            told += wrapped(f"{test}: {'. '.join(words)}.") if words else []
+            notes += wrapped(f"{test}: {'. '.join(words)}.") if words else []
     rms = wrapped(f"rms: root mean square error over that of the direct analysis; {_accepted(most)}")
-    return OTHER_METHODS.of(rows, notes=[*(rms if rows else []), *told])
+    return OTHER_METHODS.of(rows, notes=[*(rms if rows else []), *notes])
 
 
 def _of_method(test: str, group: Group, most: float) -> Iterator[Row]:

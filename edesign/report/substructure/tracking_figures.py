@@ -51,7 +51,7 @@ def synchronisation_figures(results: SubstructureResults) -> Iterator[tuple[str,
     for test in results.tests:
         series = _tracked(results, test)
         if series:
-            told = [results.in_words(test, one.compensator) for one in series]
+            captions = [results.in_words(test, one.compensator) for one in series]
             runs = [results.run(test, one.compensator) for one in series]
             late = [run.value("crossing_delay_mean") if run is not None else math.nan for run in runs]
             caption = (
@@ -59,7 +59,7 @@ def synchronisation_figures(results: SubstructureResults) -> Iterator[tuple[str,
                 "line of 45 degrees; a late one goes round it in loops, and a wrong amplitude turns them. The thin "
                 "ellipse is that of a sine with the largest target and its mean frequency, late by the mean delay."
             )
-            yield file_name("synchronisation", test), caption, synchronisation_figure(series, told, late)
+            yield file_name("synchronisation", test), caption, synchronisation_figure(series, captions, late)
 
 
 def _tracked(results: SubstructureResults, test: str) -> list[Series]:
@@ -155,17 +155,17 @@ def _differ(one: np.ndarray, other: np.ndarray) -> bool:
 
 
 @styled
-def synchronisation_figure(series: Sequence[Series], told: Sequence[str], late: Sequence[float]) -> Figure:
+def synchronisation_figure(series: Sequence[Series], captions: Sequence[str], late: Sequence[float]) -> Figure:
     """Draw measured displacement over target, a square for each run, as Figs. 6.13, 6.21 and 6.25 of the thesis.
 
     Args:
         series: at least one.
-        told: delay and error of each in words.
+        captions: delay and error of each in words.
         late: delay of each, s; NaN: not known.
     """
     figure, axes = new_figure(1, len(series), 0.5 + SYNCHRONISED * len(series), SYNCHRONISED + 0.5)
     reach = 1.08 * largest([_mm(one, name) for one in series for name in ("target", "measured")]) or 1.0
-    for axis, one, words, delay in zip(axes[0], series, told, late, strict=True):
+    for axis, one, words, delay in zip(axes[0], series, captions, late, strict=True):
         size = (SYNCHRONISED - 0.5, SYNCHRONISED - 0.5)
         spans = (2.0 * reach, 2.0 * reach)
         curve(axis, _mm(one, "target"), _mm(one, "measured"), size, spans, color=one.color, lw=0.4)

@@ -108,7 +108,7 @@ def filled(text: str, stream: TextIO | None = None, widest: int = WIDEST) -> str
     return "\n".join(_whole_words(text, max(_width(stream, widest), NARROWEST)))
 
 
-def told(label: str, text: str, stream: TextIO) -> str:
+def progress_text(label: str, text: str, stream: TextIO) -> str:
     """Return a line of progress, on a terminal broken between words under its label.
 
     Args:

@@ -87,10 +87,11 @@ def regularity(
     asked = design.regular_in_plan, design.regular_in_elevation
     holds = all(rule.passed for rule in plan), all(rule.passed is not False for rule in elevation)
     regular = Regular(*(found if claim == "auto" else claim for claim, found in zip(asked, holds, strict=True)))
-    return regular, [*_told(plan, asked[0] is True), *_told(elevation, asked[1] is True), *_gradual(frame, of)]
+    claimed = [*_as_claimed(plan, asked[0] is True), *_as_claimed(elevation, asked[1] is True)]
+    return regular, [*claimed, *_gradual(frame, of)]
 
 
-def _told(rules: Iterable[RuleCheck], claimed: bool) -> list[RuleCheck]:
+def _as_claimed(rules: Iterable[RuleCheck], claimed: bool) -> list[RuleCheck]:
     """Return rules as they are where the file claims that they hold; otherwise none of them fails."""
     if claimed:
         return list(rules)

@@ -159,7 +159,7 @@ class _Other(Generic[T, S]):
                 start_new_session=True,
             )
         assert self._process.stdin is not None and self._process.stdout is not None
-        self._asked, self._told = self._process.stdin, self._process.stdout
+        self._asked, self._answers = self._process.stdin, self._process.stdout
 
     def begin(self, argument: T) -> None:
         self.busy, self.at_work_on = True, argument
@@ -168,18 +168,18 @@ class _Other(Generic[T, S]):
             self._asked.flush()
 
     def is_ready(self, timeout: float = 0.0) -> bool:
-        return bool(wait([self._told.fileno()], timeout))
+        return bool(wait([self._answers.fileno()], timeout))
 
     def end(self) -> list[S]:
         """The value, in a list; an empty one after an error."""
         self.busy, self.at_work_on = False, None
-        found: list[S] = pickle.load(self._told)
+        found: list[S] = pickle.load(self._answers)
         return found
 
     def close(self) -> None:
         self._process.kill()
         self._process.wait()
-        for stream in (self._asked, self._told):
+        for stream in (self._asked, self._answers):
             with suppress(OSError):  # what was not sent
                 stream.close()
 
@@ -190,15 +190,15 @@ def serve(made: int) -> None:
     Args:
         made: descriptor of the file with what makes the function.
     """
-    asked, told = sys.stdin.buffer, sys.stdout.buffer
+    asked, answers = sys.stdin.buffer, sys.stdout.buffer
     sys.stdout = sys.stderr  # nothing else comes between the answers
     with suppress(EOFError, OSError), one_thread():
         with open(made, "rb") as file:
             function = pickle.load(file)()
         found: list[object] = []
         while True:
-            pickle.dump(found, told)
-            told.flush()
+            pickle.dump(found, answers)
+            answers.flush()
             argument = pickle.load(asked)
             try:
                 found = [function(argument)]

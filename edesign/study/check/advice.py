@@ -164,8 +164,8 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     found = frame_warnings(study.base, records, designed)
     for name, variant in study.variants.items():
         if variant.values and name not in study.derived:  # those of a sweep are many, between frames that are judged
-            told = frame_warnings(study.project_of(name), records, designed)
-            found += [f"variant {name}: {text}" for text in told if text not in found]
+            warnings = frame_warnings(study.project_of(name), records, designed)
+            found += [f"variant {name}: {text}" for text in warnings if text not in found]
     moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
     found += _still_warnings(study.project_of(name) for name in moved)
     found += couple_advice(study.base, study.designs)

@@ -107,12 +107,12 @@ def warning_lines(groups: Mapping[str, Group]) -> list[str]:
         groups: results of analyses by name; the line says of how many.
     """
     lines = []
-    for told in grouped_warnings(groups):
-        if told.count == 1:
-            lines.append(f"{told.worst}: {told.text}")
+    for grouped in grouped_warnings(groups):
+        if grouped.count == 1:
+            lines.append(f"{grouped.worst}: {grouped.text}")
         else:
-            where = f"in {told.count} of {len(groups)} analyses {told.alike}"
-            lines.append(f"{where}, most in {told.worst}: {told.text}")
+            where = f"in {grouped.count} of {len(groups)} analyses {grouped.alike}"
+            lines.append(f"{where}, most in {grouped.worst}: {grouped.text}")
     return lines
 
 
@@ -137,12 +137,12 @@ def grouped_warnings(groups: Mapping[str, Group]) -> list[GroupedWarning]:
     """Return the warnings of analyses, grouped by kind where several analyses have them."""
     found = []
     for kind, alike in ALIKE.items():
-        told = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}
-        told = {name: several for name, several in told.items() if several}
-        if not told:
+        each = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}
+        each = {name: several for name, several in each.items() if several}
+        if not each:
             continue
-        worst = max(told, key=lambda name: max(warning.ratio for warning in told[name]))
-        texts = [warning.text for warning in told[worst]]
-        for text in texts if len(told) == 1 else ["; ".join(texts)]:
-            found.append(GroupedWarning(worst, len(told), alike, text))
+        worst = max(each, key=lambda name: max(warning.ratio for warning in each[name]))
+        texts = [warning.text for warning in each[worst]]
+        for text in texts if len(each) == 1 else ["; ".join(texts)]:
+            found.append(GroupedWarning(worst, len(each), alike, text))
     return found

@@ -131,8 +131,8 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
                 )
     except _Lost as lost:
         raise lost.error from lost
-    told = result.group.attributes.get("warnings")
-    result.group.attributes["warnings"] = [*(told if isinstance(told, list) else []), *too_few_motions(study, name)]
+    stored = result.group.attributes.get("warnings")
+    result.group.attributes["warnings"] = [*(stored if isinstance(stored, list) else []), *too_few_motions(study, name)]
     keep(result.group)
     if "certificate" in result.group.attributes:
         run.note(f"design {name}: {result.group.attributes['certificate']}")

@@ -56,7 +56,7 @@ def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> 
     for run in results.runs:
         if run.compensator in found:
             adapts = ", an adaptation that need not settle" if kinds[run.compensator] in ADAPTIVE else ""
-            run = _told(run, amplitude, found[run.compensator], adapts)
+            run = _with_warning(run, amplitude, found[run.compensator], adapts)
         runs.append(run)
     return replace(results, runs=tuple(runs))
 
@@ -69,7 +69,7 @@ def _is_too_wrong(run: VirtualTest, most: float) -> bool:
     return run.outcome == "done" and run.response_error > most
 
 
-def _told(run: VirtualTest, amplitude: float, expected: ExpectedTest, why_else: str) -> VirtualTest:
+def _with_warning(run: VirtualTest, amplitude: float, expected: ExpectedTest, why_else: str) -> VirtualTest:
     if expected.stable:
         return _unexpected(run, expected.response_rms, why_else)
     if run.saturated:

@@ -112,19 +112,21 @@ def tracking(
     _check_threshold(threshold)
     time_step(step)
     why: dict[str, str] = {}
-    correlated = _told(lambda: correlation_delay(x_t, x_m, step), why, "correlation_delay", "correlation")
+    correlated = _determined(lambda: correlation_delay(x_t, x_m, step), why, "correlation_delay", "correlation")
     late = correlated.delay if correlated else None
-    crossings = _told(
+    crossings = _determined(
         lambda: crossing_delay(x_t, x_m, step, threshold, late), why, "crossing_delay_mean", "crossing_delay_largest"
     )
-    index = _told(
+    index = _determined(
         lambda: frequency_index(x_t, x_m, step),
         why,
         "frequency_index_amplitude",
         "frequency_index_phase",
         "frequency_index_delay",
     )
-    errors = _told(lambda: peak_errors(x_t, x_m, step, threshold, late), why, "peak_error_mean", "peak_error_largest")
+    errors = _determined(
+        lambda: peak_errors(x_t, x_m, step, threshold, late), why, "peak_error_mean", "peak_error_largest"
+    )
     return Tracking(
         nrms=_number(lambda: nrms(x_t, x_m), why, "nrms"),
         nrms_root=_number(lambda: nrms_root(x_t, x_m), why, "nrms_root"),
@@ -150,7 +152,7 @@ def tracking(
     )
 
 
-def _told(indicator: Callable[[], _T], why: dict[str, str], *names: str) -> _T | None:
+def _determined(indicator: Callable[[], _T], why: dict[str, str], *names: str) -> _T | None:
     """An indicator, or None with the reason under its names."""
     try:
         return indicator()
@@ -161,7 +163,7 @@ def _told(indicator: Callable[[], _T], why: dict[str, str], *names: str) -> _T |
 
 def _number(indicator: Callable[[], float], why: dict[str, str], name: str) -> float:
     """An indicator, or NaN with the reason under its name."""
-    value = _told(indicator, why, name)
+    value = _determined(indicator, why, name)
     return math.nan if value is None else value
 
 

@@ -45,7 +45,7 @@ class MethodResults:
         name, kind: of the test.
         record: None if the test failed.
         figures: what the method is known for: name, value, unit, meaning.
-        told: sentences for people.
+        notes: sentences for people.
         outcome: `done`, `unstable` or `failed`; the reason is told.
     """
 
@@ -53,7 +53,7 @@ class MethodResults:
     kind: str
     record: MethodRecord | None
     figures: tuple[tuple[str, float, str, str], ...]
-    told: tuple[str, ...]
+    notes: tuple[str, ...]
     outcome: str = "done"
 
 
@@ -112,10 +112,10 @@ def _pseudo_dynamic(test: PseudoDynamicTest, of: _Setting, abort: float) -> Meth
         ("amplification", record.amplification, "1", "largest growth of a motion in a step"),
         ("least_damping", least, "1", "least damping ratio of the test"),
     )
-    told = record.rate.sentence(UNLIKE)
+    notes = record.rate.sentence(UNLIKE)
     if record.aborted:  # no method is valid then, whatever the rate does to the damper
-        told = "The method is not valid for this test: the motion left the abort displacement."
-    return MethodResults(test.name, test.kind, record, figures, (told,), "unstable" if record.aborted else "done")
+        notes = "The method is not valid for this test: the motion left the abort displacement."
+    return MethodResults(test.name, test.kind, record, figures, (notes,), "unstable" if record.aborted else "done")
 
 
 def _control_error(described: AnyControlError | None) -> ControlError:

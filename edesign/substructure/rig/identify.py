@@ -162,11 +162,11 @@ def _refuse_drift(record: MeasuredRecord, fit: RigFit) -> None:
     x, step = record["displacement"] - fit.offset, record.step
     delays, errors, middles = [], [], []
     for part in _parts(x.size):
-        told = _told(made[part], x[part], step)
-        if told is None:
+        delay = _delay(made[part], x[part], step)
+        if delay is None:
             continue
         speed = np.diff(made[part]) / step
-        delays.append(told)
+        delays.append(delay)
         errors.append(fit.noise / math.sqrt(float(np.sum(speed**2)) * fit.independent))
         middles.append(step * 0.5 * (part.start + part.stop))
     if len(delays) < 3:
@@ -197,7 +197,7 @@ def _slope(at: np.ndarray, values: np.ndarray, errors: np.ndarray) -> tuple[floa
     return slope, math.sqrt(max(scatter, 1.0) / spread)
 
 
-def _told(u: np.ndarray, x: np.ndarray, step: float) -> float | None:
+def _delay(u: np.ndarray, x: np.ndarray, step: float) -> float | None:
     try:
         return correlation_delay(u, x, step).delay
     except Undetermined:

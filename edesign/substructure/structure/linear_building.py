@@ -76,15 +76,15 @@ class LinearBuilding:
         drifts = self.drifts(displacements)
         floors = displacements @ self.floor_rows.T
         total, relative = self.accelerations
-        told = [
+        quantities = [
             (replace(self.floors, history=histories), floors),
             (replace(self.drift, history=histories), drifts),
             (replace(total, history=histories), accelerations + ground[:, None]),
             (relative, accelerations),
         ]
         if self.line_drifts is not None:
-            told.append((self.line_drifts, displacements @ self._matrix(self.line_drifts).T))
-        response = _response(time, told, failed)
+            quantities.append((self.line_drifts, displacements @ self._matrix(self.line_drifts).T))
+        response = _response(time, quantities, failed)
         group = Group(attributes={"fundamental_period_s": self.period})
         if self.frame is not None:
             coordinates(group, self.frame)
@@ -95,7 +95,7 @@ class LinearBuilding:
             coordinate(group, "storey", np.arange(1, count + 1), "1", "storey below the floor of the same number")
         coordinate(group, "time", time, "s", "time from the start of the record")
         group.add("ground_acceleration", ("time",), ground, "m/s^2", "ground acceleration as applied")
-        store(group, [quantity for quantity, _ in told], response, "time", SINGLE)
+        store(group, [quantity for quantity, _ in quantities], response, "time", SINGLE)
         if self.frame is not None and self.line_drifts is not None:
             store_drift_extremes(group, self.frame, self.line_drifts, response)
         if not failed and time.size > 1:
@@ -160,9 +160,9 @@ def building_of_floors(count: int, period: float) -> LinearBuilding:
     )
 
 
-def _response(time: np.ndarray, told: Sequence[tuple[Quantity, np.ndarray]], failed: str) -> Response:
+def _response(time: np.ndarray, quantities: Sequence[tuple[Quantity, np.ndarray]], failed: str) -> Response:
     """Values of quantities as the core records them."""
-    columns = {key: values[:, i] for quantity, values in told for i, key in quantity.keys.items()}
+    columns = {key: values[:, i] for quantity, values in quantities for i, key in quantity.keys.items()}
 
     def each(value: Callable[[np.ndarray], float]) -> dict[str, float]:
         return {key: float(value(column)) for key, column in columns.items()}

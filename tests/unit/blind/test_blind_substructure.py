@@ -17,7 +17,7 @@ from blind.laboratory import observe, predicted
 from blind.plan import Planned
 from blind.refit import FREE
 from blind.size import nrms
-from blind.substructure.campaign import EVERY, FEWEST, STEP, make, told, write_new
+from blind.substructure.campaign import EVERY, FEWEST, STEP, make, truth_of, write_new
 from blind.substructure.judge import CLOSE, judge, lag_of, summary
 from blind.substructure.loop import Damper, RanAway, Storey, run
 from blind.substructure.plan import RIGS, plan
@@ -105,8 +105,8 @@ def test_a_campaign_is_that_of_its_seed_and_is_read(tmp_path: Path) -> None:
     assert all(test.start == "at_rest" and test.displacement[0] == 0.0 for test in read.tests)
     text = yaml.safe_load((tmp_path / "c002" / "campaign.yaml").read_text(encoding="ascii"))
     assert "rig" not in json.dumps(text) and "late" not in json.dumps(text)
-    told = json.loads(truth_path(tmp_path / "c002").read_text(encoding="ascii"))
-    assert told["rig"]["frequency"] == one.rig.frequency and told["lag"] == one.lag
+    truth = json.loads(truth_path(tmp_path / "c002").read_text(encoding="ascii"))
+    assert truth["rig"]["frequency"] == one.rig.frequency and truth["lag"] == one.lag
 
 
 def test_a_delay_that_grows_with_the_amplitude_is_judged_by_its_mean() -> None:
@@ -117,7 +117,7 @@ def test_a_delay_that_grows_with_the_amplitude_is_judged_by_its_mean() -> None:
         "with_amplitude", lag=(made.rig.delay, "s"), per_amplitude=(per_amplitude, "s/m"), memory=(FADES, "s")
     )
     # a straight line between memories that differ by 10^(1/4)
-    assert lag_of(exact, json.loads(json.dumps(told(made)))) == pytest.approx(made.lag, abs=2e-5)
+    assert lag_of(exact, json.loads(json.dumps(truth_of(made)))) == pytest.approx(made.lag, abs=2e-5)
 
 
 @pytest.mark.parametrize(("name", "form"), [("hardening", 0), ("mullins", 0)])
@@ -140,7 +140,7 @@ def test_a_rig_that_drifts_has_three_tests_to_fit_to() -> None:
 
 
 @pytest.mark.parametrize("number", [36, 54])  # the shortest delay of seed 1, and one beside an effect
-def test_the_tests_to_fit_to_tell_the_delay(number: int) -> None:
+def test_the_tests_to_fit_to_give_the_delay(number: int) -> None:
     """The least standard deviation that any estimate can have (Cramer and Rao), beside a law and the size of an effect
     that are free, is below half of what the judge calls close.
     """
@@ -206,7 +206,7 @@ def test_delays_of_slow_motions_are_compared() -> None:
     assert lag_of(both, TRUTH) == pytest.approx(0.008 + parts / 4.0)
 
 
-def test_what_is_missed_is_told() -> None:
+def test_what_is_missed_is_reported() -> None:
     done = {"seconds": 3.0, "failure": None}
     good = judge(TRUTH, {"effects": [found("delay", lag=(10.2, "ms"))], "verdict": "explained"}, done)
     far = judge(TRUTH, {"effects": [found("delay", lag=(10.4, "ms"))], "verdict": "explained"}, done)

@@ -50,10 +50,10 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
         and "the search was interrupted; what it had found" in said.err
     )
     assert "The search was interrupted: there may be more effects" in said.out
-    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert told["search"] == "interrupted" and told["next_test"] is None and told["models"] == []
-    assert [effect["name"] for effect in told["effects"]] == ["hardening"]
-    assert told["effects"][0]["indistinguishable_from"] == []
+    reported = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert reported["search"] == "interrupted" and reported["next_test"] is None and reported["models"] == []
+    assert [effect["name"] for effect in reported["effects"]] == ["hardening"]
+    assert reported["effects"][0]["indistinguishable_from"] == []
     assert "interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[1]
 
 
@@ -71,8 +71,8 @@ def test_a_second_interrupt_while_tests_are_predicted_loses_nothing(
     monkeypatch.setattr(outcome, "predicted", interrupted)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     assert "interrupted: what was found is written as it stands" in capsys.readouterr().err
-    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert told["search"] == "interrupted" and [effect["name"] for effect in told["effects"]] == ["hardening"]
+    reported = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert reported["search"] == "interrupted" and [effect["name"] for effect in reported["effects"]] == ["hardening"]
     assert (tmp_path / "out/law.yaml").exists() and (tmp_path / "out/calibration.h5").exists()
     assert signal.getsignal(signal.SIGINT) is before  # once it is done, Ctrl-C is Ctrl-C again
 
@@ -84,8 +84,8 @@ def test_a_search_that_is_interrupted_before_it_finds_anything_is_not_searched(
     monkeypatch.setattr(Search, "_grow", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
     assert "Not searched: something is missing" in capsys.readouterr().out
-    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert (told["verdict"], told["search"], told["effects"]) == ("not_searched", "interrupted", [])
+    reported = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert (reported["verdict"], reported["search"], reported["effects"]) == ("not_searched", "interrupted", [])
     assert "Not searched" in (tmp_path / "out/calibration.html").read_text(encoding="utf-8")
     # before the law is fitted there is nothing to write
     monkeypatch.setattr(Search, "_base", _interrupt)
@@ -93,15 +93,15 @@ def test_a_search_that_is_interrupted_before_it_finds_anything_is_not_searched(
     assert not (tmp_path / "none").exists()
 
 
-def test_an_effort_that_is_spent_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_effort_that_is_spent_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     campaign(tmp_path / "c", _hardened, tests=5)
     assert _run(tmp_path / "c", "--effort", "5") == 2
     assert "--effort 5: too little to fit the law alone" in capsys.readouterr().err
     assert not (tmp_path / "c/calibration.json").exists()
     assert _run(tmp_path / "c", "--effort", "60", "--no-page") == 0
-    told = json.loads((tmp_path / "c/calibration.json").read_text(encoding="utf-8"))
-    assert (told["verdict"], told["search"]) == ("not_searched", "effort_spent")
-    assert told["coverage"]["effort"] < 100.0 and told["coverage"]["most_effort"] == 60.0
+    reported = json.loads((tmp_path / "c/calibration.json").read_text(encoding="utf-8"))
+    assert (reported["verdict"], reported["search"]) == ("not_searched", "effort_spent")
+    assert reported["coverage"]["effort"] < 100.0 and reported["coverage"]["most_effort"] == 60.0
     said = " ".join(capsys.readouterr().out.split())  # paragraphs are broken into lines
     assert "ended with its effort of 60 (--effort)" in said and "effects may have been missed" in said
 
@@ -112,7 +112,9 @@ def test_the_folder_of_the_campaign_and_no_page(tmp_path: Path) -> None:
     assert (tmp_path / "calibration.json").exists() and not (tmp_path / "calibration.html").exists()
 
 
-def test_what_cannot_be_written_is_told_before_the_search(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_cannot_be_written_is_reported_before_the_search(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     campaign(tmp_path)
     (tmp_path / "out" / "calibration.json").mkdir(parents=True)
     assert _run(tmp_path, "--output", str(tmp_path / "out")) == 4
@@ -120,7 +122,7 @@ def test_what_cannot_be_written_is_told_before_the_search(tmp_path: Path, capsys
     assert "calibration.json: cannot be written: it is a folder" in error and "fitting the law" not in error
 
 
-def test_a_folder_in_which_nothing_can_be_made_is_told_before_the_search(
+def test_a_folder_in_which_nothing_can_be_made_is_reported_before_the_search(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An administrator may write everywhere by his rights, and cannot in `/proc` or a file system of a device."""
@@ -135,7 +137,9 @@ def test_a_folder_in_which_nothing_can_be_made_is_told_before_the_search(
     assert f"nothing can be made in the folder {tmp_path}" in error and "reading the tests" not in error
 
 
-def test_an_unknown_temperature_is_told_by_what_can_say_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_temperature_is_reported_by_what_can_say_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = campaign(tmp_path).path
     given = yaml.safe_load(path.read_text(encoding="utf-8"))
     for test in given["tests"]:
@@ -168,7 +172,7 @@ def test_a_motion_that_is_missing_is_refused(tmp_path: Path, capsys: pytest.Capt
     assert "Make two tests of the file" in error and not (tmp_path / "calibration.json").exists()
 
 
-def test_a_pause_at_rest_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_pause_at_rest_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     campaign(tmp_path, tests=5)
     _rewritten(tmp_path / "test_02.csv", _pause(rest=True))
     assert _run(tmp_path, "--no-page", "--effort", "50") == 0
@@ -216,7 +220,7 @@ def _shorter(row: list[str]) -> list[str]:
         (_shorter, "test_06.csv", ("test_06.csv:1752", "force")),
     ],
 )
-def test_what_is_wrong_with_tests_is_told(
+def test_what_is_wrong_with_tests_is_reported(
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     change: Callable[[list[str]], list[str]],
@@ -254,7 +258,7 @@ def test_a_temperature_that_the_law_does_not_know(tmp_path: Path, capsys: pytest
         ("type: kelvin_voigt", "type: kelvin_voight", ("campaign.yaml:", "did you mean `kelvin_voigt`")),
     ],
 )
-def test_what_is_wrong_with_the_campaign_is_told(
+def test_what_is_wrong_with_the_campaign_is_reported(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, said: tuple[str, ...]
 ) -> None:
     campaign(tmp_path)

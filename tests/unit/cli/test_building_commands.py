@@ -19,7 +19,7 @@ def path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return file
 
 
-def test_check_tells_plan_members_loads_and_masses(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_reports_plan_members_loads_and_masses(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(path)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "title:      Two storeys"
@@ -28,7 +28,7 @@ def test_check_tells_plan_members_loads_and_masses(path: Path, capsys: pytest.Ca
     assert lines[-1] == "ok"
 
 
-def test_check_tells_a_mistake_with_its_place(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_reports_a_mistake_with_its_place(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path.write_text(SMALL.replace("HEB200", "HEB205"), encoding="utf-8")
     assert main(["check", str(path)]) == 2
     said = capsys.readouterr().err

@@ -36,8 +36,8 @@ def test_a_column_is_asked_for(table: str, options: list[str], said: str, capsys
 
 
 def test_a_column_is_read(table: str, capsys: pytest.CaptureFixture[str]) -> None:
-    told = []
+    reported = []
     for column, times in (("ay", "time_s"), ("3", "1"), ("ax", "1")):
         assert main(["spectrum", table, *ACTION, "--unit", "g", "--column", column, "--time-column", times]) == 0
-        told.append(capsys.readouterr().out)
-    assert told[0] == told[1] != told[2]
+        reported.append(capsys.readouterr().out)
+    assert reported[0] == reported[1] != reported[2]

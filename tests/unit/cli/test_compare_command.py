@@ -44,7 +44,7 @@ def test_tables(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert "2 of them have a bar, 2 are within it" in out
 
 
-def test_check_tells_what_is_outside(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_reports_what_is_outside(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     path = Path(files[1])
     path.write_text(REFERENCE.replace("5 %", "2 %"), encoding="utf-8")
     assert main(["compare", *files]) == 0
@@ -60,7 +60,7 @@ def test_json_and_csv(files: list[str], tmp_path: Path, capsys: pytest.CaptureFi
     assert len((tmp_path / "cells.csv").read_text(encoding="utf-8").splitlines()) == 3
 
 
-def test_a_mistake_in_the_reference_is_told(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_mistake_in_the_reference_is_reported(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     Path(files[1]).write_text(REFERENCE.replace("variable:", "varable:"), encoding="utf-8")
     assert main(["compare", *files]) == 2
     assert "reference.yaml:9:10" in capsys.readouterr().err

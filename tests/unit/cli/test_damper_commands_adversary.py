@@ -206,7 +206,7 @@ def test_one_of_two_ordered_parameters_is_enough(
     assert found["b"] > found["a"]
 
 
-def test_a_reversed_sign_is_told(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_reversed_sign_is_reported(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write(folder / "a.csv", -12.0 * SINE - 1.5 * COSINE)
     assert command.main(["fit", "c.yaml", "--starts", "1", "--json", "-q"]) == 0
     warnings = json.loads(capsys.readouterr().out)["doubts"]
@@ -270,7 +270,7 @@ def test_tests_beyond_the_fitted_temperatures(folder: Path, capsys: pytest.Captu
     assert "note: test b is at 35 degC, those fitted at 20 degC" in capsys.readouterr().err
 
 
-def test_cross_validation_tells_what_was_left_out(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_cross_validation_reports_what_was_left_out(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = CAMPAIGN
     for name, celsius in (("b", 28), ("d", 35)):
         write(folder / f"{name}.csv", (13.0 - 0.1 * celsius) * SINE + 1.5 * COSINE)

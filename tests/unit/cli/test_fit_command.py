@@ -156,11 +156,11 @@ def test_how_a_file_is_read_does_not_say_that_it_is_left_out(
     path = campaign.parent / "test_0.csv"
     path.write_text(path.read_text(encoding="utf-8").replace(",", ";"), encoding="utf-8")
     assert command.main(["fit", str(campaign), "--starts", "1", "--law", "kelvin_voigt"]) == 0
-    told = capsys.readouterr().err
-    assert "note: test_0: read: semicolons between columns" in told and "not fitted" not in told
+    reported = capsys.readouterr().err
+    assert "note: test_0: read: semicolons between columns" in reported and "not fitted" not in reported
 
 
-def test_a_test_file_is_told_from_a_property_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_test_file_is_distinguished_from_a_property_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "a.csv").write_text("time_s,displacement_mm,force_kN\n0,0,0\n1,1,1\n", encoding="utf-8")
     assert command.main(["fit", str(tmp_path / "a.csv")]) == 2
     assert "a campaign file that lists it" in capsys.readouterr().err

@@ -132,7 +132,7 @@ OTHERS: dict[str, tuple[str, Callable[[str, Path], str]]] = {
 }
 
 
-def told(row: Advised, text: str, folder: Path) -> str:
+def reported(row: Advised, text: str, folder: Path) -> str:
     """What is said of an input; empty where it is right."""
     if row.base in PROJECTS:
         return told_of_project(text, folder)
@@ -162,11 +162,11 @@ def changed(text: str, changes: tuple[Change, ...]) -> str:
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: re.sub(r"\W+", "_", f"{row.base}_{row.said}")[:70])
 def test_advice_is_taken(row: Advised, tmp_path: Path) -> None:
     wrong = changed(text_of(row), row.wrong)
-    found = told(row, wrong, tmp_path)
+    found = reported(row, wrong, tmp_path)
     assert row.said in found, found
     assert row.rights
     for way in row.rights:
-        left = told(row, changed(wrong, way), tmp_path)
+        left = reported(row, changed(wrong, way), tmp_path)
         assert not left, f"{way}: {left}"
 
 
@@ -317,7 +317,7 @@ def test_advice_of_a_command_is_taken(
     for name, text in files.items():
         Path(name).write_text(text, encoding="utf-8")
     assert main([*wrong]) == 2
-    told = " ".join(capsys.readouterr().err.split())
-    assert said in told, told
+    reported = " ".join(capsys.readouterr().err.split())
+    assert said in reported, reported
     for way in rights:
         assert main([*way]) == 0, capsys.readouterr().err

@@ -104,7 +104,7 @@ def files(made: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.parametrize("kind", [*TEXTS, "archive"])
-def test_a_kind_is_told_by_content(files: Path, kind: str) -> None:
+def test_a_kind_is_recognised_by_content(files: Path, kind: str) -> None:
     found = kind_of(files / kind)
     assert found is not None and found.described.startswith(NAMES.get(kind, f"a {kind} file"))
 
@@ -113,11 +113,11 @@ def test_a_kind_is_told_by_content(files: Path, kind: str) -> None:
 def test_no_kind_of_file_is_forgotten(kind: FileKind) -> None:
     """Each has a model and a guide, and `check` tells of it what is in it; a structure alone is no file of its own."""
     run = (PROJECT, STUDY, BUILDING, SUBSTRUCTURE_TESTS)
-    told = kind_of_keys(kind.keys)
-    assert told is not None and (told == kind or kind.entries is not None)
+    reported = kind_of_keys(kind.keys)
+    assert reported is not None and (reported == kind or kind.entries is not None)
     if kind == STRUCTURE:
         return
-    assert (told in SUMMARIES) != (told in run)
+    assert (reported in SUMMARIES) != (reported in run)
     assert schema_kinds.KINDS[kind.schema] == kind and schema_kinds.model_of(kind).model_fields.keys() >= set(kind.keys)
     assert (ROOT / "docs" / kind.guide).is_file()
 
@@ -133,7 +133,7 @@ def test_nothing_is_said_of_other_files(tmp_path: Path, text: str) -> None:
     st.sampled_from([*TEXTS.values(), "a: [1,\n 2]\nPGA: 3 at 00:05 {x\n"]),
     st.lists(st.tuples(st.integers(0, 50), st.integers(0, 2), st.sampled_from(SIGNS)), max_size=3),
 )
-def test_the_quick_parser_tells_the_same_kind(text: str, edits: list[tuple[int, int, str]]) -> None:
+def test_the_quick_parser_finds_the_same_kind(text: str, edits: list[tuple[int, int, str]]) -> None:
     """As PyYAML's own parser alone, of texts right and wrong, and where the parser is left out."""
     for place, cut, new in edits:
         text = text[:place] + new + text[place + cut :]
@@ -227,5 +227,5 @@ def test_show_prints_the_devices_of_a_design(tmp_path: Path, capsys: pytest.Capt
     assert capsys.readouterr().out == "devices:\n- kind: chevron\n"
     assert main(["show", str(path), "--devices", "broken"]) == 2
     assert main(["show", str(path), "--devices", "adde"]) == 2
-    told = capsys.readouterr().err
-    assert "the design `broken` found no devices" in told and "did you mean `added`" in told
+    reported = capsys.readouterr().err
+    assert "the design `broken` found no devices" in reported and "did you mean `added`" in reported

@@ -325,12 +325,12 @@ def test_steps_of_a_calibration_that_fail(
     said = capsys.readouterr()
     assert f"{stage}" in said.err and f"failed: an error in edesign itself (RuntimeError: {CAUSE})" in said.err
     assert yaml.safe_load(Path("out/law.yaml").read_text(encoding="utf-8")) == law
-    told = json.loads(Path("out/calibration.json").read_text(encoding="utf-8"))
+    reported = json.loads(Path("out/calibration.json").read_text(encoding="utf-8"))
     if left:
-        assert not told[left] and CAUSE in told["failed_steps"][stage]
+        assert not reported[left] and CAUSE in reported["failed_steps"][stage]
         assert f"Left out: {stage} failed" in " ".join(said.out.split())
     else:
-        k = told["parameters"]["corrected"]["k"]
+        k = reported["parameters"]["corrected"]["k"]
         assert CAUSE in k["not_determined"] and k["interval"] == [None, None] and k["standard_error"] is None
     page = Path("out/calibration.html").read_text(encoding="utf-8")
     assert CAUSE in page and "Errors before and after" in page

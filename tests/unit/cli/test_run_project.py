@@ -167,10 +167,10 @@ def test_another_head_runs_nothing_again(tmp_path: Path, monkeypatch: pytest.Mon
     run_project(project(tmp_path))
     before = results(tmp_path / "small.h5")
     core = use(monkeypatch, Core())
-    told: list[Progress] = []
-    summary = run_project(project(tmp_path, text=text), progress=told.append)
+    reported: list[Progress] = []
+    summary = run_project(project(tmp_path, text=text), progress=reported.append)
     assert core.ran == [] and all(outcome.reused for outcome in summary.outcomes) and len(summary.outcomes) == 4
-    assert "head of small.h5 was renewed" in told[0].message and summary.notes == (told[0].message,)
+    assert "head of small.h5 was renewed" in reported[0].message and summary.notes == (reported[0].message,)
     assert results(tmp_path / "small.h5") == before and not partial_path(tmp_path / "small.h5").exists()
     with open_archive(tmp_path / "small.h5") as archive:
         assert str(archive.group().variables["project_text"].values) == text
@@ -251,7 +251,7 @@ def test_an_unwritable_archive_is_an_error_before_anything_runs(
     assert core.ran == []
 
 
-def test_progress_tells_every_analysis_from_start_to_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_reports_every_analysis_from_start_to_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     use(monkeypatch, Core({("b", 7): fail}))
     reports: list[Progress] = []
     run_project(project(tmp_path, "ab"), progress=reports.append)

@@ -69,7 +69,7 @@ def test_what_greece_does_not_state_is_recommended() -> None:
     assert greece.parameters["horizontal"].origin == "recommended"
 
 
-def test_names_that_do_not_exist_are_told_with_those_that_do() -> None:
+def test_names_that_do_not_exist_are_reported_with_those_that_do() -> None:
     assert countries() == ("france", "greece")
     with pytest.raises(InputError, match=r"there is no country `grece`; did you mean `greece`\?"):
         national_parameters("grece")

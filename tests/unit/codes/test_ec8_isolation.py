@@ -31,5 +31,5 @@ GOOD = EquivalentLinear(0.2, MASS * (2.0 * math.pi / 2.5) ** 2, 0.2, MASS, 1.26,
     ],
 )
 def test_conditions_that_are_not_met(found: EquivalentLinear, fixed_period: float, said: list[str]) -> None:
-    told = list(found.not_met(fixed_period))
-    assert len(told) == len(said) and all(one.startswith(words) for one, words in zip(told, said, strict=True))
+    reported = list(found.not_met(fixed_period))
+    assert len(reported) == len(said) and all(one.startswith(words) for one, words in zip(reported, said, strict=True))

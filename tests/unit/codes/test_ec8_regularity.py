@@ -92,7 +92,7 @@ def test_setbacks_of_one_face() -> None:
     assert total.passed and single.passed
 
 
-def test_a_storey_that_stands_out_is_told() -> None:
+def test_a_storey_that_stands_out_is_reported() -> None:
     (check,) = setbacks(np.zeros(3), [10.0, 12.0, 12.0], [3.0, 6.0, 9.0])
     assert check.passed is None and "stands out" in check.text
     with pytest.raises(InputError, match="E-VALUE-04"):

@@ -80,7 +80,7 @@ def test_a_zone_of_france_takes_one_type_of_spectrum() -> None:
     national_parameters("greece").check_spectrum_type("3", 2)  # no rule: any type
 
 
-def test_the_project_file_is_told_where_the_type_is_wrong() -> None:
+def test_the_project_file_is_reported_where_the_type_is_wrong() -> None:
     text = """\
 edesign: 1
 title: site

@@ -26,7 +26,7 @@ def test_samples_beyond_the_range_are_clipped(low: float, high: float) -> None:
     assert np.array_equal(found, (true > high) | (true < low))
 
 
-def test_a_range_of_a_converter_is_told_in_its_steps() -> None:
+def test_a_range_of_a_converter_is_reported_in_its_steps() -> None:
     true = in_steps(SINE + 0.2 * NOISE, 20.0)  # 12 bit, with half a step of noise
     found = clipped(np.clip(true, -30e3, 30e3))
     assert np.array_equal(found, np.abs(true) >= 30e3)
@@ -51,7 +51,7 @@ def test_other_forces_are_not(force: np.ndarray) -> None:
     assert not clipped(force).any()
 
 
-def test_it_is_told_of_which_test_and_channel() -> None:
+def test_test_and_channel_are_named() -> None:
     force = np.clip(SINE + NOISE, -1e6, 30e3)
     tests = [DamperTest("a", T, 1e-6 * SINE, SINE + NOISE), DamperTest("b", T, 1e-6 * SINE, force)]
     (note,) = clipping_notes(tests)

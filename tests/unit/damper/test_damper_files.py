@@ -77,7 +77,7 @@ def test_exports_of_test_machines(tmp_path: Path, text: str, unread: tuple[str, 
     assert test.unread == unread
 
 
-def test_columns_that_are_not_read_are_told(tmp_path: Path) -> None:
+def test_columns_that_are_not_read_are_reported(tmp_path: Path) -> None:
     for name in ("test_01.csv", "test_02.csv"):
         write(tmp_path, "time_s,displacement_mm,force_kN,segment\n" + ROWS.replace("\n", ",1\n"), name)
     text = HEAD + "tests: [{file: test_01.csv, temperature_C: 20}, {file: test_02.csv, temperature_C: 20}]\n"

@@ -42,7 +42,7 @@ def campaign(folder: Path, head: str) -> Path:
 
 
 @pytest.mark.parametrize(("head", "name"), [("", "specimen"), ("specimen: {name: FVD 12}\n", "FVD 12")])
-def test_check_tells_displacements(tmp_path: Path, capsys: pytest.CaptureFixture[str], head: str, name: str) -> None:
+def test_check_reports_displacements(tmp_path: Path, capsys: pytest.CaptureFixture[str], head: str, name: str) -> None:
     assert command.main(["check", str(campaign(tmp_path, head))]) == 0
     shown = capsys.readouterr().out
     assert f"{name}: no layers" in shown and "20 to 40 mm largest displacement" in shown and "strain" not in shown

@@ -135,7 +135,7 @@ def test_fixed_parameters_stay() -> None:
     assert fit.fixed == {"k": "fixed by the user"}
 
 
-def test_what_cannot_be_told_apart_is_named() -> None:
+def test_what_cannot_be_separated_is_named() -> None:
     """Friction: with N free beside mu only the product is told."""
     tests = measured("friction", {"mu": 0.3, "N": 330e3, "k": 100e6})
     fit = fit_forces(LAWS["friction"], tests, fit_also=["N"], starts=1)

@@ -184,7 +184,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("case", WRONG)
-def test_what_is_wrong_is_told_with_its_place(tmp_path, case):
+def test_what_is_wrong_is_reported_with_its_place(tmp_path, case):
     (old, new), message = WRONG[case]
     assert old in LAW
     path = law_file(tmp_path, LAW.replace(old, new))
@@ -192,7 +192,7 @@ def test_what_is_wrong_is_told_with_its_place(tmp_path, case):
         resolve(*read_law_file(path), None)
 
 
-def test_all_that_is_wrong_is_told_at_once_and_in_a_project_too(tmp_path):
+def test_all_that_is_wrong_is_reported_at_once_and_in_a_project_too(tmp_path):
     path = project_file(tmp_path)
     path.write_text(
         path.read_text().replace("a0: 3 mm", "a0: 0 mm").replace("E0: 20 kJ", "E0: 20 kW"), encoding="utf-8"
@@ -205,7 +205,7 @@ def test_all_that_is_wrong_is_told_at_once_and_in_a_project_too(tmp_path):
     assert re.search(r"project.yaml:46:\d+: dampers.laws.tested.effects\[2\].parameters.E0: ", lines[1])
 
 
-def test_an_effect_that_a_braced_law_cannot_have_is_told(tmp_path):
+def test_an_effect_that_a_braced_law_cannot_have_is_reported(tmp_path):
     path = project_file(tmp_path)
     text = (
         path.read_text()
@@ -274,7 +274,7 @@ def test_a_transition_is_half_done_at_its_middle(tmp_path):
         ),
     ],
 )
-def test_where_a_law_of_the_temperature_ends_is_told(tmp_path, effect, degrees, message):
+def test_where_a_law_of_the_temperature_ends_is_reported(tmp_path, effect, degrees, message):
     text = "type: kelvin_voigt\nparameters: {k: 3 kN/mm, c: 0.2 kN*s/mm}\n"
     described = read_law_file(law_file(tmp_path, f"{text}effects: [{{name: temperature_law, {effect}}}]\n"))
     with pytest.raises(InputError, match=message):

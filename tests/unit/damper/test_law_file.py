@@ -76,14 +76,14 @@ def test_a_project_uses_it_as_it_is_and_warns_outside_its_tests(folder):
         ("", "the law file is empty"),
     ],
 )
-def test_what_is_wrong_in_a_law_file_is_told_with_its_place(folder, changed, part):
+def test_what_is_wrong_in_a_law_file_is_reported_with_its_place(folder, changed, part):
     (folder / "law.yaml").write_text(changed, encoding="utf-8")
     with pytest.raises(InputError) as error:
         device_laws(parse_project(PROJECT, folder / "project.yaml"))
     assert part in str(error.value)
 
 
-def test_a_missing_file_is_told_at_the_project(folder):
+def test_a_missing_file_is_reported_at_the_project(folder):
     project = parse_project(PROJECT.replace("law.yaml", "lost.yaml"), folder / "project.yaml")
     with pytest.raises(InputError, match=r"project.yaml:12:20: dampers.laws.rubber.file: .*lost.yaml"):
         device_laws(project)
@@ -104,7 +104,7 @@ def test_a_size_needs_a_prototype(folder):
         make_frame(parse_project(PROJECT, folder / "project.yaml"), dampers=True)
 
 
-def test_strains_beyond_the_tests_are_told(folder):
+def test_strains_beyond_the_tests_are_reported(folder):
     project = parse_project(PROJECT, folder / "project.yaml")
     devices = make_frame(project, dampers=True).devices
     assert devices[0].tested_strain == 0.5
@@ -114,7 +114,7 @@ def test_strains_beyond_the_tests_are_told(folder):
     assert warning.kind == "damper_strain" and warning.ratio == pytest.approx(1.24)
 
 
-def test_strains_beyond_the_limit_of_a_device_are_told(folder):
+def test_strains_beyond_the_limit_of_a_device_are_reported(folder):
     text = PROJECT.replace("layer_thickness: 24 mm", "layer_thickness: 24 mm, strain_limit: 40 %")
     devices = make_frame(parse_project(text, folder / "project.yaml"), dampers=True).devices
     assert strain_warnings(devices, np.array([0.4])) == []
@@ -138,7 +138,7 @@ def test_published_parameters_know_their_tests():
         ("self-centring", "self_centring"),
     ],
 )
-def test_a_law_by_its_name_in_practice_is_told_by_ours(written: str, meant: str) -> None:
+def test_a_law_by_its_name_in_practice_is_answered_with_ours(written: str, meant: str) -> None:
     with pytest.raises(InputError, match=f"no damper law `{written}`; did you mean `{meant}`"):
         laws.law(written)
 

@@ -96,7 +96,7 @@ def test_the_core_names_the_values_of_a_switch(law: Law) -> None:
                 CoreDamper(law.name, [*values[:i], 0.5, *values[i + 1 :]])
 
 
-def test_names_that_an_enum_cannot_tell_apart_are_refused() -> None:
+def test_names_that_an_enum_cannot_distinguish_are_refused() -> None:
     two = Entry((Parameter("a", "of one thing", ""), Parameter("A", "of another", "")))
     with pytest.raises(ValueError, match="ED_LAW_X: names of parameters differ by the case of letters alone: A, A"):
         _pair("law", "laws", "laws.py", {"ED_LAW_X": two})

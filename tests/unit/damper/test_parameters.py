@@ -95,7 +95,7 @@ def test_bad_values(values: dict[str, object], message: str) -> None:
         read_parameters(LAWS["kelvin_voigt"], values)
 
 
-def test_all_problems_are_told() -> None:
+def test_all_problems_are_reported() -> None:
     with pytest.raises(ParameterError) as caught:
         read_parameters(LAWS["zener"], {"k0": 1.0, "k_1": "1 kN/mm", "c1": "1 m"})
     assert [name for name, _ in caught.value.problems] == ["k_1", "k0", "c1"]

@@ -48,10 +48,10 @@ def test_a_full_factorial_takes_three_lines(tmp_path: Path) -> None:
 
 def test_the_campaign_has_the_force_of_the_law(tmp_path: Path) -> None:
     """Kelvin-Voigt: F = k u + c v, G' = k h / A, n = w c / k."""
-    told: list[tuple[int, int, str]] = []
+    reported: list[tuple[int, int, str]] = []
     programme = load_programme(write(tmp_path, HEAD + SINES))
-    run = run_programme(programme, tmp_path / "out", lambda *step: told.append(step))
-    assert [step[:2] for step in told] == [(1, 4), (2, 4), (3, 4), (4, 4)] and run.warnings == ()
+    run = run_programme(programme, tmp_path / "out", lambda *step: reported.append(step))
+    assert [step[:2] for step in reported] == [(1, 4), (2, 4), (3, 4), (4, 4)] and run.warnings == ()
     campaign = load_campaign(tmp_path / "out" / "campaign.yaml")
     assert campaign.law is not None and campaign.law.parameters == {"k": "7 kN/mm", "c": "0.2 kN*s/mm"}
     test = campaign.tests[1]

@@ -113,12 +113,12 @@ def test_isolators_are_judged_by_how_little_is_left() -> None:
     """Stiffness falls by 8 % a cycle: 0.92^3 = 0.779 from the second to the fifth, 0.92^4 = 0.716 from the first."""
     falling = 0.92 ** np.floor(TIME * F)
     found = judge([run(falling * (K * U + C * V))], [None], Acceptance(device="elastomeric_isolator"))
-    told = {(j.criterion.quantity.name, j.criterion.reference): j for j in found}
-    least, first = told["effective stiffness k'", "least"], told["effective stiffness k'", "first"]
+    reported = {(j.criterion.quantity.name, j.criterion.reference): j for j in found}
+    least, first = reported["effective stiffness k'", "least"], reported["effective stiffness k'", "first"]
     assert least.met and least.value == pytest.approx(0.92**3, rel=1e-3)
     assert first.met is False and first.value == pytest.approx(0.92**4 - 1.0, rel=1e-3)
-    assert told["effective damping xi", "first"].met  # both parts fall alike
-    assert told["effective stiffness k'", "design"].met is None
+    assert reported["effective damping xi", "first"].met  # both parts fall alike
+    assert reported["effective stiffness k'", "design"].met is None
 
 
 def test_a_device_that_is_not_as_designed() -> None:
@@ -199,7 +199,7 @@ def test_the_command_writes_the_sheet(
     assert data["runs"][0]["energy"] == pytest.approx([np.pi * C * OMEGA * X0**2] * 5, rel=2e-5)
 
 
-def test_what_a_file_lacks_is_told_without_a_campaign_too(
+def test_what_a_file_lacks_is_reported_without_a_campaign_too(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A gap over a peak of the force hides it: the sheet must not look as one of a whole record."""

@@ -27,8 +27,8 @@ def test_every_form_has_its_equation_and_every_equation_its_form() -> None:
 def test_every_parameter_has_its_meaning(name: str) -> None:
     row: Row = ROWS[name]
     text = (effect_pages.FOLDER / f"{row.form.name}.md").read_text(encoding="utf-8").partition("## Forms")[0]
-    told = set(re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE))
-    assert {one.name for one, _, _ in row.parameters} <= told
+    reported = set(re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE))
+    assert {one.name for one, _, _ in row.parameters} <= reported
 
 
 @pytest.mark.parametrize(
@@ -44,6 +44,6 @@ def test_every_parameter_has_its_meaning(name: str) -> None:
         ("ageing.linear", "rate", "N(0, 0.0429)", "-0.129 to 1.29"),
     ],
 )
-def test_priors_are_told_in_sizes_of_the_campaign(form: str, parameter: str, prior: str, bounds: str) -> None:
+def test_priors_are_reported_in_sizes_of_the_campaign(form: str, parameter: str, prior: str, bounds: str) -> None:
     (found,) = ((of, reach) for one, of, reach in ROWS[form].parameters if one.name == parameter)
     assert found == (prior, bounds)

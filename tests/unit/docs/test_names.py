@@ -19,7 +19,7 @@ def test_page_names_what_there_is(page: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("`drift_limits_of` is one", ["drift_limits_of"]),
         ("`drift_limit` and `SteelSection` are ones, `IPE_TREE` is not", ["IPE_TREE"]),
@@ -27,24 +27,24 @@ def test_page_names_what_there_is(page: Path) -> None:
         ("`hinge_rotation` is put together, `V_1_3_r` is a damper", []),
     ],
 )
-def test_names(text: str, told: list[str]) -> None:
-    assert [name for _, name in doc_names.unknown_names(text)] == told
+def test_names(text: str, reported: list[str]) -> None:
+    assert [name for _, name in doc_names.unknown_names(text)] == reported
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("`tests/verification/test_verify_nothing.py`", ["tests/verification/test_verify_nothing.py"]),
         ("`torsion.py`, `edesign/codes/ec8`, `effect_*.c`, `../../README.md`", []),
         ("`core_c/src/damper/NAME.c` and `test_no_such.c`", ["test_no_such.c"]),
     ],
 )
-def test_files(text: str, told: list[str]) -> None:
-    assert [name for _, name in doc_names.missing_files(text, HERE)] == told
+def test_files(text: str, reported: list[str]) -> None:
+    assert [name for _, name in doc_names.missing_files(text, HERE)] == reported
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("    edesign run a.yaml --report\n", []),
         ("`edesign run a.yaml --reprot`", ["edesign run --reprot"]),
@@ -53,8 +53,8 @@ def test_files(text: str, told: list[str]) -> None:
         ("`--no-such-option`", ["--no-such-option"]),
     ],
 )
-def test_commands(text: str, told: list[str]) -> None:
-    assert [name for _, name in doc_names.wrong_commands(text)] == told
+def test_commands(text: str, reported: list[str]) -> None:
+    assert [name for _, name in doc_names.wrong_commands(text)] == reported
 
 
 def test_sections() -> None:

@@ -28,7 +28,7 @@ def test_page_does_what_it_says(page: Path, tmp_path: Path) -> None:
     assert not wrong, "\n\n".join(wrong)
 
 
-def test_a_line_that_is_not_printed_is_told() -> None:
+def test_a_line_that_is_not_printed_is_reported() -> None:
     assert doc_pages.difference("a 1.00\n...\nb 2 ...\n", "a 1.01\nx\nb 2 3\n") == ""
     assert doc_pages.difference("a 1.00\nb\n", "a 1.05\nb\n").startswith("not printed: a 1.00")
     assert doc_pages.difference("a\n", "a\nb\n") == "printed as well: b"

@@ -34,9 +34,9 @@ def test_intervals_cover_with_correlated_residuals(tests: int, bias: float) -> N
         model = linear(x, measured, normal("ab", 10.0))
         found = fit(model, Noise.white([1.0] * tests))
         found = fit(model, Noise.left_by(found.left, [0.01] * tests, [0.8] * tests), found.z, slopes=found.slopes)
-        told = uncertainty(found)
+        reported = uncertainty(found)
         held.append(
-            [low < value < high for value, (low, high) in zip(truth, map(told.interval, range(2)), strict=True)]
+            [low < value < high for value, (low, high) in zip(truth, map(reported.interval, range(2)), strict=True)]
         )
     assert np.all(np.mean(held, axis=0) > 0.95 - 0.053)
 
@@ -66,12 +66,12 @@ def test_a_product_is_known_and_its_factors_only_together() -> None:
     measured = tuple(30e3 * v + 3e3 * generator.standard_normal(300) for _ in range(3))
     model = FormulaModel(parameters, measured, lambda p: [p[0] * p[1] * v + p[2] * np.cos(np.arange(300.0))] * 3)
     found = fit(model, Noise.white([3e3] * 3), settings=TIGHT)
-    told = uncertainty(found)
-    assert [told.determined(i) for i in range(3)] == [False, False, True]
-    assert told.loose == pytest.approx([1.0, 1.0, 0.0], abs=1e-3)
+    reported = uncertainty(found)
+    assert [reported.determined(i) for i in range(3)] == [False, False, True]
+    assert reported.loose == pytest.approx([1.0, 1.0, 0.0], abs=1e-3)
     assert found.values[0] * found.values[1] == pytest.approx(30e3, rel=0.02)
-    assert told.half_width(np.array([1.5, 1.5, 0.0])) < 0.05
-    low, high = told.interval(0)
+    assert reported.half_width(np.array([1.5, 1.5, 0.0])) < 0.05
+    low, high = reported.interval(0)
     assert high / low > 10.0
 
 
@@ -91,6 +91,6 @@ def test_scheffe_widens_what_was_chosen() -> None:
     generator = np.random.default_rng(7)
     x = [generator.standard_normal((50, 3)) for _ in range(6)]
     measured = [a @ np.ones(3) + generator.standard_normal(50) for a in x]
-    told = uncertainty(fit(linear(x, measured, normal("abc")), Noise.white([1.0] * 6), settings=TIGHT))
+    reported = uncertainty(fit(linear(x, measured, normal("abc")), Noise.white([1.0] * 6), settings=TIGHT))
     one = np.eye(3)[0]
-    assert told.half_width(one, joint=3) > 1.3 * told.half_width(one) > 1.3 * told.standard_error(one)
+    assert reported.half_width(one, joint=3) > 1.3 * reported.half_width(one) > 1.3 * reported.standard_error(one)

@@ -35,13 +35,13 @@ def test_a_linear_model_has_the_posterior_in_closed_form() -> None:
     for x, y, deviation in zip(matrices, measured, deviations, strict=True):
         precision, right = precision + x.T @ x / deviation**2, right + x.T @ y / deviation**2
     np.testing.assert_allclose(found.values, np.linalg.solve(precision, right), rtol=1e-8)
-    told, n = uncertainty(found), sum(len(y) for y in measured)
+    reported, n = uncertainty(found), sum(len(y) for y in measured)
     size, middle = np.array([one.spread for one in parameters]), np.diag([1 / 4.0, 1 / 4.0, 100.0, 100.0])
     for x, r, deviation in zip(matrices, found.left, deviations, strict=True):  # each test has a variance of its own
-        middle += x.T @ x / deviation**2 * np.mean(r**2) / deviation**2 * n / told.freedom
+        middle += x.T @ x / deviation**2 * np.mean(r**2) / deviation**2 * n / reported.freedom
     inverse = np.linalg.inv(precision)
-    assert told.freedom == pytest.approx(n - np.trace(inverse @ (precision - np.diag([0.25, 0.25, 100.0, 100.0]))))
-    np.testing.assert_allclose(told.within * np.outer(size, size), inverse @ middle @ inverse, rtol=1e-7)
+    assert reported.freedom == pytest.approx(n - np.trace(inverse @ (precision - np.diag([0.25, 0.25, 100.0, 100.0]))))
+    np.testing.assert_allclose(reported.within * np.outer(size, size), inverse @ middle @ inverse, rtol=1e-7)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -125,10 +125,10 @@ def test_a_parameter_that_acts_through_the_shares_alone_is_found() -> None:
     parameters = (*normal("a"), Parameter("frequency", "Hz", 1.0, 5.0, 3.0, 0.3))
     model = FormulaModel(parameters, tuple(measured), lambda v: [v[0] * f / truth[0] for f in force], tones)
     found = fit(model, Noise.white([0.1] * 3), settings=TIGHT)
-    told = uncertainty(found)
+    reported = uncertainty(found)
     for i in range(2):  # four standard errors
-        assert abs(found.values[i] - truth[i]) < 4.0 * np.sqrt(told.within[i, i]) * parameters[i].spread
-    assert np.sqrt(told.within[1, 1]) * 0.3 < 0.01
+        assert abs(found.values[i] - truth[i]) < 4.0 * np.sqrt(reported.within[i, i]) * parameters[i].spread
+    assert np.sqrt(reported.within[1, 1]) * 0.3 < 0.01
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, None])
@@ -154,8 +154,8 @@ def test_nothing_to_fit_and_what_does_nothing() -> None:
     dead = linear([np.column_stack((np.ones(5), np.zeros(5)))], [np.ones(5)], free("ab"))
     found = fit(dead, Noise.white([1.0]), settings=TIGHT)
     assert found.values == pytest.approx([1.0, 0.0], abs=1e-6)
-    told = uncertainty(found)
-    assert told.loose == pytest.approx([0.0, 1.0], abs=1e-9) and not told.determined(1)
+    reported = uncertainty(found)
+    assert reported.loose == pytest.approx([0.0, 1.0], abs=1e-9) and not reported.determined(1)
 
 
 def test_batches_do_not_matter() -> None:

@@ -88,9 +88,9 @@ def test_what_opensees_lacks_is_refused_at_its_place(
 def test_without_dampers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     model = tmp_path / "model.tcl"
     assert main(["translate", case("chevron_mgmm"), str(model), "--without-dampers"]) == 0
-    told = capsys.readouterr().out
-    assert "left out: dampers, isolators and tuned masses" in told
-    assert told.count("left out:") == 2 and "left out: the dampers of the analys" in told
+    reported = capsys.readouterr().out
+    assert "left out: dampers, isolators and tuned masses" in reported
+    assert reported.count("left out:") == 2 and "left out: the dampers of the analys" in reported
     assert "- dampers, isolators and tuned masses" in model.read_text()
 
 

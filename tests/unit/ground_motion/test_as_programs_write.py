@@ -170,7 +170,7 @@ def test_numbers_of_peer_that_touch(tmp_path: Path) -> None:
     np.testing.assert_allclose(record.acceleration / 9.80665, MOTION - 500.0, rtol=0.0, atol=0.51e-5)
 
 
-def test_numbers_beyond_the_count_that_are_not_zero_are_told(tmp_path: Path) -> None:
+def test_numbers_beyond_the_count_that_are_not_zero_are_reported(tmp_path: Path) -> None:
     plain = read(tmp_path, PEER + EXPONENTS, None)
     longer = read(tmp_path, PEER + EXPONENTS + "  0.1000000E+00  0.0000000E+00\n", None)
     np.testing.assert_array_equal(longer.acceleration, plain.acceleration)

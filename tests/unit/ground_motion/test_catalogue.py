@@ -68,8 +68,8 @@ def test_what_is_no_candidate_is_left_out_with_its_reason(tmp_path: Path) -> Non
     (folder / "station.UD").write_text("vertical")
     found = gathered(tmp_path, {"folder": "mine"})
     assert names(found) == ["a_copy"]  # the first name of twins
-    told = reasons(found)
-    assert set(told) == {
+    reported = reasons(found)
+    assert set(reported) == {
         "broken", "empty.AT2", "good", "quiet", "short", "table.csv", "station.UD", "RSN1_A_B-UP.AT2"
     }  # fmt: skip
     assert told["good"] == "the same recording as a_copy [E-SUITE-07]"

@@ -146,7 +146,7 @@ def test_the_scale_is_the_best_in_the_logarithms_of_the_ordinates() -> None:
     assert doubled.scale == pytest.approx(0.5 * match.scale, rel=1e-12)
 
 
-def test_a_scale_at_its_bound_is_told() -> None:
+def test_a_scale_at_its_bound_is_reported() -> None:
     match = match_record(noise().scaled(1e-3), Flat(), quick(scale_bounds=(0.5, 2.0)))
     assert match.scale == 2.0
     assert any("the best constant factor would be" in note and "its bound 2 was used" in note for note in match.notes)
@@ -162,7 +162,7 @@ def test_a_motion_that_begins_and_ends_abruptly_gets_room() -> None:
     assert match_record(quiet, Flat(), quick()).scaled.duration == quiet.duration
 
 
-def test_a_misfit_that_is_left_is_told() -> None:
+def test_a_misfit_that_is_left_is_reported() -> None:
     match = match_record(noise(), Flat(), replace(quick(), iterations=1))
     assert match.misfit_after.rms > 0.05
     assert any("the spectrum is off by" in note for note in match.notes)

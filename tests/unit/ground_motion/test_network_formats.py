@@ -155,7 +155,7 @@ def uneven(count: int = 400) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("form", ["smc", "volume1"])
-def test_pairs_at_uneven_times_are_interpolated_and_it_is_told(tmp_path: Path, form: str) -> None:
+def test_pairs_at_uneven_times_are_interpolated_and_it_is_reported(tmp_path: Path, form: str) -> None:
     times, values = uneven()
     writers: dict[str, Callable[[], str]] = {
         "smc": lambda: smc_file(values, "1 UNCORRECTED ACCELEROGRAM", rate=None, times=times),
@@ -212,8 +212,8 @@ def test_another_unit_than_gal_is_refused(tmp_path: Path) -> None:
         read_record_file(write(tmp_path, asa_file(COLUMNS, unit="g")), component="V")
 
 
-def test_whether_it_is_processed_is_told(tmp_path: Path) -> None:
-    told = {
+def test_whether_it_is_processed_is_reported(tmp_path: Path) -> None:
+    reported = {
         "SMC, corrected": smc_file(MOTION),
         "SMC, uncorrected": smc_file(MOTION, "1 UNCORRECTED ACCELEROGRAM"),
         "GeoNet, uncorrected": geonet_component(MOTION, corrected=False),
@@ -221,7 +221,7 @@ def test_whether_it_is_processed_is_told(tmp_path: Path) -> None:
         "BHRC Iran, volume 1, uncorrected": bhrc_component(0.1 * MOTION),
         "CSMIP volume 1, uncorrected": csmip_volume_one(0.001 * MOTION),
     }
-    for words, text in told.items():
+    for words, text in reported.items():
         assert words in read_record_file(write(tmp_path, text)).source
 
 

@@ -57,7 +57,7 @@ def test_a_polynomial_is_found_from_the_velocity(order: int) -> None:
     assert correct_baseline(record(line), order, "velocity").pga < 1e-12
 
 
-def test_the_velocity_tells_a_small_offset_better_than_the_acceleration() -> None:
+def test_the_velocity_shows_a_small_offset_better_than_the_acceleration() -> None:
     """A packet at one end, whose sum is not zero over the record, misleads the mean of the acceleration."""
     motion = pulse(TIME, frequency=0.3, centre=19.0)
     offset = 0.01
@@ -284,7 +284,7 @@ def test_impossible_filters(arguments: tuple, code: str) -> None:
 # ---- all ----
 
 
-def test_what_was_done_is_told_and_the_checksum_stays() -> None:
+def test_what_was_done_is_reported_and_the_checksum_stays() -> None:
     raw = record(pulse(TIME) + 0.01)
     done = band_pass(remove_drift(trim_to_significant(correct_baseline(raw, 0))), 0.1, 20.0)
     assert done.checksum == raw.checksum

@@ -121,7 +121,7 @@ def test_spectra_of_one_component(tmp_path: Path) -> None:
         code_spectra(hazard, vertical=True, q=4.0)
 
 
-def test_what_the_code_does_not_know_is_told_with_its_place(tmp_path: Path) -> None:
+def test_what_the_code_does_not_know_is_reported_with_its_place(tmp_path: Path) -> None:
     for old, new, words in [
         ("zone: 3", "zone: 4", r"frame.yaml:\d+:9: hazard.zone: there is no zone in greece `4`.*`Z3`"),
         ("greece", "grece", r"frame.yaml:\d+:12: hazard.country: .*did you mean `greece`"),
@@ -132,7 +132,7 @@ def test_what_the_code_does_not_know_is_told_with_its_place(tmp_path: Path) -> N
             checked_hazard(with_hazard(tmp_path, GREECE.replace(old, new)))
 
 
-def test_missing_things_are_told(project: Project, tmp_path: Path) -> None:
+def test_missing_things_are_reported(project: Project, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"hazard.levels: there is no level `MCF`; did you mean `MCE`\?"):
         elastic_spectrum(hazard_of(project), "MCF")
     with pytest.raises(InputError, match="E-KEY-02"):

@@ -60,7 +60,7 @@ def test_zeros_for_free_vibration() -> None:
     assert record().with_zeros(0.0).acceleration.size == 5
 
 
-def test_the_checksum_tells_samples_and_step_apart() -> None:
+def test_the_checksum_distinguishes_samples_and_step() -> None:
     assert record().checksum == record().checksum
     assert len({record().checksum, record(step=0.01).checksum, record([0.0, 1.0]).checksum}) == 3
 
@@ -101,12 +101,12 @@ def test_a_band_limited_record_has_the_same_spectrum_at_a_shorter_step(time_step
     samples = np.sin(np.pi * t / 20.0) ** 2 * np.sin(2 * np.pi * 5.3 * t)
     coarse = Record("wave", samples, 0.02, "made", band_limited=True)
     periods = np.array([1 / 5.3, 0.5, 1.0])
-    told = psa(coarse.acceleration, 0.02, periods)
+    reported = psa(coarse.acceleration, 0.02, periods)
     fine = coarse.resampled(time_step)
     assert "band-limited" in fine.source and fine.band_limited
-    assert psa(fine.acceleration, time_step, periods) == pytest.approx(told, rel=7e-4)  # what spectra err by
+    assert psa(fine.acceleration, time_step, periods) == pytest.approx(reported, rel=7e-4)  # what spectra err by
     lines = replace(coarse, band_limited=False).resampled(0.005)
-    loss = 1.0 - psa(lines.acceleration, 0.005, periods) / told
+    loss = 1.0 - psa(lines.acceleration, 0.005, periods) / reported
     # 1 - sin^2 x / (16 sin^2 (x / 4)) of lines at a quarter of the step, x = pi f dt; the wave is no endless one
     x = np.pi * 5.3 * 0.02
     assert loss == pytest.approx(1.0 - np.sin(x) ** 2 / (16.0 * np.sin(x / 4.0) ** 2), rel=0.02)

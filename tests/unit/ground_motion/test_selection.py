@@ -161,7 +161,7 @@ def test_ways_of_scaling() -> None:
     assert both.after.passed and not both.before.passed
 
 
-def test_factors_stay_within_their_bounds_and_what_fails_is_told() -> None:
+def test_factors_stay_within_their_bounds_and_what_fails_is_reported() -> None:
     spectra, pgas = library(9, 2, level=0.2)
     options = SelectionOptions(scale_bounds=(0.5, 2.0))
     for scaling in ("individual", "common", "both"):

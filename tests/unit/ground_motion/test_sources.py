@@ -162,7 +162,7 @@ def test_a_short_name_of_another_earthquake_is_passed_over(tmp_path: Path, peer:
     assert "I-ELC180.AT2 is of another earthquake: Somewhere, 1/1/1990" in found.tried[0]
 
 
-def test_a_short_name_that_tells_nothing_is_an_error(tmp_path: Path, peer: Path) -> None:
+def test_a_short_name_without_meaning_is_an_error(tmp_path: Path, peer: Path) -> None:
     path = write_at2(peer / "I-ELC180.AT2", title="my favourite")
     with pytest.raises(InputError, match=f"rename the file to {NAME}") as caught:
         find(suite_of(tmp_path, ENTRY, SIMULATED), peer)

@@ -22,7 +22,7 @@ def test_every_kind_of_file_of_the_package_is_packaged(ending: str) -> None:
     assert [name for name in names if not any(fnmatch(name, pattern) for pattern in patterns)] == []
 
 
-def test_the_package_tells_type_checkers_that_it_has_types() -> None:
+def test_the_package_declares_to_type_checkers_that_it_has_types() -> None:
     assert (ROOT / "edesign" / "py.typed").exists() and "py.typed" in tracked_names("edesign")
 
 

@@ -105,8 +105,8 @@ def test_contributing_lists_the_layers_that_are_checked() -> None:
     checked = tomllib.loads(text("pyproject.toml"))["tool"]["importlinter"]["contracts"][0]["layers"]
     listed = re.search(r"^    (cli >[^-]*?)\n\n", text("CONTRIBUTING.md"), re.MULTILINE | re.DOTALL)
     assert listed is not None
-    told = [{name.strip() for name in layer.split(",")} for layer in listed[1].split(">")]
-    assert told == [set(re.findall(r"\((\w+)\)", layer)) for layer in checked]
+    reported = [{name.strip() for name in layer.split(",")} for layer in listed[1].split(">")]
+    assert reported == [set(re.findall(r"\((\w+)\)", layer)) for layer in checked]
 
 
 def test_cibuildwheel_runs_files_of_the_project() -> None:

@@ -56,7 +56,7 @@ def project(buckling: str | None, section: str = "HEA140", material: str = "S355
         ("{}, compression: false", "compression", "leave one of them out"),
     ],
 )
-def test_what_is_wrong_is_told_with_its_key(buckling: str, key: str, said: str) -> None:
+def test_what_is_wrong_is_reported_with_its_key(buckling: str, key: str, said: str) -> None:
     with pytest.raises(ProjectError) as caught:
         project(buckling)
     (problem,) = caught.value.problems
@@ -72,7 +72,7 @@ def test_what_is_wrong_is_told_with_its_key(buckling: str, key: str, said: str) 
         ({"material": "soft"}, "only a steel that yields breaks"),
     ],
 )
-def test_what_does_not_go_together_is_told(options: dict[str, str | int], said: str) -> None:
+def test_what_does_not_go_together_is_reported(options: dict[str, str | int], said: str) -> None:
     with pytest.raises(ProjectError, match=said):
         project("{fracture: {}}", **options)  # type: ignore[arg-type]
 

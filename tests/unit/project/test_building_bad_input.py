@@ -182,7 +182,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
         ("masses: {from_loads: {}}\n", "", "design: a design needs `masses`, and the file has none"),
     ],
 )
-def test_each_mistake_is_told_with_its_place(old: str, new: str, said: str) -> None:
+def test_each_mistake_is_reported_with_its_place(old: str, new: str, said: str) -> None:
     old = old.replace("@", "")
     assert SMALL.count(old) == 1, old
     marked = SMALL.replace(old, new)
@@ -268,7 +268,7 @@ def test_the_perimeter_needs_its_beams() -> None:
     assert message == "loads.perimeter[0]: at the perimeter beams are missing: `BX_1_2_2`; give the others by `beams`"
 
 
-def test_all_mistakes_are_told_at_once() -> None:
+def test_all_mistakes_are_reported_at_once() -> None:
     text = SMALL.replace("HEB200", "HEB201").replace("IPE240", "IPE241").replace("bays: 1, kind", "bays: 9, kind")
     assert len(faults(text)) == 3
 

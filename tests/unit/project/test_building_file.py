@@ -155,8 +155,8 @@ def test_no_change_of_a_file_leads_to_anything_but_a_message(file: str) -> None:
         try:
             found = parse_building(text, "building.yaml", sections)
             assert isinstance(found, Building)
-            told = check_building(found)
-            assert "nan" not in told["loads"] + told["masses"], text
+            reported = check_building(found)
+            assert "nan" not in reported["loads"] + reported["masses"], text
         except InputError as error:
             refused += 1
             assert str(error).startswith("building.yaml:"), text

@@ -88,7 +88,7 @@ def test_masses_that_no_floor_has_are_refused(mass: str) -> None:
         ("a_gR: 0.24 g", "a_gR: 0.8 g", "hazard.a_gR: an unusual reference ground acceleration"),
     ],
 )
-def test_what_is_unusual_is_told_and_allowed(old: str, new: str, said: str) -> None:
+def test_what_is_unusual_is_reported_and_allowed(old: str, new: str, said: str) -> None:
     (found,) = unusual(building(SMALL.replace(old, new)))
     assert found[1].startswith(said)
 

@@ -94,7 +94,7 @@ ONE_PROBLEM = {
 
 
 @pytest.mark.parametrize(("rest", "key", "said"), ONE_PROBLEM.values(), ids=ONE_PROBLEM.keys())
-def test_one_problem_is_told_with_its_place(broken: Broken, rest: str, key: str, said: str) -> None:
+def test_one_problem_is_reported_with_its_place(broken: Broken, rest: str, key: str, said: str) -> None:
     if rest.startswith("«choose"):  # the place of what is missing is that of the record
         (problem,) = broken(*with_choice("choose: 3")[:1], (EL_CENTRO, "«el_centro: {choose: 3}"), with_choice("")[2])
     else:

@@ -46,7 +46,7 @@ def test_verification_of_one_or_several_records() -> None:
     assert spec.verify is not None and spec.verify.records == ("table_5_6",) and spec.verify.levels == ("DBE", "MCE")
 
 
-def test_unusual_alpha_is_told() -> None:
+def test_unusual_alpha_is_reported() -> None:
     spec = design(f"{SIMPLE}, alpha: 5", shear_project(1))
     assert isinstance(spec, SimplifiedDesign)
     assert design_warnings(spec) == ["alpha = 5 is outside the recommended 10 to 30 (thesis 5.3.4)"]

@@ -87,7 +87,7 @@ def test_a_study_says_it_over_its_project() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "told"),
+    ("wrong", "reported"),
     [
         ("{autor: A. Petrou}", "document.autor: unknown key; did you mean `author`?"),
         ("{revision: 2}", "document.revision: text (put quotes around text that looks like a number) is needed"),
@@ -101,11 +101,11 @@ def test_a_study_says_it_over_its_project() -> None:
         ("Chania", "document: a mapping"),
     ],
 )
-def test_what_is_no_document_is_refused(wrong: str, told: str, projects: Path) -> None:
+def test_what_is_no_document_is_refused(wrong: str, reported: str, projects: Path) -> None:
     path = projects / "thesis_10_storey" / "wrong.yaml"
     text = (PROJECTS / "thesis_10_storey" / "project.yaml").read_text(encoding="utf-8")
     path.write_text(f"{text}\ndocument: {wrong}\n", encoding="utf-8")
     with pytest.raises(InputError) as caught:
         load_project(path)
-    assert told in str(caught.value)
+    assert reported in str(caught.value)
     assert f"{path}:" in str(caught.value)

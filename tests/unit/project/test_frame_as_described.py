@@ -173,7 +173,7 @@ ONE_PROBLEM = {
 
 
 @pytest.mark.parametrize(("change", "key", "said"), ONE_PROBLEM.values(), ids=ONE_PROBLEM)
-def test_one_problem_is_told_with_its_place(broken: Broken, change: tuple[str, str], key: str, said: str) -> None:
+def test_one_problem_is_reported_with_its_place(broken: Broken, change: tuple[str, str], key: str, said: str) -> None:
     (problem,) = broken(change)
     assert problem.keys_text == key
     assert said in problem.message

@@ -92,7 +92,7 @@ SPECTRAL = "intensity: spectral_acceleration\n    period: 2.8 s\n    levels: {fr
         ((SPECTRAL, "intensity: pga\n    period: 2 s\n    levels: [0.1 g, 0.2 g]"), "period"),
     ],
 )
-def test_what_is_wrong_is_told(small: str, change: tuple[str, str], words: str) -> None:
+def test_what_is_wrong_is_reported(small: str, change: tuple[str, str], words: str) -> None:
     found = "\n".join(problems_of(small, change))
     assert words in found
 

@@ -174,7 +174,7 @@ def test_within_the_limits_the_work_grows_as_the_text(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr.decode()
 
 
-def test_a_value_that_overflows_with_its_unit_is_told_with_its_place(
+def test_a_value_that_overflows_with_its_unit_is_reported_with_its_place(
     tmp_path: Path, recwarn: pytest.WarningsRecorder
 ) -> None:
     path = tmp_path / "a.csv"

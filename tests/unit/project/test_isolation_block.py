@@ -93,8 +93,8 @@ def test_isolators_without_stiffness_at_rest() -> None:
         check_project(project((ISOLATOR, "- {lines: all, law: oil}")))
 
 
-def test_check_tells_of_the_isolation() -> None:
-    told = check_project(project())
-    assert "4 isolators `pendulum`, 2 dampers `oil`, 1 damper `moat`" in told["dampers"]
-    assert told["mass"].endswith("; of the base 76.72 t")
-    assert told["period"].endswith("under gravity, on its isolators at 200 mm")
+def test_check_describes_the_isolation() -> None:
+    reported = check_project(project())
+    assert "4 isolators `pendulum`, 2 dampers `oil`, 1 damper `moat`" in reported["dampers"]
+    assert reported["mass"].endswith("; of the base 76.72 t")
+    assert reported["period"].endswith("under gravity, on its isolators at 200 mm")

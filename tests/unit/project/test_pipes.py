@@ -69,7 +69,7 @@ def test_a_pipe_in_the_place_of_an_output_is_refused(tmp_path: Path) -> None:
         check_file(tmp_path / "result.yaml")
 
 
-def test_a_missing_file_is_told_as_before(tmp_path: Path) -> None:
+def test_a_missing_file_is_reported_as_before(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no such project file"):
         read_file(tmp_path / "none.yaml", "project file")
 

@@ -92,20 +92,20 @@ def test_refusals(old: str, new: str, said: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("bays", "told"),
+    ("bays", "reported"),
     [
         ("[6 m, 5 m, 6 m]", []),
         ("{count: 4, width: 6 m}", []),
         ("[6 m, 5 m, 7 m]", ["the frame is not symmetric: bay 1 is 6 m wide and bay 3 7 m"]),
     ],
 )
-def test_mirrored_in_a_frame_that_is_not_symmetric_is_told(bays: str, told: list[str]) -> None:
+def test_mirrored_in_a_frame_that_is_not_symmetric_is_reported(bays: str, reported: list[str]) -> None:
     project = parse_project(project_text(bays, "[4 m]"), "project.yaml", profile_names(), files=False)
     text = GOOD.replace("shake", "first").replace("bays: 1", "bays: all, limits: {mirrored: true}")
     spec = design(text, project)
     assert isinstance(spec, PlacementDesign)
     found = placement_warnings(spec, project.frame)
-    assert len(found) == len(told) and all(part in text for part, text in zip(told, found, strict=True))
+    assert len(found) == len(reported) and all(part in text for part, text in zip(reported, found, strict=True))
     whole = spec.model_copy(update={"limits": LayoutLimits()})
     assert placement_warnings(whole, project.frame) == []
 

@@ -207,13 +207,13 @@ ONE_PROBLEM = {
 
 
 @pytest.mark.parametrize(("old", "new", "key", "said"), ONE_PROBLEM.values(), ids=ONE_PROBLEM.keys())
-def test_one_problem_is_told_with_its_place(broken: Broken, old: str, new: str, key: str, said: str) -> None:
+def test_one_problem_is_reported_with_its_place(broken: Broken, old: str, new: str, key: str, said: str) -> None:
     (problem,) = broken((old, new))
     assert problem.keys_text == key
     assert said in problem.message
 
 
-def test_all_problems_of_a_file_are_told_at_once_in_its_order(broken: Broken) -> None:
+def test_all_problems_of_a_file_are_reported_at_once_in_its_order(broken: Broken) -> None:
     problems = broken(
         ("title: Small frame", "title: «3\n«titel: Small frame"),
         (BAYS, "bays: [«6, «7.5 kg]"),
@@ -231,7 +231,7 @@ def test_all_problems_of_a_file_are_told_at_once_in_its_order(broken: Broken) ->
     ]
 
 
-def test_cross_checks_of_what_is_right_are_told_with_wrong_values(broken: Broken) -> None:
+def test_cross_checks_of_what_is_right_are_reported_with_wrong_values(broken: Broken) -> None:
     """A steel that is wrong hides neither a section that is unknown nor a record."""
     problems = broken(
         ("section: girder, ", "section: «gerder, "),
@@ -267,12 +267,12 @@ MISSPELT = {
 
 
 @pytest.mark.parametrize(("old", "new", "said"), MISSPELT.values(), ids=MISSPELT.keys())
-def test_a_misspelt_key_that_chooses_is_told_once(broken: Broken, old: str, new: str, said: str) -> None:
+def test_a_misspelt_key_that_chooses_is_reported_once(broken: Broken, old: str, new: str, said: str) -> None:
     (problem,) = broken((old, new))
     assert said in problem.message
 
 
-def test_cross_checks_tell_all_problems_at_once(broken: Broken) -> None:
+def test_cross_checks_report_all_problems_at_once(broken: Broken) -> None:
     broken(
         ("section: HEB260", "section: «HEB265"),
         ("- {lines: C, floors: 1-2", "- {lines: «D, floors: 1-2"),

@@ -325,7 +325,7 @@ def test_a_scale_is_a_factor_on_the_coefficient(tmp_path: Path) -> None:
     assert {d.deformation_scale for d in found if d.law == "oil"} == {1.0}
 
 
-def test_several_wrong_parameters_are_told_each_with_its_place(tmp_path: Path, capsys: Capture) -> None:
+def test_several_wrong_parameters_are_reported_each_with_its_place(tmp_path: Path, capsys: Capture) -> None:
     path, _ = written(tmp_path, (OIL, "parameters: {c: 300 kN*(s/m)^0.35, alpha: 2.5, beta: 1}"))
     assert main(["check", str(path)]) == 2
     first, second = capsys.readouterr().err.removeprefix("edesign: ").splitlines()
@@ -338,7 +338,7 @@ def test_several_wrong_parameters_are_told_each_with_its_place(tmp_path: Path, c
     assert second.startswith(f"{path}:{line + 1}:") and "dampers.laws.oil.parameters.alpha: `2.5`" in second
 
 
-def test_a_place_without_a_node_is_told(tmp_path: Path, capsys: Capture) -> None:
+def test_a_place_without_a_node_is_reported(tmp_path: Path, capsys: Capture) -> None:
     """Line B ends at floor 1: the chevron of storey 2 has nowhere to hold on the right."""
     path, place = written(
         tmp_path,

@@ -94,7 +94,7 @@ def test_footings_are_read_in_si(small: str) -> None:
     assert list(project.frame.footings) == ["B"]
 
 
-def test_a_soil_beyond_the_table_is_told_at_its_place(small: str) -> None:
+def test_a_soil_beyond_the_table_is_reported_at_its_place(small: str) -> None:
     soil = SOIL.replace("damping: 3 %", "strain: {code: en1998_5, acceleration: 0.4 g}")
     text = small.replace("B: pinned", "B: {footing: {soil: clay, length: 2 m, width: 2 m}}")
     project = parse_project(text.replace(AT, f"soils: {{clay: {soil}}}\n{AT}"), profiles=profile_names())
@@ -105,7 +105,7 @@ def test_a_soil_beyond_the_table_is_told_at_its_place(small: str) -> None:
 
 
 @pytest.mark.parametrize("sides", ["length: 1e200 m, width: 2 m", "length: 2 m, width: 1e-200 m"])
-def test_absurd_sides_are_told_at_their_place(small: str, sides: str) -> None:
+def test_absurd_sides_are_reported_at_their_place(small: str, sides: str) -> None:
     text = small.replace("B: pinned", f"B: {{footing: {{soil: clay, {sides}}}}}")
     said = r"project.yaml:6:\d+: frame.supports.B.footing.\w+: .* is beyond what a length can be"
     with pytest.raises(InputError, match=said):

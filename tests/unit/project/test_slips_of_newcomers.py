@@ -108,7 +108,7 @@ def test_a_list_of_mappings_is_asked_for_as_one(tmp_path: Path) -> None:
         load_project(path)
 
 
-def test_unknown_keys_of_a_spectrum_are_told_with_those_of_a_table(tmp_path: Path) -> None:
+def test_unknown_keys_of_a_spectrum_are_reported_with_those_of_a_table(tmp_path: Path) -> None:
     path = written(tmp_path, HAZARD, f"hazard:\n  {USER}  spectrum: {{T: [0 s, 1 s], S_e: [1 g, 1 g]}}\n")
     with pytest.raises(InputError, match="`periods`, `accelerations`"):
         load_project(path)
@@ -133,6 +133,6 @@ def test_one_name_of_a_suite_is_a_list_of_one(tmp_path: Path) -> None:
     assert list(references(project, "el_centro")) == ["el_centro/Tabas1978_FER-L1"]
 
 
-def test_a_frame_that_cannot_stand_is_told_with_its_sizes(tmp_path: Path) -> None:
+def test_a_frame_that_cannot_stand_is_reported_with_its_sizes(tmp_path: Path) -> None:
     with pytest.raises(AnalysisError, match="A unit may be wrong: storeys are 3.5 to 4 m high.*E of S275 is 0.21 GPa"):
         check_project(load_project(written(tmp_path, "E: 210 GPa", "E: 210 MPa")))

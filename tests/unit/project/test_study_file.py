@@ -163,7 +163,7 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         (f"details: {DETAILS}", "@details: {members: [C_A_1]}", "outputs.details.records: this key is missing"),
     ],
 )
-def test_each_mistake_is_told_with_its_place(tmp_path: Path, old: str, new: str, said: str) -> None:
+def test_each_mistake_is_reported_with_its_place(tmp_path: Path, old: str, new: str, said: str) -> None:
     path = write(tmp_path, (old, new.replace("@", "")), ("criteria:\n", f"criteria:\n{AT_MCE}"))
     text = path.read_text(encoding="utf-8")
     at = text.index(new.replace("@", "")) + new.index("@")
@@ -178,7 +178,7 @@ def test_a_verification_needs_levels(tmp_path: Path) -> None:
     assert faults(path) == [(place_of(path, "verify:"), f"designs.added.verify.levels: this key is missing; {message}")]
 
 
-def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
+def test_all_mistakes_are_reported_at_once(tmp_path: Path) -> None:
     path = write(tmp_path, ("levels: [DBE, MCE]", "levels: [DBF]"), ("records: set/first, m", "records: sett, m"))
     with pytest.raises(StudyError, match=f"2 problems in {path}"):
         load_study(path)
@@ -216,7 +216,7 @@ def test_dampers_of_a_project_that_has_none(tmp_path: Path) -> None:
     ]
 
 
-def test_a_mistake_of_the_project_is_told_with_its_own_place(tmp_path: Path) -> None:
+def test_a_mistake_of_the_project_is_reported_with_its_own_place(tmp_path: Path) -> None:
     path = write(tmp_path, project=(("section: HEB200", "section: HEB201"),))
     ((place, message),) = faults(path)
     assert (

@@ -35,7 +35,7 @@ def test_a_project_takes_a_suite_by_its_name(small: str) -> None:
     assert len(load_suite(project.suite_path("el_centro")).records) == 20
 
 
-def test_an_unknown_name_is_told_with_those_there_are(broken: Callable[..., list[Problem]]) -> None:
+def test_an_unknown_name_is_reported_with_those_there_are(broken: Callable[..., list[Problem]]) -> None:
     (problem,) = broken((EL_CENTRO, "el_centro: {suite: «thesis_table_5_7}"))
     assert problem.message == (
         "there is no suite `thesis_table_5_7`; did you mean `thesis_table_5_6`? (suites here: `fema_p695_far_field`, "

@@ -74,7 +74,7 @@ def test_the_commands_that_are_named_run_one_after_the_other(
 
 
 @pytest.mark.slow
-def test_the_study_tells_what_dampers_are_for_and_sizes_those_of_the_damped_frame(tmp_path: Path) -> None:
+def test_the_study_says_what_dampers_are_for_and_sizes_those_of_the_damped_frame(tmp_path: Path) -> None:
     from edesign import load_project, load_study, open_archive, run_study, summarise
 
     study = load_study(new_project(tmp_path / "study", kind="study"))

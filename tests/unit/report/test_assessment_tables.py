@@ -78,8 +78,8 @@ def test_differences_compare_the_same_records_only() -> None:
     mean = statistics_tables(history_sets(HISTORIES | added))[0]
     assert mean.headers[4:] == ["damped at 35 degC, DBE", "diff. [%]", "other, DBE", "same, DBE", "diff. [%]"]
     assert row(mean, "interstorey drift [%]")[4:] == ["1.500", "-50.0", "4.000", "4.000", "+60.0"]
-    told = [note for note in mean.notes if note.startswith("diff.")]
-    assert told == [f"diff. of {name}, DBE: over the 1 record that bare, DBE has too" for name in ("damped", WARM)]
+    reported = [note for note in mean.notes if note.startswith("diff.")]
+    assert reported == [f"diff. of {name}, DBE: over the 1 record that bare, DBE has too" for name in ("damped", WARM)]
 
 
 def test_measures_of_each_record_and_their_statistics() -> None:

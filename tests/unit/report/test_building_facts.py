@@ -61,20 +61,20 @@ def test_regularity_and_q_are_those_found(tmp_path: Path, text: str, elevation: 
         assert _origin(provenance_facts(archive)).endswith(f"input SHA-256 {checksum}")
 
 
-def test_what_the_file_claims_is_told_as_its_claim(tmp_path: Path) -> None:
+def test_what_the_file_claims_is_reported_as_its_claim(tmp_path: Path) -> None:
     text = EVEN.replace("ductility_class: medium", "ductility_class: medium\n  regular_in_plan: false\n  modes: 4")
     rows, _ = said(tmp_path, text)
     assert rows["Regularity"] == "not regular in plan, as the file says; regular in elevation, as found"
     assert rows["Natural modes"].startswith("4, as given: ")
 
 
-def test_modes_that_count_are_told_with_their_mass(tmp_path: Path) -> None:
+def test_modes_that_count_are_reported_with_their_mass(tmp_path: Path) -> None:
     """Two rigid floors have three degrees each, and all modes have all of the mass."""
     rows, _ = said(tmp_path, EVEN)
     assert rows["Natural modes"] == ("6, all that the building has: 100.0 % along x and 100.0 % along y of the mass")
 
 
-def test_factors_that_count_are_told_and_not_defaults(tmp_path: Path) -> None:
+def test_factors_that_count_are_reported_and_not_defaults(tmp_path: Path) -> None:
     """As Italy has them, gamma_M0 = gamma_M1 = 1.05 (NTC 2018, Table 4.2.VII); `design` gives gamma_ov itself."""
     text = FACTORS.replace("ductility_class: medium", "ductility_class: medium\n  overstrength: 1.2")
     rows, _ = said(tmp_path, text)

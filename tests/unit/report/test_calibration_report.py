@@ -152,7 +152,7 @@ def test_an_effect_is_told_with_its_evidence_and_confounded_effects() -> None:
     assert effect_parameters_table(found).texts[0][5] == "share of the force that goes"
 
 
-def test_models_are_told_with_how_far_the_search_looked() -> None:
+def test_models_are_reported_with_how_far_the_search_looked() -> None:
     table = models_table(example.calibration())
     assert [cells[0] for cells in table.texts] == ["gain.force", "inertia.mass", "the law alone"]
     assert table.texts[1][2:] == ["31.0 ± 4.0", "under 0.0100 %"]
@@ -184,7 +184,7 @@ def test_a_hypothesis_stands_beside_the_effects_with_its_reason() -> None:
     assert hypotheses_table(example.calibration()).rows == []
 
 
-def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
+def test_what_the_tests_do_not_determine_is_reported_with_the_reason() -> None:
     bound = estimate(0.5, math.inf, "", not_determined="at its upper bound")
     effect = replace(example.gain(), parameters={"g": bound})
     found = example.calibration((effect,))
@@ -208,7 +208,7 @@ def test_a_law_that_is_another_one_with_the_effects_is_questionable() -> None:
     assert "is another one" not in verdict_text(found)
 
 
-def test_another_law_that_does_better_is_told_first() -> None:
+def test_another_law_that_does_better_is_reported_first() -> None:
     other = OtherLaw("maxwell", "spring and dashpot in series", 250.0, 20.0, 1e-5, 1e-3, 2e-5, 2e-3)
     fixed = replace(example.calibration(), other_law=other)
     assert "the law kelvin_voigt fixed as declared" in verdict_text(fixed)
@@ -267,7 +267,7 @@ def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
     assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
 
 
-def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
+def test_an_effect_as_probable_is_reported_in_a_breath_with_the_one_found() -> None:
     titles = {"offset": "zero of the force channel, the same in all tests (instrument)"}
     confounded = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02}, titles=titles)
     found = replace(example.calibration((confounded,)), next_test=None)
@@ -284,7 +284,7 @@ def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
     assert none not in verdict_text(replace(found, ending="interrupted"))  # none was sought then
 
 
-def test_a_law_that_leaves_noise_is_not_told_as_a_search_that_failed() -> None:
+def test_a_law_that_leaves_noise_is_not_reported_as_a_search_that_failed() -> None:
     alone = replace(example.calibration().models[-1], probability=1.0)
     found = replace(example.nothing_found(), depths=(), models=(alone,))
     assert not models_table(found).rows
@@ -297,7 +297,7 @@ def test_the_verdict_on_nothing_names_no_effect() -> None:
     assert "the law leaves an NRMS of 0.00427 % of the force (0.65 % in rms)" in errors
 
 
-def test_the_verdict_on_what_is_left_tells_its_shape_and_the_worst_test() -> None:
+def test_the_verdict_on_what_is_left_says_its_shape_and_the_worst_test() -> None:
     found = replace(example.more_is_left(), worst=Worst("fast", 1.3e-4, 4e-5))
     text = verdict_text(found)
     assert text.startswith("Nothing found: something is missing, and no effect known here passes")
@@ -306,7 +306,7 @@ def test_the_verdict_on_what_is_left_tells_its_shape_and_the_worst_test() -> Non
     assert "fast leaves most: an NRMS of 0.0130 %, 3.25 times its noise floor of 0.00400 %" in text
 
 
-def test_the_verdict_tells_where_no_test_was_fitted() -> None:
+def test_the_verdict_says_where_no_test_was_fitted() -> None:
     found = example.more_is_left()
     assert "degC" not in verdict_text(found)
     warm = [replace(one, temperature=one.temperature + 4.0) if one.use == "validate" else one for one in found.series]
@@ -364,7 +364,7 @@ def test_the_page_tells_all_numbers_without_script_or_links() -> None:
     ids = re.findall(r'<section id="([^"]+)"', page)
     assert ids == ["verdict", "errors", "effects", "open", "residual", "tests", "law", "provenance"]
     text = text_of(page)
-    for told in (
+    for reported in (
         "0.231 → 0.00427 %",
         "2.60 to 3.40",
         "cannot be told from mullins or self heating",
@@ -372,7 +372,7 @@ def test_the_page_tells_all_numbers_without_script_or_links() -> None:
         "12 cycles of 2 mm at 5 Hz, 35 °C",
         "inertia.mass 0.00810 31.0 ± 4.0",
     ):
-        assert told in text
+        assert reported in text
     pictures = re.findall(r'<figure class="picture".*?</figure>', page, flags=re.DOTALL)
     assert len(pictures) == 6
     assert all(re.search(r"<svg .*<figcaption>[^<]{80}", picture, flags=re.DOTALL) for picture in pictures)

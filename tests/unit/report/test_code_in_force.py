@@ -31,9 +31,9 @@ def test_no_text_names_a_code_that_may_not_be_in_force() -> None:
         for path in sorted((PACKAGE / folder).rglob("*.py")):
             place = path.relative_to(PACKAGE).as_posix()
             tree = ast.parse(path.read_text(encoding="utf-8"))
-            told = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
+            reported = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
             for node in ast.walk(tree):
-                if not isinstance(node, ast.Constant) or not isinstance(node.value, str) or id(node) in told:
+                if not isinstance(node, ast.Constant) or not isinstance(node.value, str) or id(node) in reported:
                     continue
                 if any(code in node.value for code in ("EN 1998", "EC8", "EN 15129", "NTC ")):
                     if not place.startswith(OF_BUILDINGS) and METHODS.get(place, "\0") not in node.value:

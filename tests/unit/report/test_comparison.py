@@ -204,7 +204,7 @@ def test_what_a_group_does_not_have_is_an_error(tmp_path: Path, old: str, new: s
     assert said in str(caught.value)
 
 
-def test_blocks_fit_a_terminal_and_bars_are_told(tmp_path: Path) -> None:
+def test_blocks_fit_a_terminal_and_bars_are_reported(tmp_path: Path) -> None:
     comparison = compared(tmp_path, {**three(), **three("damped", 0.5), "designs/thesis": design()})
     tables = block_tables(comparison, bars=True)
     text = "\n".join(plain(table) for table in tables)

@@ -31,7 +31,7 @@ def on_footings(modulus: float, work: dict[str, float]) -> Group:
     return group
 
 
-def test_footings_of_every_variant_are_told() -> None:
+def test_footings_of_every_variant_are_reported() -> None:
     groups = {"bare": on_footings(60e6, {"A0": 1e3}), "soft": on_footings(30e6, {"A0": 2e3})}
     soils = [table for table in ground_tables(groups) if table.title.startswith("Footings")]
     assert [(table.title, table.texts[0][2]) for table in soils] == [
@@ -54,7 +54,7 @@ def test_a_page_of_histories_is_shown() -> None:
     assert len(work.rows) == SHOWN and work.notes[-1] == f"The first {SHOWN} of {SHOWN + 2} histories."
 
 
-def test_an_archive_of_a_project_tells_its_footings(tmp_path: Path) -> None:
+def test_an_archive_of_a_project_describes_its_footings(tmp_path: Path) -> None:
     path = tmp_path / "project.h5"
     group = on_footings(60e6, {"A0": 1e3})
     group.attributes |= {"kind": "history", "status": "completed", "order": 0}

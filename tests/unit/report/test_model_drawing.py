@@ -176,7 +176,7 @@ def test_variants_that_look_alike_are_drawn_once() -> None:
     assert "softer: materials.S275.E = 200 GPa" in captions["model_variant-softer"]
 
 
-def test_texts_find_room_or_are_told() -> None:
+def test_texts_find_room_or_are_listed() -> None:
     """A second text of the same place goes to its next spot, a third one nowhere."""
 
     def draw(sheet: Sheet) -> None:
@@ -211,7 +211,7 @@ def test_a_building_is_drawn_as_its_report_draws_it(tmp_path: Path) -> None:
     assert "G 4, Q_B 2" in loads and any("G 400 kN" in text for text in loads)  # 4 kN/m2 on 10 m x 10 m
 
 
-def test_check_writes_the_drawings_and_tells_where(
+def test_check_writes_the_drawings_and_says_where(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)

@@ -50,7 +50,7 @@ def test_loads_inside_members_and_of_a_leaning_column_are_said() -> None:
     assert rows["Leaning column"] == "at each floor G = 1400 kN, Q = 500 kN"
 
 
-def test_rigid_ends_are_told_with_their_lengths() -> None:
+def test_rigid_ends_are_reported_with_their_lengths() -> None:
     """Half the depth of HEB300 and of IPE400."""
     rows = dict(project_rows(load_project(CASES / "rigid_ends" / "project.yaml")))
     assert "of half the depth of the beams, 200 mm" in rows["Rigid ends"]

@@ -105,7 +105,7 @@ def verdict(name: str, met: bool, value: float) -> Verdict:
     return Verdict(name, *about, "damped.DBE.Tabas1978_FER-L1", 3, "", 7, ())
 
 
-def test_checks_tell_source_demand_capacity_and_what_governs() -> None:
+def test_checks_print_source_demand_capacity_and_what_governs() -> None:
     drift = MeasureCriterion(name="drift", measure="interstorey_drift", most="1 %", source="client, letter of 3 May")
     level = PerformanceCriterion(name="level", performance="LS", by="drift")
     bare = MeasureCriterion(name="other", measure="interstorey_drift", most="1 %")

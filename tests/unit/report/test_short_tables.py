@@ -77,7 +77,7 @@ def test_of_many_criteria_those_that_are_met_with_room_are_counted() -> None:
     assert table.notes[0] == "and 2 more, which all variants meet"
 
 
-def test_one_history_is_told_as_one() -> None:
+def test_one_history_is_reported_as_one() -> None:
     """EN 1998-1, 3.2.3.1.2(4)a asks for three records; 4.3.3.4.3(3) takes the largest of fewer than seven."""
     notes = " ".join(verdicts_in_short([verdict(0.5, 1), verdict(0.5, 3, "damped")], None)[0].notes)
     assert "Fewer than 7 histories: damped, DBE." in notes

@@ -181,7 +181,7 @@ def test_the_law_under_the_target_is_that_of_the_specimen(archive: Archive) -> N
     assert np.max(np.abs(found.force - force)) < 1e-6 * np.max(np.abs(force))
 
 
-def test_limits_and_what_cannot_be_told_are_tables(archive: Archive) -> None:
+def test_limits_and_what_cannot_be_determined_are_tables(archive: Archive) -> None:
     results = SubstructureResults(archive)
     rows = limits_table(results).texts
     assert ["cycles", "modified", "alpha_1"] in [row[:3] for row in rows]  # a rate of 0.01 s/s is met
@@ -320,13 +320,13 @@ def test_a_rig_in_a_file_is_that_beside_the_tests_or_is_said_to_be_missing(tmp_p
     with open_archive(archive) as opened:
         described = SubstructureResults(opened).described
         if "rig_text" not in opened.group().variables:
-            assert described.plant is None and "which is not at hand" in described.told[0]
+            assert described.plant is None and "which is not at hand" in described.reported[0]
             assert ("Rig", "that of rig.yaml") in described.rows()
         page = page_text(opened)
         assert "figure-loop" in page and "Targets are given in all tests" in page
 
 
-def test_a_text_of_another_version_is_told(tmp_path: Path) -> None:
+def test_a_text_of_another_version_is_reported(tmp_path: Path) -> None:
     root = Group(attributes={"kind": "substructure", "title": "Later", "rts_file": "later.yaml"})
     root.add("rts_text", (), "edesign_rts: 1\nrig: {kind: magnetic}\n", "", "text")
     with ArchiveWriter(tmp_path / "later.h5", root) as writer:
@@ -356,7 +356,7 @@ def test_a_window_has_whole_cycles_around_the_largest_error() -> None:
     assert window(time, np.zeros_like(time), error) == (0.0, 10.0)
 
 
-def test_a_loaded_rig_and_a_dashpot_are_told_as_check_tells_them(tmp_path: Path) -> None:
+def test_a_loaded_rig_and_a_dashpot_are_reported_as_check_does(tmp_path: Path) -> None:
     from edesign.report.substructure import diagram
     from edesign.substructure.advice.advice import advise
     from edesign.substructure.virtual_tests import VirtualLaboratory

@@ -13,7 +13,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.report.response.analysis_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
 from edesign.report.tables.column import col
-from edesign.report.tables.text import filled, folded, in_facts, print_tables, printed, told
+from edesign.report.tables.text import filled, folded, in_facts, print_tables, printed, progress_text
 from edesign.report.tables.unit import ONE
 
 
@@ -58,7 +58,7 @@ def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
     ]
 
 
-def test_columns_that_tell_rows_apart_are_repeated() -> None:
+def test_columns_that_distinguish_rows_are_repeated() -> None:
     """The third cycle of a test and the mean of all have one name."""
     rows = [["sine", "3", "1.2", "8.8"], ["sine", "1-18", "1.2", "8.9"]]
     parts = folded(printed(plain_table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), rows, keys=2)), 28)
@@ -117,13 +117,13 @@ def test_columns_count_in_pipes_too(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_line_of_progress_is_broken_under_its_text(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "40")
     text = "  test_01: read: rest before the motion for 0.052 s, and more of it"
-    lines = told("   4.3 s  ", text, Terminal()).splitlines()
+    lines = progress_text("   4.3 s  ", text, Terminal()).splitlines()
     assert lines == [
         "   4.3 s    test_01: read: rest before",
         "              the motion for 0.052 s,",
         "              and more of it",
     ]
-    assert told("   4.3 s  ", text, io.StringIO()) == f"   4.3 s  {text}"
+    assert progress_text("   4.3 s  ", text, io.StringIO()) == f"   4.3 s  {text}"
 
 
 def test_a_file_gets_the_table_in_one_piece(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,14 +19,14 @@ def group(kind: str, variant: str = "", record: str = "", level: str = "", **oth
     return Group(attributes={"kind": kind, "variant": variant, "record": record, "level": level, **others})
 
 
-def test_histories_tell_variant_temperature_level_and_record() -> None:
+def test_histories_name_variant_temperature_level_and_record() -> None:
     history = group("history", "damped", TABAS, "DBE", temperature_C=35.0)
     assert analysis_words(NAME, history) == "damped at 35 °C, DBE, Tabas 1978 FER-L1"
     scaled = group("history", "bare", TABAS)
     assert analysis_words("bare.ida.Tabas1978_FER-L1.1.5g", scaled) == "bare, ida, Tabas 1978 FER-L1, 1.5g"
 
 
-def test_pushes_tell_pattern_direction_and_method() -> None:
+def test_pushes_name_pattern_direction_and_method() -> None:
     pushed = group("target", "bare", level="MCE")
     words = "bare, push, first mode, to the left, N2, MCE"
     assert analysis_words("bare.push.first_mode.left.n2.MCE", pushed) == words

@@ -99,7 +99,7 @@ def test_values_are_those_of_the_function_in_any_order(workers: int) -> None:
                 assert square(number) == number**2
 
 
-def test_what_is_foretold_is_found_elsewhere() -> None:
+def test_what_is_announced_is_found_elsewhere() -> None:
     with ahead(_process, 2) as process:
         assert process(0) == HERE  # nobody waits for a process to begin
         assert process(helped(process)) != HERE

@@ -198,8 +198,8 @@ def test_what_the_commands_say(tmp_path: Path, capsys: pytest.CaptureFixture[str
     ):
         assert title in shown
     assert main(["show", str(tmp_path / "table.h5"), "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)["building"]
-    assert {item["group"] for item in told["groups"]} == {"C", "BX", "BY"} and len(told["modes"]) == 3
+    reported = json.loads(capsys.readouterr().out)["building"]
+    assert {item["group"] for item in reported["groups"]} == {"C", "BX", "BY"} and len(reported["modes"]) == 3
     with open_archive(tmp_path / "table.h5") as archive:
         assert archive.attributes["kind"] == "building"
         page = page_text(archive)

@@ -19,7 +19,7 @@ from edesign.space.joint_stiffness import unusual_ends
         ("40 GN*m/rad", "is as good as rigid; a semi-rigid end has 0.5 to 25 E I / L (EN 1993-1-8, 5.2.2.5)"),
     ],
 )
-def test_ends_as_good_as_pinned_or_rigid_are_told(stiffness: str, said: str) -> None:
+def test_ends_as_good_as_pinned_or_rigid_are_reported(stiffness: str, said: str) -> None:
     file = building(SMALL.replace("IPE300, material: S275}", f"IPE300, material: S275, ends: {{end: {stiffness}}}}}"))
     found = unusual_ends(file)
     assert len(found) == bool(said)

@@ -15,7 +15,7 @@ from edesign.space.file_places import keys_named, telling_member
 from edesign.space.structure.geometry import space_frame
 
 
-def told(text: str) -> str:
+def reported(text: str) -> str:
     with pytest.raises(InputError) as error:
         elastic_design(building(text))
     return str(error.value)
@@ -32,10 +32,10 @@ def line_of(text: str, part: str) -> int:
         ("{A1: {ux: free, uy: free}, all: @{ux: free, uy: free}}", "all"),  # the later entry counts
     ],
 )
-def test_a_mechanism_is_told_at_the_support_that_lets_it_move(supports: str, key: str) -> None:
+def test_a_mechanism_is_reported_at_the_support_that_lets_it_move(supports: str, key: str) -> None:
     text = SMALL.replace("columns: [", f"supports: {supports.replace('@', '')}\ncolumns: [", 1)
     place = f"5:{len('supports: ') + supports.index('@') + 1}"
-    assert told(text).startswith(
+    assert reported(text).startswith(
         f"building.yaml:{place}: supports.{key}: the frame is a mechanism; it moves freely at A1"
     )
 
@@ -61,7 +61,7 @@ def test_the_entry_of_what_the_core_names(name: str, keys: tuple[str | int, ...]
     assert keys_named(building(text), name) == keys
 
 
-def test_what_is_not_finite_is_told_with_its_member() -> None:
+def test_what_is_not_finite_is_reported_with_its_member() -> None:
     file = building(SMALL)
     with pytest.raises(InputError, match=r"building.yaml:7:5: beams\[0\]: member BX_1_1_1: its axial force"):  # noqa: SIM117
         with telling_member(file):
@@ -70,14 +70,14 @@ def test_what_is_not_finite_is_told_with_its_member() -> None:
         raise CoreError("ED_E_MEMORY", "out of memory")
 
 
-def test_modes_too_close_for_srss_are_told_at_the_combination() -> None:
+def test_modes_too_close_for_srss_are_reported_at_the_combination() -> None:
     text = SMALL.replace("  systems:", "  combination: srss\n  systems:")
-    said = told(text)
+    said = reported(text)
     assert said.startswith(f"building.yaml:{line_of(text, 'combination')}:16: design.combination: `srss` needs")
 
 
-def test_a_missing_block_is_told_with_a_line() -> None:
-    assert told(SMALL.partition("design:")[0]).startswith("building.yaml:1:1: design: this block is missing")
+def test_a_missing_block_is_reported_with_a_line() -> None:
+    assert reported(SMALL.partition("design:")[0]).startswith("building.yaml:1:1: design: this block is missing")
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_a_missing_block_is_told_with_a_line() -> None:
         ("X2", "{start: 40 MN*m/rad", ".*E-SPACE-04"),
     ],
 )
-def test_what_a_project_file_cannot_say_is_told_with_its_entry(frame: str, part: str, said: str) -> None:
+def test_what_a_project_file_cannot_say_is_reported_with_its_entry(frame: str, part: str, said: str) -> None:
     file = building(IRREGULAR)
     with pytest.raises(InputError) as error:
         row = frame_row(file, space_frame(file), frame)

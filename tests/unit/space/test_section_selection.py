@@ -190,7 +190,7 @@ def test_no_exchange_of_a_certified_choice_is_lighter_and_meets_the_checks() -> 
 def test_a_search_is_repeatable() -> None:
     file = building(TEXT)
     lines: list[list[str]] = [[], []]
-    one, other = (select_sections(file, told.append) for told in lines)
+    one, other = (select_sections(file, reported.append) for reported in lines)
     assert lines[0] == lines[1] and one.evaluations == other.evaluations
     assert one.building.text == other.building.text
 
@@ -236,7 +236,7 @@ def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
 # --- what is told
 
 
-def test_a_member_without_resistance_is_told_in_words() -> None:
+def test_a_member_without_resistance_is_reported_in_words() -> None:
     members = SimpleNamespace(
         utilisation=np.array([[np.nan, np.inf]]),
         combination=np.array([[0, 1]]),
@@ -250,7 +250,7 @@ def test_a_member_without_resistance_is_told_in_words() -> None:
     assert str(governing).startswith("EQ_6_61 (EN 1993-1-1, 6.3.3): no resistance is left to BY_B_1_3 in 1.35 G")
 
 
-def test_what_stands_in_the_way_is_told() -> None:
+def test_what_stands_in_the_way_is_reported() -> None:
     file = building(TEXT, ("beams: [IPE]", "beams: [IPE200, IPE220]"))
     with pytest.raises(InputError) as error:
         select_sections(file)

@@ -210,7 +210,7 @@ def test_the_thesis_building_has_the_masses_of_table_5_1(thesis: Building) -> No
     assert whole(frame, "Q_B") == pytest.approx(10e3 * 622.08 * 2.0, rel=ROUNDING)
 
 
-def test_check_tells_floors_and_groups(thesis: Building) -> None:
+def test_check_reports_floors_and_groups(thesis: Building) -> None:
     found = check_building(thesis)
     assert found["plan"] == "4 bays along x, 28.8 m, 3 bays along y, 21.6 m"
     assert found["members"].splitlines()[0] == "C1: 80 columns HEB450 S275"

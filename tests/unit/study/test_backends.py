@@ -50,7 +50,7 @@ def test_the_serial_one_keeps_the_order_and_waits_to_be_asked() -> None:
     results = backend.results(mixed_calls(), listener, listener.started)
     assert listener.begun == []
     assert next(results).key == "numbers 0" and listener.begun == ["numbers 0"]
-    assert listener.told == [("numbers 0", 1, 2), ("numbers 0", 2, 2)]
+    assert listener.reported == [("numbers 0", 1, 2), ("numbers 0", 2, 2)]
     assert [result.key for result in results] == [work.key for work in mixed_calls()][1:]
 
 
@@ -109,7 +109,7 @@ def test_an_error_of_the_listener_is_not_taken_for_one_of_the_work() -> None:
             list(backend.results(mixed_calls(), Listener(), started))
 
 
-def test_works_that_cannot_be_told_apart_are_refused(backend: Backend) -> None:
+def test_works_that_cannot_be_distinguished_are_refused(backend: Backend) -> None:
     with pytest.raises(ValueError, match="same key"):
         list(backend.results([Call("a", toy_calls.fails, ("x",))] * 2, Listener(), print))
 

@@ -40,7 +40,7 @@ analyses:
 EULER = np.pi**2 * 210e9 * 615.6e-8 / (6.0**2 + 4.0**2)  # N, HEA160 about its weak axis (Iz of the tables) over 7.21 m
 
 
-def test_slender_braces_are_told_before_the_run() -> None:
+def test_slender_braces_are_reported_before_the_run() -> None:
     """N_b,Rd lies below Euler's 245 kN, and far below the 1377 kN at which the brace yields in the analysis."""
     made = project(BRACED)
     (line,) = slender_braces(made, make_frame(made))
@@ -123,7 +123,7 @@ def test_the_braces_of_dampers_are_compared() -> None:
     assert not [warning for warning in warnings_of(group) if warning.kind == "brace_buckling"]
 
 
-def test_check_run_show_and_report_tell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_run_show_and_report_say_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(BRACED)
     assert load_project(path).title

@@ -46,23 +46,23 @@ def test_a_part_of_the_plan_does_not_count_as_too_few_motions() -> None:
     check_study_inputs(study, make_study_plan(study, ["damped.DBE.slow"]))
 
 
-def test_a_design_that_takes_less_than_the_maximum_of_few_motions_is_told() -> None:
+def test_a_design_that_takes_less_than_the_maximum_of_few_motions_is_reported() -> None:
     """EN 1998-1, 4.3.3.4.3(3): the mean of seven. `ec8` and the maximum are that, 84 % of three is the largest."""
     criteria = "acceleration of floor 1, displacement of the roof, drift of storey 2, residual drift, shear of storey 1"
     oil = "{method: viscous, law: fluid, kind: chevron, bays: 1, damping: 5 %, verify: {levels: DBE, records: @, "
     designs = f"designs: {{oil: {oil}criteria: [equipment, {criteria}]}}}}}}\nvariants:"
 
-    def told(records: str) -> list[str]:
+    def reported(records: str) -> list[str]:
         text = TEXT.replace("variants:\n  bare", designs.replace("@", records) + "\n  bare")
         study = parse_study(text, PATH, load_project(CASES / "any_quantity" / "project.yaml"))
         return too_few_motions(study, "oil")
 
-    median, mean = told("[whole, slow, fast]")
+    median, mean = reported("[whole, slow, fast]")
     assert median.startswith("the criterion `acceleration of floor 1` takes the median of 3 motions, fewer than 7: ")
     assert (
         mean.startswith("the criterion `residual drift` takes the mean of 3 motions") and "`statistic: maximum`" in mean
     )
-    assert told("whole") == []  # every statistic of one is its maximum
+    assert reported("whole") == []  # every statistic of one is its maximum
 
 
 def test_a_verification_keeps_what_its_criteria_need() -> None:

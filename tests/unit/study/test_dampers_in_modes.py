@@ -58,7 +58,7 @@ def test_linear_dashpot_behind_a_brace_is_a_maxwell_body_whatever_the_amplitude(
         ),
     ],
 )
-def test_dashpot_of_a_power_without_amplitude_is_left_out_and_told(law: str, extra: str) -> None:
+def test_dashpot_of_a_power_without_amplitude_is_left_out_and_reported(law: str, extra: str) -> None:
     """In ever smaller vibrations it is as stiff as its spring, in ever larger ones it is nothing."""
     found = modes(law, extra)
     assert found.variables["circular_frequency"].values[0] == pytest.approx(bare(), rel=1e-12)

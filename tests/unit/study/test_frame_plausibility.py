@@ -33,7 +33,7 @@ analyses:
 """
 
 
-def told(*changes: tuple[str, str]) -> list[str]:
+def reported(*changes: tuple[str, str]) -> list[str]:
     text = FRAME
     for old, new in changes:
         assert text.count(old) == 1, old
@@ -43,18 +43,18 @@ def told(*changes: tuple[str, str]) -> list[str]:
 
 
 def test_a_frame_that_was_meant_is_plausible() -> None:
-    assert told() == []
+    assert reported() == []
 
 
 def test_masses_of_a_whole_building_on_a_perimeter_frame() -> None:
     """Ten times the weight of its own loads, on sections that suit them."""
     heavy = ("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 10.0, Q: 3.0}")
-    assert told(heavy, ("section: HEB260", "section: HEB500"), ("section: IPE360", "section: IPE500")) == []
+    assert reported(heavy, ("section: HEB260", "section: HEB500"), ("section: IPE360", "section: IPE500")) == []
 
 
 def test_masses_a_hundred_times_the_loads() -> None:
     """T1 is ten times as long, and d = T1^2/4 under the weight applied sideways a hundred times as large."""
-    period, weight = told(("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 100.0, Q: 30.0}"))
+    period, weight = reported(("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 100.0, Q: 30.0}"))
     bare = fundamental_period(project(FRAME))
     assert bare is not None and f"T1 = {10.0 * bare:.3g} s is implausible for a frame 11 m high" in period
     assert f"from {2.0 * math.sqrt(0.3 * 11.0 / 1.5):.2g} s on" in period
@@ -64,15 +64,15 @@ def test_masses_a_hundred_times_the_loads() -> None:
 def test_the_behaviour_factor_counts() -> None:
     """Frames that are meant to yield have to be stiffer: 4.4.2.2 takes the drift of the design earthquake, q d_e."""
     heavy = ("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 10.0, Q: 3.0}")
-    assert told(heavy) == []
+    assert reported(heavy) == []
     hazard = "hazard: {code: ec8-2004, a_gR: 0.2 g, ground: B, spectrum: 1, behaviour_factor: 4}\nanalyses:"
-    (line,) = told(heavy, ("analyses:", hazard))
+    (line,) = reported(heavy, ("analyses:", hazard))
     assert "with q = 4" in line
 
 
 def test_masses_in_kilograms_that_were_meant_in_tonnes() -> None:
     given = ("from_loads: {G: 1.0, Q: 0.3}", "given: [{floors: all, mass: 15 kg}]")
-    period, weight = told(given)
+    period, weight = reported(given)
     assert "its masses are ten times too small" in period
     loads = 3 * 12.0 * (20e3 + 0.3 * 9e3)
     assert f"{9 * 15 * STANDARD_GRAVITY / loads:.3g} times the gravity loads" in weight
@@ -81,7 +81,7 @@ def test_masses_in_kilograms_that_were_meant_in_tonnes() -> None:
 def test_sections_in_millimetres_that_were_meant_in_centimetres() -> None:
     """All sizes ten times: second moments of area ten thousand times, T1 a hundredth."""
     large = "{height: 2.6 m, width: 2.6 m, flange: 175 mm, web: 100 mm}"
-    (period,) = told(
+    (period,) = reported(
         ("section: HEB260", "section: large"),
         ("section: IPE360", "section: large"),
         ("materials:\n", f"sections: {{large: {large}}}\nmaterials:\n"),
@@ -90,13 +90,13 @@ def test_sections_in_millimetres_that_were_meant_in_centimetres() -> None:
 
 
 def test_inherent_damping_of_a_half() -> None:
-    (line,) = told(("ratio: 2 %", "ratio: 50 %"))
+    (line,) = reported(("ratio: 2 %", "ratio: 50 %"))
     assert "an inherent damping of 50 % is implausible" in line
 
 
 def test_loads_five_times_too_large_make_beams_yield() -> None:
     """q l^2 / 12 = 113.5 x 36 / 12 = 340 kNm, and W_pl f_y = 280 kNm of IPE360; the masses stay what they were."""
-    found = told(
+    found = reported(
         ("G: 20 kN/m, Q: 9 kN/m", "G: 100 kN/m, Q: 45 kN/m"),
         ("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 0.2, Q: 0.06}"),
     )
@@ -111,7 +111,7 @@ def test_the_projects_that_are_shipped_are_plausible(name: str) -> None:
     assert implausible(made, fundamental_period(made)) == []
 
 
-def test_check_tells(tmp_path: Path) -> None:
+def test_check_warns(tmp_path: Path) -> None:
     made = project(
         FRAME.replace("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 100, Q: 30}"), tmp_path / "project.yaml"
     )
@@ -146,7 +146,7 @@ analyses:
 
 
 @pytest.mark.parametrize(("load", "yields"), [(2400e3, True), (1200e3, False)])
-def test_braces_that_gravity_brings_to_yield_are_told(load: float, yields: bool) -> None:
+def test_braces_that_gravity_brings_to_yield_are_reported(load: float, yields: bool) -> None:
     """A column shortens by e = N / (E A), and a cross brace over b and h by e h^2 / (b^2 + h^2) of its length.
 
     The braces' own share of the load is below a hundredth, and the strains are 30 % from their yield strain.
@@ -172,5 +172,5 @@ masses: {{given: [{{floors: all, mass: 100 t}}]}}
 analyses: [{{name: modes, kind: modal, modes: 1}}]
 """
     made = project(text)
-    told = [line for line in implausible(made, fundamental_period(made)) if line.startswith("braces yield")]
-    assert told == (["braces yield under the gravity loads alone: `D_1_1_r`, `D_1_1_f`, most D_1_1_r"] * yields)
+    reported = [line for line in implausible(made, fundamental_period(made)) if line.startswith("braces yield")]
+    assert reported == (["braces yield under the gravity loads alone: `D_1_1_r`, `D_1_1_f`, most D_1_1_r"] * yields)

@@ -20,7 +20,7 @@ def damped(tmp_path: Path) -> Path:
     return new_project(tmp_path / "damped", kind="damped")
 
 
-def test_they_are_told_apart_where_a_kind_has_both(damped: Path) -> None:
+def test_they_are_distinguished_where_a_kind_has_both(damped: Path) -> None:
     found = variants(damped)
     assert found["gravity"] is None  # there is one alone
     assert found["modes_bare"] == found["bare_DBE_1"] == "without dampers"

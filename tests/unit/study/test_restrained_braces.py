@@ -84,8 +84,8 @@ def test_chevrons_split_their_beams() -> None:
 def test_periods_count_the_braces_and_rayleigh_damping_is_warned_of() -> None:
     assert fundamental_period(changed()) == pytest.approx(0.412, abs=0.001)
     assert "warnings" not in check_project(changed())
-    told = check_project(changed(("kind: modal, ratio: 2 %, modes: 3", "kind: rayleigh, ratio: 2 %")))["warnings"]
-    assert told.startswith("damping: the stiffness that `rayleigh` is proportional to")
+    reported = check_project(changed(("kind: modal, ratio: 2 %, modes: 3", "kind: rayleigh, ratio: 2 %")))["warnings"]
+    assert reported.startswith("damping: the stiffness that `rayleigh` is proportional to")
 
 
 def test_a_law_that_no_device_has_says_nothing_of_the_frame() -> None:
@@ -99,9 +99,9 @@ def test_a_law_that_no_device_has_says_nothing_of_the_frame() -> None:
         ("    - {kind: chevron_braces, bays: 3, storeys: all, law: brb, scale: [1.0, 0.8, 0.5]}\n", ""),
         ("outputs:", "# outputs:"),
     )
-    told = check_project(unused)
-    assert told["period"].endswith(" s under gravity, without its dampers")  # the pads
-    assert "buckling-restrained" not in told.get("warnings", "")
+    reported = check_project(unused)
+    assert reported["period"].endswith(" s under gravity, without its dampers")  # the pads
+    assert "buckling-restrained" not in reported.get("warnings", "")
     assert frame_warnings(unused, {}, ["brb"])[-1].startswith("damping: the stiffness")  # a design adds them
 
 
@@ -125,12 +125,12 @@ def shaken() -> tuple[Project, Group]:
 
 def test_strains_beyond_the_table_are_warned_of(shaken: tuple[Project, Group]) -> None:
     _, group = shaken
-    told = [warning for warning in warnings_of(group) if warning.kind == "core_strain"]
+    reported = [warning for warning in warnings_of(group) if warning.kind == "core_strain"]
     strain = np.maximum(
         group.variables["core_strain_max"].values, -np.asarray(group.variables["core_strain_min"].values)
     )
-    assert len(told) == 1 and told[0].ratio == pytest.approx(np.max(strain) / 0.02)
-    assert "beyond the largest strain that omega and beta are given at" in told[0].text
+    assert len(reported) == 1 and reported[0].ratio == pytest.approx(np.max(strain) / 0.02)
+    assert "beyond the largest strain that omega and beta are given at" in reported[0].text
 
 
 def test_criteria_take_their_quantities(shaken: tuple[Project, Group]) -> None:

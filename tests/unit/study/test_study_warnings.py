@@ -12,35 +12,35 @@ from edesign.study.check.advice import study_warnings
 from edesign.study.plan.study_plan import make_study_plan
 
 
-def test_a_design_without_a_variant_is_told(tmp_path: Path) -> None:
+def test_a_design_without_a_variant_is_reported(tmp_path: Path) -> None:
     path = write(tmp_path)
     text = path.read_text(encoding="utf-8")
 
-    def told() -> list[str]:
+    def reported() -> list[str]:
         study = load_study(path)
         return [one for one in study_warnings(study, make_study_plan(study), {}) if "no variant" in one]
 
-    assert told() == []
+    assert reported() == []
     start = text.index("  added:\n")
     block = text[start : text.index("\nvariants:")].rstrip()
     path.write_text(text.replace(block, f"{block}\n{block.replace('added:', 'spare:', 1)}"), encoding="utf-8")
-    assert told() == ["design spare: no variant has it, so it is not made; write `design: spare` at a variant"]
+    assert reported() == ["design spare: no variant has it, so it is not made; write `design: spare` at a variant"]
 
 
-def test_variants_that_are_the_same_are_told(tmp_path: Path) -> None:
+def test_variants_that_are_the_same_are_reported(tmp_path: Path) -> None:
     path = write(tmp_path)
     text = path.read_text(encoding="utf-8")
 
-    def told() -> list[str]:
+    def reported() -> list[str]:
         study = load_study(path)
         return [one for one in study_warnings(study, make_study_plan(study), {}) if "are the same" in one]
 
-    assert told() == []
+    assert reported() == []
     same = "variants `twin`, `bare` are the same: each analysis of one gives the results of the other"
     other = "{dampers: none, values: {materials.S275.E: 200 GPa}}"
     for twin, expected in (("{dampers: none}", [same]), (other, [])):
         path.write_text(text.replace("\nvariants:\n", f"\nvariants:\n  twin: {twin}\n"), encoding="utf-8")
-        assert told() == expected
+        assert reported() == expected
 
 
 def test_the_frame_of_a_variant_with_other_values_is_judged(tmp_path: Path) -> None:
@@ -48,19 +48,19 @@ def test_the_frame_of_a_variant_with_other_values_is_judged(tmp_path: Path) -> N
     path = write(tmp_path)
     text = path.read_text(encoding="utf-8")
 
-    def told() -> list[str]:
+    def reported() -> list[str]:
         study = load_study(path)
         return [one for one in study_warnings(study, make_study_plan(study), {}) if "yield strain" in one]
 
-    assert told() == []
+    assert reported() == []
     other = "{dampers: none, values: {materials.S275.E: 70 GPa, materials.S275.fy: 1000 MPa}}"
     path.write_text(text.replace("\nvariants:\n", f"\nvariants:\n  other: {other}\n"), encoding="utf-8")
-    (line,) = told()
+    (line,) = reported()
     assert line.startswith("variant other: material S275: fy = 1000 MPa") and f"{1e5 / 70e3:.3g} %" in line
 
 
 @pytest.mark.parametrize("asked", ["measure: interstorey_drift", "quantity: storey_drift"])
-def test_a_limit_of_drift_without_its_sign_is_told(tmp_path: Path, asked: str) -> None:
+def test_a_limit_of_drift_without_its_sign_is_reported(tmp_path: Path, asked: str) -> None:
     path = write(tmp_path, ("measure: interstorey_drift, levels: DBE, most: 2 %", f"{asked}, levels: DBE, most: 2.0"))
     study = load_study(path)
     (line,) = [one for one in study_warnings(study, make_study_plan(study), {}) if "no frame survives" in one]

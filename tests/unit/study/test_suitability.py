@@ -65,7 +65,7 @@ def test_incremental_studies_scale_on_purpose(project: Project) -> None:
     assert scale_warnings(plain, tasks, motions_of(plain)) == {}
 
 
-def test_check_tells_it_before_anything_is_fitted(tmp_path: Path) -> None:
+def test_check_reports_it_before_anything_is_fitted(tmp_path: Path) -> None:
     path = suite_project.write(tmp_path, ("a_gR: 0.2 g", "a_gR: 3 g"))
     warnings = check_project(load_project(path))["warnings"]
     assert "records set: MCE: 3 of 3 records are scaled beyond the usual" in warnings

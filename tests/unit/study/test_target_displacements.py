@@ -152,7 +152,7 @@ def test_a_target_beyond_the_curve_has_failed() -> None:
     assert float(found["push.n2.MCE"].variables["n2_d_t"].values) > 0.08
 
 
-def test_a_curve_shorter_than_150_per_cent_is_told() -> None:
+def test_a_curve_shorter_than_150_per_cent_is_reported() -> None:
     made = portal("0.5 g", "{name: push, kind: pushover, pattern: uniform, roof_drift: 2 %, targets: n2, levels: DBE}")
     state = results(made)["push.n2.DBE"]
     assert state.attributes["status"] == "completed"
@@ -275,11 +275,11 @@ def test_work_of_dampers_counts_once(laws: str, damping: str, said: str) -> None
         f"    - {{kind: storey, bays: 1, storeys: 1, law: {name}}}\n" for name in laws.split()
     )
     group = results(project(f"{text}{hazard}{dampers}analyses:\n  - {push}\n"))["push.n2.DBE"]
-    told = [warning for warning in warnings_of(group) if warning.kind.startswith("target_damping")]
-    assert len(told) == (said != "")
-    assert not told or said in told[0].text
+    reported = [warning for warning in warnings_of(group) if warning.kind.startswith("target_damping")]
+    assert len(reported) == (said != "")
+    assert not reported or said in reported[0].text
     if "20 %" in said:
-        first, second = map(float, re.findall(r"([\d.]+) mm", told[0].text))
+        first, second = map(float, re.findall(r"([\d.]+) mm", reported[0].text))
         assert first == pytest.approx(1e3 * float(group.variables["n2_d_t"].values), rel=1e-3)
         assert first < second
         alone = results(project(f"{text}{hazard}{dampers}analyses:\n  - {push.replace(damping, '')}\n"))
@@ -310,14 +310,14 @@ def test_the_period_has_the_stiffness_of_the_curve(method: str) -> None:
     assert found[f"{method}_d_t"] == pytest.approx(found[f"{method}_S_a"] * (period / (2.0 * math.pi)) ** 2, rel=1e-5)
 
 
-@pytest.mark.parametrize(("acceleration", "told"), [("1 g", True), ("0.02 g", False)])
-def test_a_limit_of_C_1_is_told(acceleration: str, told: bool) -> None:
+@pytest.mark.parametrize(("acceleration", "reported"), [("1 g", True), ("0.02 g", False)])
+def test_a_limit_of_C_1_is_reported(acceleration: str, reported: bool) -> None:
     """FEMA 440 advises against it: C_1 = (1 + (R - 1) T_S / T_e) / R of a short period; of an elastic frame 1."""
     made = portal(acceleration, "{name: push, kind: pushover, pattern: uniform, targets: fema356, levels: DBE}")
     group = results(made)["push.fema356.DBE"]
     warnings = [warning.text for warning in warnings_of(group) if warning.kind == "target_limit"]
-    assert len(warnings) == told
-    if told:
+    assert len(warnings) == reported
+    if reported:
         R, T_e, C_1 = (float(group.variables[f"fema356_{name}"].values) for name in ("R", "T_e", "C_1"))
         free = (1.0 + (R - 1.0) * 0.6 / T_e) / R
         assert (

@@ -118,9 +118,9 @@ def test_only_the_laws_of_the_variant_change(tmp_path: Path) -> None:
 
 def test_warnings_about_temperatures_name_the_variant(tmp_path: Path) -> None:
     of = study(tmp_path)
-    told = variant_warnings(of, make_study_plan(of))
-    assert any(text.startswith("variant warm: damper law rubber: ") and "at 35 degC" in text for text in told)
+    reported = variant_warnings(of, make_study_plan(of))
+    assert any(text.startswith("variant warm: damper law rubber: ") and "at 35 degC" in text for text in reported)
     assert any(
-        text.startswith("variant damped: ") and "beyond its table" in text and "10 degC" in text for text in told
+        text.startswith("variant damped: ") and "beyond its table" in text and "10 degC" in text for text in reported
     )
-    assert not any("bare" in text or "upper" in text for text in told)
+    assert not any("bare" in text or "upper" in text for text in reported)

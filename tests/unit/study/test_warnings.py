@@ -21,7 +21,7 @@ def test_warnings_are_kept_with_the_analysis() -> None:
     assert warnings_of(Group(attributes={"warnings": ["a sentence, as designs have them"]})) == []
 
 
-def test_analyses_that_are_alike_are_told_once_with_the_worst() -> None:
+def test_analyses_that_are_alike_are_reported_once_with_the_worst() -> None:
     groups = {
         "a": warned(AnalysisWarning("damper_strain", "V_1_1 to 60 %", 1.2)),
         "b": warned(

@@ -118,13 +118,13 @@ class Listener:
     """A control that remembers what it was told, and stops when a test says so."""
 
     def __init__(self) -> None:
-        self.told: list[tuple[str, int, int]] = []
+        self.reported: list[tuple[str, int, int]] = []
         self.begun: list[str] = []
         self.stop = threading.Event()
 
     def progress(self, key: str, done: int, total: int) -> None:
         """Remember."""
-        self.told.append((key, done, total))
+        self.reported.append((key, done, total))
 
     def started(self, key: str) -> None:
         """Remember."""

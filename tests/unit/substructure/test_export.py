@@ -143,7 +143,7 @@ def test_exported_code_commands_the_same_to_the_last_bit(name: str, tmp_path: Pa
 
 
 @pytest.mark.parametrize("name", ["smith", "live", "ats", "modified"])
-def test_self_test_passes_and_tells_the_size_of_the_state(name: str, tmp_path: Path) -> None:
+def test_self_test_passes_and_prints_the_size_of_the_state(name: str, tmp_path: Path) -> None:
     export(ALL[name], STEP, tmp_path, name)
     program = compiled(tmp_path, "self_test.c", "compensator.c")
     result = subprocess.run([str(program), str(tmp_path / "self_test.csv")], capture_output=True, text=True, check=True)
@@ -165,12 +165,12 @@ def test_self_test_fails_where_a_command_differs(tmp_path: Path) -> None:
     assert subprocess.run([str(program), str(tmp_path / "missing.csv")], capture_output=True).returncode == 2
 
 
-def test_timing_tells_mean_and_percentile(tmp_path: Path) -> None:
+def test_timing_prints_mean_and_percentile(tmp_path: Path) -> None:
     """What it says depends on the machine, and is not judged."""
     export(ALL["modified"], STEP, tmp_path, "modified")
     program = compiled(tmp_path, "timing.c", "compensator.c")
-    told = subprocess.run([str(program)], capture_output=True, text=True, check=True).stdout
-    assert "p99.9" in told and "main step: 1000.0 us" in told and "nan" not in told
+    reported = subprocess.run([str(program)], capture_output=True, text=True, check=True).stdout
+    assert "p99.9" in reported and "main step: 1000.0 us" in reported and "nan" not in reported
 
 
 def test_a_second_compensator_of_other_sizes_is_refused_by_the_compiler(tmp_path: Path) -> None:

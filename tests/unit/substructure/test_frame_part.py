@@ -200,10 +200,10 @@ def test_buildings_are_archived_as_histories(tmp_path: Path) -> None:
         assert set(group.attributes["statistics"]) == set(found.attributes["statistics"])
         assert found.attributes["height"] == 7.0
     measures = response_measures(group)
-    for told in summary:
-        assert told["status"] == "completed"
+    for reported in summary:
+        assert reported["status"] == "completed"
         for name in ("interstorey_drift", "base_shear_N", "roof_acceleration_m_s2", "beam_plastic_rotation_rad"):
-            assert told["measures"][name] == pytest.approx(measures[name], rel=0.01)  # of the step
+            assert reported["measures"][name] == pytest.approx(measures[name], rel=0.01)  # of the step
     peaks, energies, *levels = tables
     assert [row[:2] for row in peaks.texts] == [["quake", "direct analysis"], ["quake", "none"]]
     assert peaks.headers[2:] == [
@@ -304,7 +304,7 @@ def test_the_loop_of_a_free_mass_and_a_dashpot_is_stable_up_to(held: bool, limit
         assert loop_grows(part, (0.0, c), 1.001 * limit / c, held)
 
 
-def test_a_dashpot_too_strong_for_the_step_is_told(tmp_path: Path) -> None:
+def test_a_dashpot_too_strong_for_the_step_is_reported(tmp_path: Path) -> None:
     path = yielding(tmp_path, 0.01, "pot")
     spring = "spring: {type: kelvin_voigt, parameters: {k: 4 kN/mm, c: 0 N*s/m}}"
     said = path.read_text(encoding="utf-8")

@@ -94,8 +94,8 @@ def test_standard_errors_are_those_of_records_with_other_noise(tmp_path: Path) -
     found = [identify(record(tmp_path / "one.csv", THESIS, seed=seed), 2).chosen for seed in range(8)]
     for name in ("delay", "frequency", "damping", "gain"):
         scatter = float(np.std([fit.parameters[name].value for fit in found], ddof=1))
-        told = float(np.mean([fit.parameters[name].standard_error for fit in found]))
-        assert 0.5 < scatter / told < 2.0, name
+        reported = float(np.mean([fit.parameters[name].standard_error for fit in found]))
+        assert 0.5 < scatter / reported < 2.0, name
 
 
 def test_an_order_may_be_asked_for(tmp_path: Path) -> None:
@@ -241,7 +241,7 @@ def test_headers_of_machines_and_other_units_are_read(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("step", "says"), [(0.03, "not filtered, sampled at 33.3 Hz"), (0.01, "filtered at 20 Hz")])
-def test_the_filter_of_the_alphas_is_told_as_it_was(tmp_path: Path, step: float, says: str) -> None:
+def test_the_filter_of_the_alphas_is_reported_as_it_was(tmp_path: Path, step: float, says: str) -> None:
     """Half of 33 Hz is below its 20 Hz."""
     t, u = signals.random(60.0, (0.1, 3.0), 3, peak=5e-3, sampling_rate=1.0 / step)
     x = rig_response(rigs.pure_delay(0.05), u, step) + 1e-6 * np.random.default_rng(1).standard_normal(u.size)
@@ -268,15 +268,15 @@ def test_the_band_of_a_slow_motion_is_that_of_gain_and_delay(tmp_path: Path) -> 
 
 def test_the_band_covers_other_records(tmp_path: Path) -> None:
     """Amplitude and phase at 3 Hz of eight records: a deviation within a factor of two with 98 % (chi-square of 7)."""
-    s, found, told = np.array([6.0j * np.pi]), [], []
+    s, found, reported = np.array([6.0j * np.pi]), [], []
     path = tmp_path / "rig.yaml"
     for seed in range(8):
         fitted = identify(record(tmp_path / "one.csv", THESIS, seed=seed), 2)
         path.write_text(rig_file_text(fitted), encoding="utf-8")
         found.append(np.log(fitted.chosen.transfer(s)[0]))
-        told.append(np.ravel(transfer_deviations(read_rig_file(path), s.imag)))
+        reported.append(np.ravel(transfer_deviations(read_rig_file(path), s.imag)))
     scatter = np.std(np.real(found), ddof=1), np.std(np.imag(found), ddof=1)
-    ratios = np.array(scatter) / np.mean(told, axis=0)
+    ratios = np.array(scatter) / np.mean(reported, axis=0)
     assert np.all((ratios > 0.5) & (ratios < 2.0)), ratios
 
 

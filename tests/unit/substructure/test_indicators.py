@@ -77,7 +77,7 @@ def test_a_late_sine_has_its_delay_by_all_three_methods(frequency: float, delay:
 
 @settings(max_examples=25, deadline=None)
 @given(st.floats(0.3, 6.0), st.floats(-0.9, 0.9), st.floats(0.5, 1.5), st.floats(3.3, 20.0))
-def test_delay_and_amplitude_are_told_apart(frequency: float, share: float, gain: float, cycles: float) -> None:
+def test_delay_and_amplitude_are_separated(frequency: float, share: float, gain: float, cycles: float) -> None:
     """Up to 0.9 of a quarter period, any number of cycles.
 
     The correlation to 1/100 of a sample, as the overlap changes with the lag; crossings as in the test above. Peaks to
@@ -274,7 +274,7 @@ ENERGIES = {"energy_error", "relative_energy_error"}
 SIZES = {"nrms", "nrms_root", "maximum_error"}
 
 
-def test_a_good_test_tells_all() -> None:
+def test_a_good_test_determines_all() -> None:
     t = whole_cycles(2.0, 8)
     assert undetermined(tracking(sine(t, 2.0), sine(t, 2.0, 1e-3), STEP, 1e6 * sine(t, 2.0, 1e-3))) == set()
     assert undetermined(tracking(sine(t, 2.0), sine(t, 2.0), STEP)) == ENERGIES

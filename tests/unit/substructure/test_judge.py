@@ -96,7 +96,7 @@ def test_tracking_alone_needs_no_file(tmp_path: Path) -> None:
     assert found.tracking.correlation_delay == pytest.approx(1e-3, abs=2e-5)
 
 
-def test_a_force_that_cannot_be_that_of_the_test_is_told(tmp_path: Path) -> None:
+def test_a_force_that_cannot_be_that_of_the_test_is_reported(tmp_path: Path) -> None:
     path = record(tmp_path / "sign.csv", force_kN=-column("force_kN"))
     turned = judge(path, file())
     assert turned.good is False and any("opposite sign" in note for note in turned.notes)
@@ -109,7 +109,7 @@ def test_a_force_that_cannot_be_that_of_the_test_is_told(tmp_path: Path) -> None
     ("late", "said"),
     [(-0.01, "leads the target by 10 ms: the compensator asks for too much"), (2.5, "2.5 s late, and no")],
 )
-def test_a_lead_and_a_shift_are_told(tmp_path: Path, late: float, said: str) -> None:
+def test_a_lead_and_a_shift_are_reported(tmp_path: Path, late: float, said: str) -> None:
     time = 1e-3 * np.arange(20_000)
     target, measured = (np.sin(t**2) * np.exp(-(((t - 8.0) / 3.0) ** 2)) for t in (time, time - late))
     rows = np.column_stack([time, target, measured]).tolist()
@@ -117,7 +117,7 @@ def test_a_lead_and_a_shift_are_told(tmp_path: Path, late: float, said: str) -> 
     assert any(said in note for note in judge(tmp_path / "r.csv").notes)
 
 
-def test_a_channel_that_is_cut_off_is_told_in_its_unit(tmp_path: Path) -> None:
+def test_a_channel_that_is_cut_off_is_reported_in_its_unit(tmp_path: Path) -> None:
     cut = np.clip(1e3 * runs()["modified"].record.measured, -3.0, 3.0)  # type: ignore[union-attr]
     with pytest.raises(InputError, match="the displacement is cut off at 3 mm: its sensor's range"):
         judge(record(tmp_path / "r.csv", displacement_mm=cut))
@@ -219,7 +219,7 @@ def test_a_late_force_counts_as_a_late_rig(tmp_path: Path) -> None:
     assert margins == pytest.approx([1e6 / 8.0, 1e6 / 16.0], rel=2e-3)
 
 
-def test_a_delay_that_cannot_be_told_leaves_its_criterion_open(tmp_path: Path) -> None:
+def test_a_delay_that_cannot_be_determined_leaves_its_criterion_open(tmp_path: Path) -> None:
     """A displacement against its target has no delay; the margin is not determined, and so not met."""
     backwards = -1e3 * runs()["none"].record.measured  # type: ignore[union-attr]
     path = record(tmp_path / "measured.csv", "none", displacement_mm=backwards)

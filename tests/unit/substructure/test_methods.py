@@ -220,7 +220,7 @@ def test_an_unstable_test_is_never_called_valid():
         name="slow", kind="pseudo_dynamic", time_scale=1.0, error=error, feedback="computed"
     )
     found = run_method(test, own, 0.5, kick(400), abort=5.0)
-    assert found.outcome == "unstable" and not any("method is valid" in text for text in found.told)
+    assert found.outcome == "unstable" and not any("method is valid" in text for text in found.notes)
 
 
 def test_computed_feedback_takes_the_error_of_displacement_out_of_the_integration():

@@ -110,7 +110,7 @@ def test_flexible_rig_and_its_correction() -> None:
     assert bare.true_force == pytest.approx(STIFFNESS * bare.deformation, abs=1e-6 * STIFFNESS * 5e-3)
 
 
-def test_what_a_rig_cannot_do_is_held_and_told() -> None:
+def test_what_a_rig_cannot_do_is_held_and_reported() -> None:
     rig = rigs.ideal().discrete(STEP / 5)
     stroke = steady(rig, 1.0, limits=RigLimits(stroke=4e-3))
     assert np.max(np.abs(stroke.actuator)) == 4e-3

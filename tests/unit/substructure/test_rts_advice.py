@@ -314,7 +314,7 @@ def controlled(specimen: str, after: float) -> str:
     )
 
 
-def test_a_loop_that_grows_slowly_ends_as_done_and_is_told() -> None:
+def test_a_loop_that_grows_slowly_ends_as_done_and_is_reported() -> None:
     """El Centro's 31 s end before the motion has grown tenfold; in free vibration it does, at the predicted rate.
 
     Of a linear specimen the linearised loop is the loop itself but for its steps of 1 ms.
@@ -334,7 +334,7 @@ def test_a_loop_that_grows_slowly_ends_as_done_and_is_told() -> None:
     assert math.log(last / first) / 12.0 == pytest.approx(rate, rel=0.05)
 
 
-def test_a_softening_law_that_reaches_its_end_is_told(tmp_path: Path) -> None:
+def test_a_softening_law_that_reaches_its_end_is_reported(tmp_path: Path) -> None:
     """Motions of the thesis' damper grow at the amplitude of the test and decay below: the run is done, and far off."""
     path = tmp_path / "rts.yaml"
     path.write_text(controlled(TESTED, 0), encoding="utf-8")
@@ -395,7 +395,7 @@ def test_a_law_that_is_stiff_near_rest_keeps_small_motions_growing() -> None:
 
 
 @pytest.mark.slow
-def test_small_motions_end_in_a_limit_cycle_of_the_amplitude_that_is_told() -> None:
+def test_small_motions_end_in_a_limit_cycle_of_the_amplitude_that_is_reported() -> None:
     power = "{law: {type: viscous_power, parameters: {c: 60 kN*(s/m)^0.3, alpha: 0.3}}}"
     advice, laboratory = advice_of(
         f"edesign_rts: 1\nstructure: {ONE_STOREY}\nspecimen: {power}\nrig: {{kind: delay, delay: 18 ms}}\n"
@@ -405,9 +405,9 @@ def test_small_motions_end_in_a_limit_cycle_of_the_amplitude_that_is_told() -> N
     (run,) = only_results(laboratory).runs
     assert run.record is not None
     left = float(np.max(np.abs(run.record.deformation[int(0.95 * len(run.time)) :])))
-    told = advice.tests[0].expected[0].grows_below
+    reported = advice.tests[0].expected[0].grows_below
     # amplitudes are half a decade apart, and the cycle passes the one where it starts to grow
-    assert told < left < 10.0**0.5 * told
+    assert reported < left < 10.0**0.5 * reported
     tail, direct = run.record.deformation[int(0.95 * len(run.time)) :], laboratory.direct(laboratory.drives["ec"])
     share = np.sqrt(np.mean(tail**2) / np.mean(direct.deformation**2))
     assert share < advice.tests[0].expected[0].cycle_rms < 10.0**0.5 * share * 1.05  # 5 %: it is no sine
@@ -487,7 +487,7 @@ def test_a_weak_rig_does_for_a_smaller_test() -> None:
     assert "the rig is too weak, in white (force 1" in advice.recommendation.reason
 
 
-def test_a_dashpot_is_told_as_one() -> None:
+def test_a_dashpot_is_named_as_one() -> None:
     dashpot = thesis_file(ONE_STOREY, 0.18).replace(TESTED, "{law: {type: viscous, parameters: {c: 100 kN*s/m}}}")
     advice, _ = advice_of(dashpot)
     text = " ".join(shown(advice).split())

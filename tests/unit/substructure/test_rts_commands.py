@@ -212,5 +212,5 @@ def test_a_report_takes_the_law_from_the_archive(tmp_path: Path, monkeypatch: py
     monkeypatch.chdir(tmp_path)
     with open_archive(tmp_path / "rts.h5") as archive:
         found = archived_tests(archive)
-    assert found.told == [] and found.laboratory is not None and found.laboratory.damper is not None
+    assert found.notes == [] and found.laboratory is not None and found.laboratory.damper is not None
     assert found.laboratory.damper.values.values == (4e6, 1e5)

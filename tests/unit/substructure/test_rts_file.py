@@ -146,7 +146,7 @@ def test_a_rig_in_a_file(tmp_path: Path) -> None:
     assert other.plant.limits.stroke == 0.02
 
 
-def test_mistakes_in_a_rig_file_are_told_there(tmp_path: Path) -> None:
+def test_mistakes_in_a_rig_file_are_reported_there(tmp_path: Path) -> None:
     (tmp_path / "rig.yaml").write_text("rig:\n  kind: delay\n  delay: -1 ms\n", encoding="utf-8")
     with pytest.raises(RtsFileError, match=r"rig.yaml:3:10: rig.delay: `-1 ms` must not be negative"):
         parse_rts_file(MINIMAL.replace("{kind: ideal}", "{file: rig.yaml}"), tmp_path / "rts.yaml")
@@ -155,7 +155,7 @@ def test_mistakes_in_a_rig_file_are_told_there(tmp_path: Path) -> None:
         read_rig_file(tmp_path / "rig.yaml")
 
 
-def test_mistakes_in_the_project_are_told_there(tmp_path: Path) -> None:
+def test_mistakes_in_the_project_are_reported_there(tmp_path: Path) -> None:
     (tmp_path / "project.yaml").write_text("edesign: 1\n", encoding="utf-8")
     with pytest.raises(ProjectError, match=r"project.yaml:1:1: title: this key is missing"):
         parse_rts_file(FULL.replace(str(ONE_STOREY), "project.yaml"), tmp_path / "rts.yaml")
@@ -204,8 +204,8 @@ def test_the_command_that_checks(tmp_path: Path, capsys: pytest.CaptureFixture[s
     path = tmp_path / "rts.yaml"
     path.write_text(FULL, encoding="utf-8")
     assert main(["check", str(path)]) == 0
-    told = capsys.readouterr().out
-    assert "rig:        second_order, frequency 21.4 Hz" in told and told.endswith("ok\n")
+    reported = capsys.readouterr().out
+    assert "rig:        second_order, frequency 21.4 Hz" in reported and reported.endswith("ok\n")
     path.write_text(FULL.replace("21.4 Hz", "21.4"), encoding="utf-8")
     assert main(["check", str(path)]) == 2
     assert f"{path}:8:14: rig.frequency: the bare number" in capsys.readouterr().err

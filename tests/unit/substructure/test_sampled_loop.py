@@ -292,7 +292,7 @@ def test_a_specimen_that_is_no_dashpot(tmp_path: Path) -> None:
     assert growth_of_a_run(one, 300.0 / found.growth) == pytest.approx(found.growth, rel=0.02)
 
 
-def test_check_tells_what_only_main_steps_make_grow(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_check_reports_what_only_main_steps_make_grow(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     springs, k = two_storeys(2.2)
     one = laboratory(tmp_path, springs, (k, DASHPOT), SERIES, rig=LATE)
     (tmp_path / "rts.yaml").write_text(one.file.text, encoding="utf-8")

@@ -112,7 +112,7 @@ def test_delay_without_compensation(tmp_path: Path) -> None:
     assert found.peak_error == pytest.approx(0.129, abs=0.01)
 
 
-def test_a_loop_that_grows_is_told_and_not_counted(tmp_path: Path) -> None:
+def test_a_loop_that_grows_is_reported_and_not_counted(tmp_path: Path) -> None:
     """The critical delay is 32 to 40 ms; 60 ms diverge, and no indicator is given."""
     (results,) = run(tmp_path, INLINE.replace("rig: {kind: ideal}", "rig: {kind: delay, delay: 60 ms}"))
     found = results.runs[0]
@@ -153,7 +153,7 @@ def test_commands_archive_csv_and_json(tmp_path: Path, capsys: pytest.CaptureFix
     assert data["tests"][0]["response_error"] > 0.2 > data["tests"][1]["response_error"]
     # one storey: the building's drift is the damper's deformation, up to the rig
     assert data["tests"][0]["building_error"] == pytest.approx(data["tests"][0]["response_error"], rel=0.2)
-    assert [told["name"] for told in data["analyses"]] == ["el_centro", "el_centro:none", "el_centro:cubic"]
+    assert [reported["name"] for reported in data["analyses"]] == ["el_centro", "el_centro:none", "el_centro:cubic"]
     assert main(["show", str(tmp_path / "rts.h5"), "--analysis", "el_centro:cubic"]) == 0
     assert "floor a [m/s2]" in capsys.readouterr().out
 
@@ -368,7 +368,7 @@ tests: [{name: quake, kind: rts}]
         VirtualLaboratory(load_rts_file(path))
 
 
-def test_a_record_finer_than_the_main_step_is_told(tmp_path: Path) -> None:
+def test_a_record_finer_than_the_main_step_is_reported(tmp_path: Path) -> None:
     """By hand: 1, 3, 2, -1 m/s2 every 5 ms; steps of 10 ms take 1 and 2, those of 5 ms all."""
     (tmp_path / "fine.csv").write_text("t,a\n0,1\n0.005,3\n0.01,2\n0.015,-1\n", encoding="utf-8")
     fine = "{file: fine.csv, acceleration_unit: m/s^2, columns: {time: t, acceleration: a}}"

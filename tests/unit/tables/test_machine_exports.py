@@ -190,7 +190,7 @@ def test_dspace_captures(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("content", "told"),
+    ("content", "reported"),
     [
         (b"TDSm\x0e\0\0\0", "a TDMS file of LabVIEW"),
         (b"|CF,2,1,1;\0", "a FAMOS file of imc"),
@@ -200,8 +200,10 @@ def test_dspace_captures(tmp_path: Path) -> None:
         (b"\x00\x01\x02", "a text file in UTF-8 or UTF-16 is expected"),
     ],
 )
-def test_files_that_are_no_text_are_told_by_their_first_bytes(tmp_path: Path, content: bytes, told: str) -> None:
+def test_files_that_are_no_text_are_recognised_by_their_first_bytes(
+    tmp_path: Path, content: bytes, reported: str
+) -> None:
     path = tmp_path / "t.bin"
     path.write_bytes(content)
-    with pytest.raises(InputError, match=told):
+    with pytest.raises(InputError, match=reported):
         read(path)

@@ -200,7 +200,7 @@ def test_clock_times_go_over_midnight(tmp_path: Path, before: str, after: str) -
     np.testing.assert_allclose(test.time, [0.0, 0.01, 0.03], atol=1e-9)  # to nanoseconds
 
 
-def test_a_gap_is_told_and_a_change_of_the_rate_is_none(tmp_path: Path) -> None:
+def test_a_gap_is_reported_and_a_change_of_the_rate_is_none(tmp_path: Path) -> None:
     time = np.arange(100) / 100.0
     cut = np.delete(time, np.arange(40, 50))
     slower = np.concatenate([time, 1.0 + np.arange(20) / 2.0])
@@ -213,7 +213,7 @@ def test_a_gap_is_told_and_a_change_of_the_rate_is_none(tmp_path: Path) -> None:
     assert "no samples" not in reading(time) + reading(slower)
 
 
-def test_headers_that_come_again_are_left_out_and_told(tmp_path: Path) -> None:
+def test_headers_that_come_again_are_left_out_and_reported(tmp_path: Path) -> None:
     text = HEAD + "0;0;0\n1;1;1\n" + HEAD + "2;2;2\n"
     test = read_test(write(tmp_path, text), temperature_C=20.0)
     assert test.time.tolist() == [0.0, 1.0, 2.0] and "1 repeated line of headers left out" in test.reading
@@ -223,7 +223,7 @@ CAMPAIGN = "specimen: {name: p, layers: 2, layer_area_mm2: 41400, layer_thicknes
 
 
 @pytest.mark.parametrize(
-    ("zero", "first", "told"),
+    ("zero", "first", "reported"),
     [
         (
             "as_recorded",
@@ -234,7 +234,9 @@ CAMPAIGN = "specimen: {name: p, layers: 2, layer_area_mm2: 41400, layer_thicknes
         ("rest", 0.0, "2 mm, the displacement of the rest, taken off all, rest before the motion for 0.2 s"),
     ],
 )
-def test_columns_units_and_zero_are_said_in_the_campaign(tmp_path: Path, zero: str, first: float, told: str) -> None:
+def test_columns_units_and_zero_are_said_in_the_campaign(
+    tmp_path: Path, zero: str, first: float, reported: str
+) -> None:
     rows = [(0.01 * i, 2.0 if i < 20 else 2.0 + math.sin(0.3 * (i - 19)), -0.5 * i) for i in range(60)]
     write(tmp_path, "rig 3\n\nCh 1;Ch 2;Ch 3\n" + "".join(f"{a!r};{b!r};{c!r}\n" for a, b, c in rows))
     said = (
@@ -249,7 +251,7 @@ def test_columns_units_and_zero_are_said_in_the_campaign(tmp_path: Path, zero: s
     np.testing.assert_array_equal(test.time, [row[0] for row in rows])
     assert test.displacement[0] == pytest.approx(1e-3 * first, abs=1e-12)  # of sums of decimals
     np.testing.assert_allclose(test.force, [50.0 * i for i in range(60)], rtol=1e-15)
-    assert told in campaign.notes[0]
+    assert reported in campaign.notes[0]
 
 
 @pytest.mark.parametrize(

@@ -75,7 +75,7 @@ def _changed(form: EffectForm, earliest: int, latest: int) -> EffectForm:
     if earliest == latest:
         return at(latest, f"{latest}", f"test {latest}")
     tests = f"one of tests {earliest} to {latest}"
-    told = [
+    ranges = [
         at(k, f"{k}", f"test {k}, as validation tests tell; the fitted ones say before {tests}")
         for k in range(earliest, latest + 1)
     ]

@@ -52,9 +52,9 @@ def provenance(source: Source) -> Section:
     if statistics.rows:
         parts.append(Folded("Statistics of each analysis", (statistics,)))
     fallbacks = [fallbacks_table(name, group) for name, group in source.groups.items()]
-    told = tuple(table for table in fallbacks if table.rows)
-    if told:
-        parts.append(Folded(f"Steps that did not converge at once, in {len(told)} analyses", told))
+    reported = tuple(table for table in fallbacks if table.rows)
+    if reported:
+        parts.append(Folded(f"Steps that did not converge at once, in {len(reported)} analyses", reported))
     parts.append(Facts(tuple(rows)))
     records = about.get("record_checksums")
     if isinstance(records, dict) and records:

@@ -208,7 +208,7 @@ def _tested(source: Source, results: SubstructureResults) -> Section:
         text = source.text(name)
         if text:
             parts.append(Folded(f"{what}, {len(text.splitlines())} lines", text=text))
-    section = Section("tested", "What was tested", (), tuple(parts), tuple(described.told))
+    section = Section("tested", "What was tested", (), tuple(parts), tuple(described.notes))
     return in_words(section, _words(described))
 
 

@@ -196,8 +196,8 @@ def _warnings(source: Source) -> list[Part]:
     count = len(warning_table(source).rows)
     if not count:
         return []
-    told, what = ("1 warning stands", "it applies") if count == 1 else (f"{count} warnings stand", "they apply")
-    return [Warnings("Read the warnings", (f"{told} in the section Warnings, with what {what} to.",))]
+    counted, what = ("1 warning stands", "it applies") if count == 1 else (f"{count} warnings stand", "they apply")
+    return [Warnings("Read the warnings", (f"{counted} in the section Warnings, with what {what} to.",))]
 
 
 def _failures(entries: Sequence[dict[str, Any]]) -> list[Part]:

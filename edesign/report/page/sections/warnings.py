@@ -45,9 +45,9 @@ def warning_table(source: Source) -> Table:
         rows.append((f"{len(failed) - NAMED} more analyses", "Failed; the table of all analyses names them."))
     lines = [*input_warnings(source.archive), *record_warnings(source.archive), *design_warnings(source.archive)]
     rows += [_apart(line) for line in dict.fromkeys(lines)]
-    for told in grouped_warnings(source.groups):
-        if told.count == 1:
-            rows.append((told.worst, _sentence(told.text)))
+    for grouped in grouped_warnings(source.groups):
+        if grouped.count == 1:
+            rows.append((grouped.worst, _sentence(grouped.text)))
         else:
             where = f"{told.count} of {len(source.groups)} analyses"
             rows.append((where, _sentence(f"{told.alike}; most in {told.worst}: {told.text}")))
@@ -58,8 +58,8 @@ def record_warnings(archive: Archive) -> list[str]:
     """Return one sentence for each warning about sets of records and single records, with their names."""
     found = []
     for name in archive.names(RECORDS):
-        told = archive.group_attributes(f"{RECORDS}/{name}").get("warnings")
-        found += [f"records {name}: {text}" for text in (told if isinstance(told, Iterable) else ())]
+        stored = archive.group_attributes(f"{RECORDS}/{name}").get("warnings")
+        found += [f"records {name}: {text}" for text in (stored if isinstance(stored, Iterable) else ())]
     return found
 
 

@@ -15,7 +15,7 @@ from edesign.errors import InputError
 from edesign.study.run.backends.call import Call, Result, internal_error, log, perform
 from edesign.study.run.backends.state import program_state, refusal
 
-TELL_EVERY = 0.5  # s, between reports of one call
+REPORT_EVERY = 0.5  # s, between reports of one call
 
 Packed = bytes | int  # a pickle, or the number of one that all workers hold
 
@@ -48,13 +48,13 @@ class _RemoteControl:
     def __init__(self, share: str, key: str) -> None:
         self._worker = get_worker()
         self._share = share
-        self._told = time.monotonic()
+        self._reported = time.monotonic()
         self._worker.log_event(share, [key, 0, 0])
 
     def progress(self, key: str, done: int, total: int) -> None:
         now = time.monotonic()
-        if now - self._told >= TELL_EVERY:
-            self._told = now
+        if now - self._reported >= REPORT_EVERY:
+            self._reported = now
             self._worker.log_event(self._share, [key, int(done), int(total)])
 
     def stopped(self) -> bool:

@@ -54,7 +54,7 @@ def test_a_force_of_the_wrong_sign_or_unit_is_refused(tmp_path):
         damper_problem(small)
 
 
-def test_an_offset_is_not_told_as_a_wrong_unit(tmp_path):
+def test_an_offset_is_not_reported_as_a_wrong_unit(tmp_path):
     right = campaign(tmp_path, tests=4)
     size = max(float(np.max(np.abs(one.force))) for one in right.tests)
     first, *others = right.tests
@@ -76,7 +76,7 @@ def test_a_campaign_without_law_or_with_too_few_tests_is_refused(tmp_path):
         damper_problem(replace(right, tests=right.tests[1:]))
 
 
-def test_a_spike_is_told_with_its_time(tmp_path):
+def test_a_spike_is_reported_with_its_time(tmp_path):
     right = campaign(tmp_path, tests=4)
     first, *others = right.tests
     force = first.force.copy()

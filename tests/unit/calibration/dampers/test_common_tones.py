@@ -77,7 +77,7 @@ def test_a_tone_below_harmonics_of_the_fastest_motion_is_found_by_slower_tests()
     assert tones(motions, left) == pytest.approx((12.3,), abs=0.25 / DURATION)
 
 
-def test_tones_are_told_in_the_order_of_their_size() -> None:
+def test_tones_are_reported_in_the_order_of_their_size() -> None:
     motions = [sine(200.0, f, i) for i, f in enumerate((0.5, 1.0))]
     left = noise(motions, 6)
     for one, residual in zip(motions, left, strict=True):

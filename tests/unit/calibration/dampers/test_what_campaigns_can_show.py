@@ -19,16 +19,16 @@ def labels(tests: DamperProblem, name: str) -> set[str]:
     return {one.label for one in known.effects if one.name == name}
 
 
-def test_a_gain_that_changes_has_a_form_for_each_place_that_fitted_tests_tell() -> None:
+def test_a_gain_that_changes_has_a_form_for_each_place_that_fitted_tests_determine() -> None:
     tests = problem(tests=7)
     uses: tuple[Use, ...] = ("fit", "validate", "validate", "fit", "fit", "validate", "fit")
     tests = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
-    told = ("2_to_4", "5", "6_to_7")  # tests that are not fitted to may be before or after the change
-    places = {f"gain.{channel}_from_test_{first}" for channel in ("force", "displacement") for first in told}
+    reported = ("2_to_4", "5", "6_to_7")  # tests that are not fitted to may be before or after the change
+    places = {f"gain.{channel}_from_test_{first}" for channel in ("force", "displacement") for first in reported}
     assert labels(tests, "gain") == {"gain.force", "gain.displacement", *places}
 
 
-def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_tell_apart() -> None:
+def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_separate() -> None:
     tests = problem(tests=6)
     uses: tuple[Use, ...] = ("fit", "fit", "validate", "validate", "fit", "fit")
     tests = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
@@ -38,7 +38,7 @@ def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_tell_a
     told = by_label["gain.force_from_test_3_to_5"].confounded
     assert [one.label for one in told] == [f"gain.force_from_test_{first}" for first in (3, 4, 5)]
     values = np.array([[*tests.declared.values(), 0.1]])
-    for first, one in zip((3, 4, 5), told, strict=True):
+    for first, one in zip((3, 4, 5), reported, strict=True):
         (forces,) = tests.model((one,), ("fit", "validate")).forces(values)
         ratios = [float(np.max(f) / np.max(test.force)) for f, test in zip(forces, tests.experiments, strict=True)]
         assert ratios == pytest.approx([1.1 if order >= first else 1.0 for order in range(1, 7)], abs=1e-3)
@@ -68,7 +68,7 @@ def test_laws_of_the_temperature_need_tests_at_several(degrees: tuple[float, ...
     assert bool(labels(tests, "temperature_law")) == shown
 
 
-def test_three_temperatures_tell_no_width_of_a_transition() -> None:
+def test_three_temperatures_determine_no_width_of_a_transition() -> None:
     """Depth, middle and width are three numbers beside the force at the reference."""
     for degrees, names in (((20.0, 30.0, 20.4, 35.0, 30.5), ["d", "Tc"]), ((20.0, 30.0, 25.0, 35.0), ["d", "Tc", "w"])):
         tests = problem(tests=6, degrees=degrees)

@@ -206,9 +206,9 @@ def test_a_peak_read_too_large_is_no_part_of_the_damper(tmp_path: Path) -> None:
     assert [path.name for path in paths] == ["calibration.json", "law.yaml"]
     written = resolve(*read_law_file(tmp_path / "law.yaml"), None)
     assert written.values["k0"] == pytest.approx(K0, rel=0.03)
-    told = json.loads(paths[0].read_text())
-    assert told["rms_relative_error"]["corrected"]["validate"]["G_eq"] < 0.01
-    assert len(told["rows"]["corrected"]["G_eq"]) == len(told["rows"]["use"]) == 30
+    reported = json.loads(paths[0].read_text())
+    assert reported["rms_relative_error"]["corrected"]["validate"]["G_eq"] < 0.01
+    assert len(reported["rows"]["corrected"]["G_eq"]) == len(reported["rows"]["use"]) == 30
 
 
 @pytest.mark.slow
@@ -276,7 +276,7 @@ def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:
         (", parameters: thesis_table_4_2", "", "parameters"),
     ],
 )
-def test_wrong_campaigns_are_told_with_their_place(tmp_path: Path, old: str, new: str, message: str) -> None:
+def test_wrong_campaigns_are_reported_with_their_place(tmp_path: Path, old: str, new: str, message: str) -> None:
     assert old in THESIS
     path = tmp_path / "campaign.yaml"
     path.write_text(THESIS.replace(old, new))

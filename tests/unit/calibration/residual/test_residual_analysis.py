@@ -43,13 +43,13 @@ def path(example: Example) -> np.ndarray:
         (lambda e: 400.0 * e.time, "a force that rises with the time"),
     ],
 )
-def test_a_known_part_is_told_first(extra: object, words: str) -> None:
+def test_a_known_part_is_reported_first(extra: object, words: str) -> None:
     shape = described(extra)  # type: ignore[arg-type]
     # a trend is too slow to be sure of before the constant is taken away
     assert words in (shape if "time" in words else shape.split(", then")[0])
 
 
-def test_noise_alone_is_told_as_noise() -> None:
+def test_noise_alone_is_reported_as_noise() -> None:
     assert "all of it noise" in described()
     tests = campaign()
     # a share of white noise follows chance, (bins - 1)/n on average: below four times it for 22 dependences
@@ -63,7 +63,7 @@ def dependences(tests: list[Residual]) -> tuple[Dependence, ...]:
     return against(Pool(tests, cycles()[: len(tests)], samples))
 
 
-def test_nothing_left_is_told() -> None:
+def test_nothing_left_is_reported() -> None:
     assert described(noise=0.0) == "Nothing is left."
 
 

@@ -95,9 +95,11 @@ def test_what_people_read_names_the_effect_and_the_file(hard):
     assert text.startswith("Explained: the tests show elastic hardening at large strain (damper, k = ")
     assert "law.yaml has the corrected law with hardening.power." in text
     assert [table.title for table in tables_of(found)][0] == "Errors"
-    told = calibration_json(found)
-    assert told["effects"][0]["parameters"]["p"]["interval"][0] < 3.0 and told["law_file"]["stage"] == "corrected"
-    assert told["coverage"]["depths"][0]["adopted"] == ("hardening.power",)
+    reported = calibration_json(found)
+    assert (
+        reported["effects"][0]["parameters"]["p"]["interval"][0] < 3.0 and reported["law_file"]["stage"] == "corrected"
+    )
+    assert reported["coverage"]["depths"][0]["adopted"] == ("hardening.power",)
 
 
 @pytest.mark.parametrize(
@@ -162,7 +164,7 @@ def test_an_interrupt_keeps_what_was_found(tmp_path: Path, monkeypatch: pytest.M
     assert "The search was interrupted: there may be more effects" in verdict_text(found)
 
 
-def test_a_law_without_a_spring_is_told_to_be_another(tmp_path: Path):
+def test_a_law_without_a_spring_is_reported_to_be_another(tmp_path: Path):
     tests = campaign(tmp_path, tests=4)
     viscous = replace(tests, law=LawChoice("viscous", {"c": f"{C / 1e6} kN*s/mm"}))
     found = calibrate(viscous, replace(SETTINGS, depth=0), threads=1)

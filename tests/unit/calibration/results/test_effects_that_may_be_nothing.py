@@ -36,7 +36,7 @@ def fitted(mass: float, zero: float = 300.0) -> FittedModel:
     return model
 
 
-def test_a_size_that_may_be_nothing_is_taken_off_and_told() -> None:
+def test_a_size_that_may_be_nothing_is_taken_off_and_reported() -> None:
     model = fitted(mass=0.0)
     found = kept(unbounded(model.problem, SETTINGS), model)
     assert [one.label for one in found.model.effects] == ["offset.constant"]
@@ -46,7 +46,7 @@ def test_a_size_that_may_be_nothing_is_taken_off_and_told() -> None:
     assert why.startswith("the 95 % interval of mass, 0 to ") and why.endswith(" kg, holds zero")  # none is below zero
 
 
-def test_the_interval_of_a_size_is_told_in_units_of_a_laboratory() -> None:
+def test_the_interval_of_a_size_is_reported_in_units_of_a_laboratory() -> None:
     model = fitted(mass=2000.0, zero=0.0)
     (one,) = kept(unbounded(model.problem, SETTINGS), model).dropped
     low, high = re.fullmatch(r"the 95 % interval of \w+, (\S+) to (\S+) kN, holds zero", why_dropped(one)).groups()  # type: ignore[union-attr]
@@ -54,7 +54,7 @@ def test_the_interval_of_a_size_is_told_in_units_of_a_laboratory() -> None:
     assert model.effects[one.index].name == "offset" and -0.1 < float(low) < 0.0 < float(high) < 0.1
 
 
-def test_sizes_that_the_tests_tell_stay() -> None:
+def test_sizes_that_the_tests_determine_stay() -> None:
     found = kept(unbounded(problem(), SETTINGS), fitted(mass=2000.0))
     assert {one.name for one in found.model.effects} == {"inertia", "offset"} and found.dropped == ()
 

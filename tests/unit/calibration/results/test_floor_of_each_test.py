@@ -51,7 +51,7 @@ def test_one_test_among_many_is_found_though_all_together_are_at_the_floor(loud:
     assert not only_noise(errors, {use: floor.nrms(use) for use in USES}, worst)
 
 
-def test_the_worst_of_two_is_told():
+def test_the_worst_of_two_is_reported():
     floor, errors = floor_and_errors({2: 5.0, 6: 9.0})
     worst = floor.worst(errors)
     assert worst is not None and worst.name == "test 7"
@@ -64,7 +64,7 @@ def test_an_error_of_the_thermometer_is_allowed_for():
     assert replace(floor, thermal=tuple(thermal)).worst(errors) is None
 
 
-def test_tests_that_begin_alike_tell_what_does_not_repeat():
+def test_tests_that_begin_alike_show_what_does_not_repeat():
     """Ramps at one rate to several amplitudes and back: specimens of their own, whose stiffness scatters."""
     tests = problem(tests=3)
     tops = (4e-3, 6e-3, 8e-3)

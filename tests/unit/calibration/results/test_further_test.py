@@ -50,7 +50,7 @@ def test_tests_thought_of_are_no_larger_no_faster_and_no_warmer():
         assert 18.0 <= one.temperature <= 27.0
 
 
-def test_the_next_test_tells_a_hold_for_what_differs_at_rest():
+def test_the_next_test_is_a_hold_for_what_differs_at_rest():
     """Friction stays in a hold, a force of the velocity goes."""
     found = next_test(problem(), posterior(problem(), "friction.coulomb", "velocity_exponent.dashpot"))
     assert found is not None and set(found.separates) == {"friction.coulomb", "velocity_exponent.dashpot"}
@@ -61,7 +61,7 @@ def test_one_model_alone_needs_no_further_test():
     assert next_test(problem(), posterior(problem(), "hardening.power")) is None
 
 
-def test_a_test_made_again_tells_what_does_not_repeat():
+def test_a_test_made_again_shows_what_does_not_repeat():
     tests = problem(tests=4)
     random = np.random.default_rng(1)
     first = tests.experiments[0]

@@ -95,7 +95,7 @@ def test_an_effort_that_is_spent_ends_the_search_with_what_it_has() -> None:
     assert result.effort <= 40.0 + 40.0  # one batch of predictions at most beyond it
 
 
-def test_effects_that_tests_cannot_tell_apart_are_rivals() -> None:
+def test_effects_that_tests_cannot_separate_are_rivals() -> None:
     like = effect("bulge", "cubic", lambda p, i, u, v: p[0] * (u**3 + 0.02 * u**5))
     result = found(CurveProblem(effects=(*EFFECTS, like), truth=((CUBIC, (0.2,)),)))
     assert {result.best.effects[0].name, *(one.model.effects[0].name for one in result.rivals[0])} >= {

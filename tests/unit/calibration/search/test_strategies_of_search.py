@@ -90,7 +90,7 @@ def test_the_best_model_may_be_unsure_and_another_one_sure() -> None:
     assert result.best.names == {"small"} and "small.x" in [one.model.label for one in others]
 
 
-def test_a_size_that_two_tests_do_not_tell_from_nothing_is_none() -> None:
+def test_a_size_that_two_tests_do_not_separate_from_nothing_is_none() -> None:
     """0.05 and 0.21: Student's t of three degrees of freedom (halves of tests) has 95 % at 3.2 standard errors."""
     shape = columns(6)
     truth = linear("x", [a * x for a, x in zip((0.05, 0.21), shape, strict=False)])
@@ -227,7 +227,7 @@ def test_a_small_effect_that_another_one_explains_as_well_is_an_error_of_the_lar
     assert found(replace(problem, effects=(cubic, one))).best.names == {"hardening", "one"}
 
 
-def test_a_small_effect_that_came_in_a_pair_needs_to_be_told_from_others_too() -> None:
+def test_a_small_effect_that_came_in_a_pair_needs_to_be_separated_from_others_too() -> None:
     """Only the best model is fitted to the end, so that no rival of it is at hand."""
     problem, _ = small_beside_a_large_one()
     result = found(problem, beam=1)
@@ -317,8 +317,8 @@ def test_a_delay_is_no_mass_that_comes_near_to_it() -> None:
     others = (effect("lag", "filter", beside(0.3, 1e-3)), effect("lag", "second_order", beside(0.28, 1e-3)))
     mass = effect("inertia", "mass", beside(0.6, 0.052))
     search = found(CurveProblem(effects=(mass, *others, delay), truth=((delay, (0.5, 0.05)),)))
-    told = {search.best.label, *(one.model.label for rivals in search.rivals for one in rivals)}
-    assert "lag.delay" in told
+    reported = {search.best.label, *(one.model.label for rivals in search.rivals for one in rivals)}
+    assert "lag.delay" in reported
 
 
 def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:

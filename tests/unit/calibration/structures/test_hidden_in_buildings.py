@@ -170,8 +170,8 @@ def test_what_a_building_hides(made: Made, label: str, value: float, key: str, e
     assert _left(found, "corrected") == pytest.approx(NOISE, rel=0.1)
     text = corrected_texts(found, campaign)["structure.yaml"]
     block = yaml.safe_load(text)["structure"][key]
-    told = [block["ratio"], block["share"]] if key == "damping" else block
-    assert [float(one.split()[0]) for one in told] == pytest.approx(expected, rel=0.05)
+    reported = [block["ratio"], block["share"]] if key == "damping" else block
+    assert [float(one.split()[0]) for one in reported] == pytest.approx(expected, rel=0.05)
     assert ("in no file: flexible_base.sway" in text) == (label == "flexible_base.sway")
 
 

@@ -167,7 +167,7 @@ def test_file_becomes_si(folder: Path) -> None:
         (FIXED, "modes: [1, 2]", "modes: [1]", "modes"),
     ],
 )
-def test_mistakes_are_told_with_their_place(folder: Path, text: str, old: str, new: str, message: str) -> None:
+def test_mistakes_are_reported_with_their_place(folder: Path, text: str, old: str, new: str, message: str) -> None:
     assert old in text
     with pytest.raises(InputError) as error:
         load(folder, text.replace(old, new))

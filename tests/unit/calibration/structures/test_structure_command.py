@@ -83,14 +83,14 @@ def run(*arguments: object) -> tuple[int, str]:
 def test_from_the_command_to_the_files(folder: Path) -> None:
     code, text = run(folder / "campaign.yaml", "--output", folder / "out", "-w", 1)
     assert code == 0, text
-    told = json.loads((folder / "out" / "calibration.json").read_text())
-    (effect,) = told["effects"]
+    reported = json.loads((folder / "out" / "calibration.json").read_text())
+    (effect,) = reported["effects"]
     assert (effect["name"], effect["form"], effect["kind"]) == ("isolation_softening", "bouc_wen", "structure")
-    assert (told["verdict"], told["subject"]) == ("explained", "structure")
+    assert (reported["verdict"], reported["subject"]) == ("explained", "structure")
     low, high = effect["parameters"]["F"]["interval"]
     assert effect["parameters"]["F"]["value"] == pytest.approx(STRENGTH, rel=0.1) and low < STRENGTH < high
-    error = told["error"]["corrected"]
-    assert error["validate"] < 0.02 * told["error"]["refit"]["validate"]
+    error = reported["error"]["corrected"]
+    assert error["validate"] < 0.02 * reported["error"]["refit"]["validate"]
     assert set(error["tests"]) == {"small", "large", "other"}
     assert "other: acceleration of floor 1" in error["channels"]
     assert "Explained: the tests show smooth hysteresis in the isolation layer" in text
@@ -101,7 +101,7 @@ def test_from_the_command_to_the_files(folder: Path) -> None:
     assert beside.values["Fy"] == pytest.approx(effect["parameters"]["F"]["value"], rel=1e-5)
     assert (beside.law.name, beside.values["alpha"]) == ("bouc_wen", 0.0)
     layer = resolve(*read_law_file(folder / "out" / "law.yaml"), None)
-    assert layer.values["k"] == pytest.approx(told["parameters"]["corrected"]["k"]["value"], rel=1e-5)
+    assert layer.values["k"] == pytest.approx(reported["parameters"]["corrected"]["k"]["value"], rel=1e-5)
     written = yaml.safe_load((folder / "out" / "structure.yaml").read_text())
     again = yaml.safe_load(CAMPAIGN) | written
     (folder / "again.yaml").write_text(yaml.safe_dump(again))

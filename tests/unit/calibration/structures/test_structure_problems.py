@@ -95,7 +95,7 @@ def test_effects_of_no_size_do_nothing(tmp_path: Path, text: str) -> None:
         assert np.max(np.abs(some - measured)) > 1e-4, effect.label
 
 
-def test_what_can_be_told_is_a_parameter_or_an_effect(tmp_path: Path) -> None:
+def test_what_can_be_reported_is_a_parameter_or_an_effect(tmp_path: Path) -> None:
     isolated, fixed = (structure_problem(written(tmp_path, text)) for text in (ISOLATED, FIXED))
     assert [one.name for one in isolated.base] == ["storey_stiffness", "storey_damping", "k", "c"]
     assert fixed.base == ()

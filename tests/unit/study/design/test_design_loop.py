@@ -133,11 +133,11 @@ def test_strain_of_histories_is_taken_at_the_first_value_and_at_the_one_that_is_
     assert same(resumed.group, result.group) and not again.rounds
 
 
-def test_strain_that_does_not_settle_is_told(project: Project) -> None:
+def test_strain_that_does_not_settle_is_reported(project: Project) -> None:
     result = run(project, StrainedHistories(floor=-0.02), rounds=1, text=STRAINED.replace("20 mm", "200 mm"))
     assert result.status == "completed" and result.group.coords["round"].values.tolist() == [1]
-    told = [text for text in result.group.attributes["warnings"] if "in the histories, not the" in text]
-    assert len(told) == 1 and told[0].endswith("; more `rounds` bring the strains together")
+    reported = [text for text in result.group.attributes["warnings"] if "in the histories, not the" in text]
+    assert len(reported) == 1 and reported[0].endswith("; more `rounds` bring the strains together")
 
 
 def test_strain_of_histories_is_archived_for_any_design(project: Project) -> None:

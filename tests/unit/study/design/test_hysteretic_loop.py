@@ -126,7 +126,7 @@ def test_finished_rounds_of_an_archive_are_not_run_again(tmp_path: Path, text: s
     assert other.rounds[0] == 1
 
 
-def test_a_drift_that_no_share_meets_is_told() -> None:
+def test_a_drift_that_no_share_meets_is_reported() -> None:
     text = TEXT.replace("@", "shear_share: 30 %") + VERIFY.replace("@", "target")
     result = run(text, Histories(lambda share: 1.0 / (1.0 + share)))
     assert result.status == "failed" and "even the largest value, 1, misses: drift" in result.reason

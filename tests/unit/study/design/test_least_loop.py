@@ -100,8 +100,8 @@ def test_simplified_dampers_beyond_the_range_are_judged_by_histories(drift: floa
     alone = run_design(project, "tried", design(text, project), Path("."))
     assert alone.status == "failed" and "an estimate: with `verify` histories decide" in alone.reason
     spec = design(f"{text}, verify: {{records: shake, levels: DBE, criteria: drift}}", project)
-    (told,) = [one for one in first_warnings(project, "tried", spec, Path(".")) if "estimated drift" in one]
-    assert "that is an estimate, and histories decide" in told
+    (reported,) = [one for one in first_warnings(project, "tried", spec, Path(".")) if "estimated drift" in one]
+    assert "that is an estimate, and histories decide" in reported
 
     def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
         return {"only": Group()}

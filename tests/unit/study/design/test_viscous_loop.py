@@ -72,12 +72,12 @@ def test_finished_rounds_of_an_archive_are_not_run_again(tmp_path: Path, change:
     assert other.rounds[0] == 1
 
 
-def test_a_drift_that_no_damping_meets_is_told() -> None:
+def test_a_drift_that_no_damping_meets_is_reported() -> None:
     result = run(TEXT + VERIFY.replace("@", "coefficient"), Histories(stiffest=100.0))
     assert result.status == "failed" and "even the largest value, 10, misses: drift" in result.reason
 
 
-def test_least_coefficients_that_do_not_exist_are_told() -> None:
+def test_least_coefficients_that_do_not_exist_are_reported() -> None:
     least = TEXT.replace("damping: 8 %", "distribution: least_coefficient, drift: @ %")
     result = run(least.replace("@", "0.1"))
     assert result.status == "failed" and "still leave an estimated drift of" in result.reason

@@ -33,8 +33,8 @@ def warnings_of(text: str, alpha: str = "1") -> list[str]:
 
 def test_dampers_that_hold_their_storey() -> None:
     # c = 2 zeta sqrt(k m), so that omega c is 2 zeta k
-    (told,) = warnings_of("damping: 60 %")
-    assert "the dampers of storey 1 push 1.2 times as hard as its columns (omega c_eq over k_S" in told
+    (reported,) = warnings_of("damping: 60 %")
+    assert "the dampers of storey 1 push 1.2 times as hard as its columns (omega c_eq over k_S" in reported
     assert warnings_of("damping: 49 %") == []
 
 
@@ -56,8 +56,8 @@ def test_more_coefficient_than_adds_damping() -> None:
         return float(-s.real / abs(s))
 
     same = brentq(lambda x: damping(x) - damping(c), 1e-3 * c, 0.3 * c)
-    told = next(text for text in result.group.attributes["warnings"] if "beyond the size" in text)
-    found = re.search(r"they add ([\d.]+) %, and ([\d.]+) % of the coefficients", told)
+    reported = next(text for text in result.group.attributes["warnings"] if "beyond the size" in text)
+    found = re.search(r"they add ([\d.]+) %, and ([\d.]+) % of the coefficients", reported)
     assert found is not None
     assert [float(x) for x in found.groups()] == pytest.approx([100.0 * damping(c), 100.0 * same / c], rel=5e-3)
 
@@ -65,14 +65,14 @@ def test_more_coefficient_than_adds_damping() -> None:
 def test_a_damper_larger_than_those_that_are_made(monkeypatch: pytest.MonkeyPatch) -> None:
     assert warnings_of("damping: 8 %, level: DBE") == []
     monkeypatch.setattr(plausibility, "LARGEST_FORCE", 1e4)
-    (told,) = warnings_of("damping: 8 %, level: DBE")
-    assert "standard sizes end at 10 kN (Taylor Devices), so take more places or a larger `number` than 1" in told
+    (reported,) = warnings_of("damping: 8 %, level: DBE")
+    assert "standard sizes end at 10 kN (Taylor Devices), so take more places or a larger `number` than 1" in reported
 
 
 def test_an_amplitude_that_the_spectrum_does_not_have() -> None:
-    (told,) = warnings_of("damping: 8 %, level: DBE, amplitude: {roof_displacement: 10 mm}", "0.5")
+    (reported,) = warnings_of("damping: 8 %, level: DBE, amplitude: {roof_displacement: 10 mm}", "0.5")
     reached, ratio = (
-        float(x) for x in re.findall(r"reaches ([\d.]+) mm at DBE: there c_eq is ([\d.]+) times", told)[0]
+        float(x) for x in re.findall(r"reaches ([\d.]+) mm at DBE: there c_eq is ([\d.]+) times", reported)[0]
     )
     assert ratio == pytest.approx((reached / 10.0) ** -0.5, rel=5e-3) and ratio < 0.85
     assert warnings_of("damping: 8 %, level: DBE, amplitude: spectrum", "0.5") == []
@@ -83,5 +83,5 @@ def test_dampers_with_next_to_no_force_beside_the_strongest(monkeypatch: pytest.
     spec = design(TEXT + "storeys: all, damping: 8 %, level: DBE, distribution: storey_shear", made)
     assert first_warnings(made, "tried", spec, Path(".")) == []
     monkeypatch.setattr(plausibility, "LEAST_SHARE", 0.99)  # the upper storey has the smaller shear
-    (told,) = first_warnings(made, "tried", spec, Path("."))
-    assert "the dampers of storey 2 have less than 99 % of the strongest one's force" in told
+    (reported,) = first_warnings(made, "tried", spec, Path("."))
+    assert "the dampers of storey 2 have less than 99 % of the strongest one's force" in reported

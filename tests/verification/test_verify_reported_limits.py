@@ -60,7 +60,7 @@ def values(group: Group, name: str) -> np.ndarray:
     return np.asarray(group.variables[name].values, dtype=float)
 
 
-def told(group: Group, kind: str) -> list[AnalysisWarning]:
+def reported(group: Group, kind: str) -> list[AnalysisWarning]:
     return [warning for warning in warnings_of(group) if warning.kind == kind]
 
 
@@ -106,7 +106,7 @@ hinges:
     parameters: {{M_y: 140 kN*m, theta_p: 0.02 rad, theta_pc: 0.12 rad, theta_u: 0.2 rad}}"""
     push = "{name: push, kind: pushover, pattern: uniform, roof_drift: 0.2 %, steps: 4}"
     group = result(project(tmp_path, "HEB200", STEEL, more, push))
-    found = told(group, "hinge_axial")
+    found = reported(group, "hinge_axial")
     assert len(found) == expected
     if expected:
         most = np.abs(values(group, "column_axial_force_min")).max()
@@ -128,7 +128,7 @@ dampers:
     design_displacement: 200 mm
 damping: {kind: stiffness_proportional, ratio: 2 %, period: 0.3 s}"""
     group = result(project(tmp_path, "HEB300", ELASTIC, more, SHAKE))
-    (found,) = told(group, "isolator_height")
+    (found,) = reported(group, "isolator_height")
     weight = (60e3 + 30e3) * 6.0
     moved = max(float(values(group, "base_displacement_max")), -float(values(group, "base_displacement_min")))
     shear = max(float(values(group, "storey_shear_max")[0]), -float(values(group, "storey_shear_min")[0]))

@@ -33,7 +33,7 @@ def limit(seconds: float) -> Iterator[None]:
         signal.signal(signal.SIGPROF, before)
 
 
-def told(words: list[str]) -> tuple[int | str, str]:
+def outcome(words: list[str]) -> tuple[int | str, str]:
     """Exit code and standard error of a command; of one that is stopped or breaks off the name of the reason."""
     errors = io.StringIO()
     try:

@@ -42,17 +42,17 @@ def test_a_gain_that_changed_begins_where_validation_tests_say(first: int) -> No
     def error(of: FittedModel) -> float:
         return validation_error(tests, of.effects, of.fit.values)
 
-    told = placed(model, error)
-    assert told.label == f"gain.force_from_test_{first}"
-    assert told.effects[0].data.constants == {"first_test": float(first)}
-    assert np.array_equal(told.fit.values, model.fit.values) and told.nrms == model.nrms
-    assert error(told) < 1e-9  # the tests have no noise; a gain of 8 % at the wrong place leaves 0.6 % of the power
-    assert validated(fitter, Kept(told), error(refit), error).model is told
+    reported = placed(model, error)
+    assert reported.label == f"gain.force_from_test_{first}"
+    assert reported.effects[0].data.constants == {"first_test": float(first)}
+    assert np.array_equal(reported.fit.values, model.fit.values) and reported.nrms == model.nrms
+    assert error(reported) < 1e-9  # the tests have no noise; a gain of 8 % at the wrong place leaves 0.6 % of the power
+    assert validated(fitter, Kept(reported), error(refit), error).model is reported
     if first == 3:
         assert error(model) > error(refit)  # which had the effect refused
 
 
-def test_what_fitted_tests_tell_is_left_as_it_is() -> None:
+def test_what_fitted_tests_determine_is_left_as_it_is() -> None:
     tests = problem(tests=5)
     tests = replace(tests, typical=Sizes.of(tests.experiments))
     (sought,) = (one for one in tests.effects if one.label == "gain.force_from_test_3")
