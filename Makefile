@@ -242,7 +242,7 @@ docs-keys: setup
 messages: setup
 	@$(PY) -m tools.messages --write
 
-# The theme tells at each build of its successor: we know (pyproject.toml). With --quiet warnings would not count.
+# The theme warns at each build of its successor: we know (pyproject.toml). With --quiet warnings would not count.
 docs: $(STAMPS)/docs
 	@NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict >$(STAMPS)/docs.log 2>&1 || \
 	    { grep -Ev '^(INFO|DEBUG) ' $(STAMPS)/docs.log >&2; exit 1; }

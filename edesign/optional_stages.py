@@ -1,7 +1,7 @@
 """Stages that a result can do without, such as figures, pages and advice: where one fails, the result stands.
 
 A command writes its result first, and puts what comes after it into `optional`. A failure there is noted with its
-reason; the command goes on, tells of it at its end, and ends with the exit code of `StageFailed`. Outside of a command,
+reason; the command goes on, reports it at its end, and ends with the exit code of `StageFailed`. Outside of a command,
 in Python, a failure is a warning `StageFailedWarning`, which tests take for an error.
 """
 

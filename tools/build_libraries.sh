@@ -15,7 +15,7 @@ prefix="$(cd "$1" && pwd)"
 scratch="$(mktemp -d)"
 trap 'rm -rf "$scratch"' EXIT
 
-# What was released under a tag is told by its commit: a tag can be moved, a commit cannot.
+# What was released under a tag is identified by its commit: a tag can be moved, a commit cannot.
 suitesparse_git=https://github.com/DrTimothyAldenDavis/SuiteSparse.git
 suitesparse_tag=v7.8.3 suitesparse_commit=d3c4926d2c47fd6ae558e898bfc072ade210a2a1
 sundials_git=https://github.com/LLNL/sundials.git

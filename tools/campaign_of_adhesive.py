@@ -23,7 +23,7 @@ from edesign.damper.testing.specimen import Specimen
 
 SPECIMEN = Specimen("acrylic adhesive", 1, 100e-6, 0.13e-3)
 LAW = LawChoice("zener", {"k0": "1.5 N/mm", "k1": "7 N/mm", "c1": "2400 N*s/mm"})  # fits the slowest test alone
-TEMPERATURE = 20.0  # degC; not told with the data
+TEMPERATURE = 20.0  # degC; not given with the data
 
 
 def from_rest(test: DamperTest) -> DamperTest:

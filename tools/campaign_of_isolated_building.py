@@ -4,7 +4,7 @@
 
 FOLDER/building/campaign.yaml names the runs where they are, with base motion in and floor motion out.
 FOLDER/layer/campaign.yaml and its CSV files are damper tests of the isolation layer: its drift, and minus the sum of
-mass times acceleration over the floors. Masses are not told with the data; with equal ones of 75 t results per mass
+mass times acceleration over the floors. Masses are not given with the data; with equal ones of 75 t results per mass
 are right. One run is held out (ICA50 if not said), the others are fitted to. The declared layer is a spring and a
 dashpot that fit the run of the smallest drift, CNP100, alone.
 """

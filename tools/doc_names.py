@@ -229,7 +229,7 @@ def missing_sections(text: str, page: Path) -> Iterator[tuple[int, str]]:
 
 
 def unproven_sections(text: str) -> Iterator[tuple[int, str]]:
-    """Yield line and heading of what tells what was verified and names no test, and rows of it without test or link.
+    """Yield line and heading of what says what was verified and names no test, and rows of it without test or link.
 
     Such a section has a heading with "verified", "verification" or "checked against" in it. Where one of its tables
     has a column `test`, or rows that name one, all rows name one or lead to a section that does.

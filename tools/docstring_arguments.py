@@ -25,7 +25,7 @@ these those their they one ones all any each every other others whose has have i
 
 VAGUE = """block file given label list made name named number open own path read result row table thing validated value
 whole written checked found core model unit text parsed""".split()
-"""Words that are true of most arguments, and tell none from another."""
+"""Words that are true of most arguments, and distinguish none from another."""
 
 SAYS = re.compile(
     r'[0-9(;:=<>/_|`"]|None|True|False|default|, |[A-Z]{3}'  # values, symbols, names, a second clause

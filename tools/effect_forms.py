@@ -175,7 +175,7 @@ def _of_structures(s: StructureSizes, symbol: str, times: float) -> StructureSiz
 def _scaled(
     number: Callable[[Any], float], sizes: Any, of: Callable[[Any, str, float], Any], symbols: Any, unit: str
 ) -> str:
-    """Return a number as a multiple of what it goes with, as 0.5 F/u; as it is where it goes with nothing alone."""
+    """Return a number as a multiple of what it scales with, as 0.5 F/u; as it is where it scales with nothing alone."""
     value = number(sizes)
     if not value or not math.isfinite(value):
         return _digits(value)

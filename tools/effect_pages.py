@@ -40,7 +40,7 @@ _HEAD = "| effect | equation | acts on | parameters and priors |\n|---|---|---|-
 
 
 def page_of(row: Row) -> str:
-    """Return the page, without its ending, that tells of a form.
+    """Return the page, without its ending, that describes a form.
 
     Args:
         row: the form.

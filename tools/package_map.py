@@ -59,7 +59,7 @@ HEAD = """# Map of the packages
 <!-- written by tools/package_map.py from the docstrings of the packages: change these -->
 
 Every folder of the repository stands here with what it holds. The text of a package is its
-docstring; the docstring of a module, on its first line, tells what the module holds.
+docstring; the docstring of a module, on its first line, says what the module holds.
 """
 
 

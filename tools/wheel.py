@@ -1,4 +1,4 @@
-"""Build a wheel that carries its shared libraries, from a source distribution, and tell what is in it.
+"""Build a wheel that carries its shared libraries, from a source distribution, and print what is in it.
 
 Usage: wheel.py [--folder dist] [WHEEL]
 
@@ -6,7 +6,7 @@ Makes FOLDER/edesign-VERSION.tar.gz of the files that git tracks; outside git, o
 that alone it makes FOLDER/edesign-VERSION-cp311-abi3-PLATFORM.whl, into which auditwheel (Linux) or delocate (macOS)
 has copied SuiteSparse and SUNDIALS. With WHEEL nothing is built, and that wheel is looked at.
 
-Exit code 1 if the wheel lacks a file of the package or a licence, links what it does not carry, or tells where it was
+Exit code 1 if the wheel lacks a file of the package or a licence, links what it does not carry, or says where it was
 built. Needs the extra `wheel`. EDESIGN_CFLAGS, SUITESPARSE_ROOT and SUNDIALS_ROOT work as in every build.
 """
 

@@ -35,7 +35,7 @@ What to know of OpenSees when comparing:
 - with elastic-perfectly-plastic fibres plain Newton fails in a few steps of a strong history (4 to 14 of 5372, more
   with a tighter test), which the fallbacks then take; halved steps change the answer a little, see above;
 - EnergyIncr is in J and NormDispIncr in m and rad: both change their meaning with the units;
-- `analyze(n, dt)` stops at the first failing step with the last committed state; `getTime` tells which one;
+- `analyze(n, dt)` stops at the first failing step with the last committed state; `getTime` says which one;
 - relative displacements, velocities and accelerations are reported; total acceleration = nodeAccel + ground;
 - there is one domain per process: every function here wipes it.
 """

@@ -1,4 +1,4 @@
-"""What a hidden effect is: where it acts, what it draws, and what it tells the judge."""
+"""What a hidden effect is: where it acts, what it draws, and what the judge knows of it."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ class ForceFrom(Gain):
 
 
 class ForceAll(ForceFrom):
-    """Beside a law that is known to be true; else nobody could tell it from the law's moduli."""
+    """Beside a law that is known to be true; else nobody could separate it from the law's moduli."""
 
     form, all_tests, needs = "force_all", True, "trusted"
 

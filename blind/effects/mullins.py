@@ -12,7 +12,7 @@ from blind.programme import Trial
 
 
 class Scragging(Effect):
-    """Virgin stiffness that goes with the work of a spring: D = exp(-sum |u| |du| / w)."""
+    """Virgin stiffness that depends on the work of a spring: D = exp(-sum |u| |du| / w)."""
 
     name, kind, form, memory = "mullins", "damper", "scragging", True
     most = 3.0
@@ -59,7 +59,7 @@ class Damage(Effect):
 
 
 class CycleCount(Effect):
-    """Excess stiffness that goes with the number of cycles, counted by path over four times the largest strain."""
+    """Excess stiffness that depends on the number of cycles, counted by path over four times the largest strain."""
 
     name, kind, form, memory = "mullins", "damper", "cycle_count", True
     most = 3.0

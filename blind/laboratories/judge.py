@@ -70,7 +70,7 @@ def judge(
 def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | None:
     """How many parameters of the law have an interval that holds the true value, and how many were fitted.
 
-    None where they are told otherwise: of the MGMM at 20 degC, and beside effects that share what the law does.
+    None where they are given otherwise: of the MGMM at 20 degC, and beside effects that share what the law does.
     """
     if truth["law"] == "mgmm" or any(e["name"] in NOT_COMPARED for e in truth["effects"]):
         return None

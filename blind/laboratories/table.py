@@ -24,7 +24,7 @@ def line(score: Score) -> str:
     about = f"{score['name']:15s} {score['seconds']:5.0f} s  {_word(score):8s} {hidden}: "
     if score["failure"]:
         return about + score["failure"]
-    ratio = "no error told" if score["ratio"] is None else f"{score['ratio']:.3g} x floor"
+    ratio = "no error given" if score["ratio"] is None else f"{score['ratio']:.3g} x floor"
     return f"{about}{_names(score)}; {score['verdict']}, {ratio}"
 
 

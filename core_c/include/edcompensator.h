@@ -189,7 +189,7 @@ static inline double ed_compensator_filter(const ed_compensator_parameters *p, d
   return x;
 }
 
-/* M alpha = W by Cholesky's factors of the correlation matrix, in which no unit counts; 0: what is measured does not tell the three
+/* M alpha = W by Cholesky's factors of the correlation matrix, in which no unit counts; 0: what is measured does not determine the three
  * coefficients apart. */
 static inline int ed_compensator_solve(ed_compensator *s, const double M[6], const double W[3], double alpha[3])
 {

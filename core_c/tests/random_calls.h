@@ -1,5 +1,5 @@
 /* Random calls of the public interface, in the order of its life cycles and out of it: what they are given is right, wrong or absurd.
- * A seed tells all of it. What must hold: a status of the list, finite results with ED_OK, nothing changed by a step that failed; and
+ * A seed fixes all of it. What must hold: a status of the list, finite results with ED_OK, nothing changed by a step that failed; and
  * no sanitizer has anything to say. */
 #ifndef RANDOM_CALLS_H
 #define RANDOM_CALLS_H

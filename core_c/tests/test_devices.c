@@ -333,7 +333,7 @@ static void check_carrying(void)
   }
 }
 
-/* A dashpot whose force goes with what presses on a spring while the ground lifts both: at every step its law times N / weight. */
+/* A dashpot whose force is proportional to what presses on a spring while the ground lifts both: at every step its law times N / weight. */
 static void check_pressed(void)
 {
   enum { STEPS = 400 };

@@ -130,7 +130,7 @@ static void check_length(void)
   ed_damper_free(damper);
 }
 
-/* A stiff brace leaves the dashpot alone, whose force goes with a power of the velocity that is flat or steep at rest: nothing overshoots,
+/* A stiff brace leaves the dashpot alone, whose force follows a power of the velocity that is flat or steep at rest: nothing overshoots,
  * and what comes is as without brace. */
 static void check_stiff(void)
 {

@@ -89,7 +89,7 @@ static void check_first_step_beyond(double share, int every, int piece)
   ed_model_free(model);
 }
 
-/* Of several channels the one furthest beyond its limit; limits go with their channels. */
+/* Of several channels the one furthest beyond its limit; limits belong to their channels. */
 static void check_several(void)
 {
   ed_model *model = frame_model(FRAME);

@@ -87,8 +87,8 @@ int main(void)
         const long failing = all <= FAILURES ? i + 1 : 1 + i * (all - 1) / (FAILURES - 1);
         for (int on = 0; on < 2; on++) {
           const long before = checks_failed();
-          const long told = live(lives[kind], seed, failing, on ? LONG_MAX : failing);
-          CHECK(told > 0 || allocations < failing); /* a call of another speed may have been given up before */
+          const long counted = live(lives[kind], seed, failing, on ? LONG_MAX : failing);
+          CHECK(counted > 0 || allocations < failing); /* a call of another speed may have been given up before */
           if (checks_failed() > before)
             printf("life cycle %d, seed %llu, allocation %ld of %ld%s\n", kind, seed, failing, all, on ? " and all after it" : "");
           failures++;

@@ -1,5 +1,5 @@
 /* Dampers integrated as one system: the same input gives the same bits; each damper's force does not depend on its companions; true
- * tangents; errors follow the tolerance; events of all are honoured; steps of any length; failures are told. */
+ * tangents; errors follow the tolerance; events of all are honoured; steps of any length; failures are reported. */
 #include "checks.h"
 #include "damper/law.h"
 #include "damper/ode_system.h"

@@ -226,7 +226,7 @@ static void check_refusals(void)
   refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &SPRING, ED_PLACE_DASHPOTS, ED_E_ARGUMENT,
           "effect hardening.power: it is a force of its own, and only factors act on springs or dashpots alone");
   refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &(effect){ED_EFFECT_ONE_SIDED_FORCE, 2, {0.3, 1.0}}, ED_PLACE_SPRINGS,
-          ED_E_ARGUMENT, "goes with the law's force");
+          ED_E_ARGUMENT, "is proportional to the law's force");
   refused(ED_LAW_BOUC_WEN, 7, bouc_wen, &PATH, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "that of law bouc_wen is not");
   refused(ED_LAW_VISCOUS, 1, viscous, &PATH, ED_PLACE_DASHPOTS, ED_E_ARGUMENT, "that of law viscous is not");
   refused(ED_LAW_MGMM, 12, MGMM, &(effect){ED_EFFECT_CONSTANT, 1, {-1.0}}, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "greater than 0");

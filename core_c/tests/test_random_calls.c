@@ -51,7 +51,7 @@ int main(int arguments, char **argument)
   const unsigned long long first = arguments > 1 ? strtoull(argument[1], NULL, 10) : 1;
   const time_t end = arguments > 2 ? time(NULL) + atol(argument[2]) : 0;
   const unsigned long long last = end ? ULLONG_MAX : first + (arguments > 1 ? 0 : FEW - 1);
-  /* a process of its own, so that the seed can be told whatever ends it: a sanitizer, a signal, a call that hangs */
+  /* a process of its own, so that the seed can be printed whatever ends it: a sanitizer, a signal, a call that hangs */
   volatile unsigned long long *at = mmap(NULL, sizeof *at, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (at == MAP_FAILED)
     return 1;

@@ -24,7 +24,7 @@ static void tests(ed_test test[TESTS], double rest)
 }
 
 /* The second of two tests by the formulas, from what the first has left and a rest has changed: of a spring alone, as factors and forces
- * go with k u of a Kelvin damper. s, M, a, x, q: at the end of the first. */
+ * depend on k u of a Kelvin damper. s, M, a, x, q: at the end of the first. */
 static void check_rests(void)
 {
   enum { PATH, ELASTIC, MAXIMUM, DAMAGE, ENVELOPE, NETWORK, HEAT, PRESLIDING, KINDS };

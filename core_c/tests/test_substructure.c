@@ -228,7 +228,7 @@ static int limits_met(const ed_substructure_input *input)
   return met;
 }
 
-/* The piston comes to the command, the specimen short of it by the give of the rig; limits that are met are told. */
+/* The piston comes to the command, the specimen short of it by the give of the rig; limits that are met are reported. */
 static void test_servo_hydraulic(void)
 {
   ed_compensator_parameters c;

@@ -246,7 +246,7 @@ static void check_order(void)
   }
 }
 
-/* Tests begin where the analysis stood when the loop was made, again and again; what fails is told, and leaves no run behind. */
+/* Tests begin where the analysis stood when the loop was made, again and again; what fails is reported, and leaves no run behind. */
 static void check_life(void)
 {
   int node[2], done, status;

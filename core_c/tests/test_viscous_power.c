@@ -43,7 +43,7 @@ static void check_slope(double alpha)
   free_rig(&device);
 }
 
-/* At rest the slope is finite, force and slope go with the chord, and the power begins where it ends. */
+/* At rest the slope is finite, force and slope are those of the chord, and the power begins where it ends. */
 static void check_rest(double alpha)
 {
   int status;

@@ -59,7 +59,7 @@ def check_folder(folder: Path) -> None:
 def try_folder(folder: Path) -> None:
     """Check that files can be written into a folder, or that it can be made, by making and removing another one there.
 
-    Rights alone do not tell: to an administrator all folders seem to be writable, those of `/proc` too.
+    Rights alone do not decide: to an administrator all folders seem to be writable, those of `/proc` too.
 
     Raises:
         ArchiveError: they cannot, or it cannot.

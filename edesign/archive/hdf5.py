@@ -23,7 +23,7 @@ from edesign.archive.dataset import Group, Variable
 LIBRARY_VERSIONS = ("v108", "v108")
 BOOLEAN_MARK = "bool"  # xarray's convention: whole numbers with the attribute dtype = "bool"
 DIMENSIONS = "dimensions"
-"""Attribute of a group: the dimensions of each variable, which otherwise only lists in HDF5's heap would tell."""
+"""Attribute of a group: the dimensions of each variable, which otherwise only lists in HDF5's heap would have."""
 HEADER_LIMIT = 1 << 13  # bytes; a chunked dataset needs 2 to 3 kB for its index alone
 HEADER_MOST = 60_000  # bytes; a message of a header holds 64 kB
 CHUNK = 1 << 16  # bytes, about; HDF5 keeps up to 1 MB of chunks at hand
@@ -96,7 +96,7 @@ def put(target: h5py.Group, group: Group) -> None:
 
 
 def _attach_scales(target: h5py.Group) -> None:
-    """Tell other programs which coordinates belong to the axes of variables; copies of HDF5 lose such references."""
+    """Show other programs which coordinates belong to the axes of variables; copies of HDF5 lose such references."""
     for name, dims in decode(bytes(target.attrs.get(DIMENSIONS, b"json:{}")).decode()).items():
         for axis, dimension in enumerate(dims if dims != [name] else ()):
             target[name].dims[axis].attach_scale(target[dimension])

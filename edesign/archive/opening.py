@@ -23,7 +23,7 @@ class Opened:
 
     Attributes:
         tree: its groups.
-        sealed: whether a checksum has told that every byte of them is as it was written.
+        sealed: whether a checksum has shown that every byte of them is as it was written.
         readable: number of groups that can be read; 0 where `sealed`.
         damage: why others cannot be, by their places.
     """

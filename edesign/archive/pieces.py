@@ -124,7 +124,7 @@ class PieceFile:
 
     @property
     def path(self) -> Path | None:
-        """The present path of the file, if the system tells it and the file has not been deleted."""
+        """The present path of the file, if the system knows it and the file has not been deleted."""
         try:
             if os.fstat(self._descriptor).st_nlink:
                 return Path(os.readlink(f"/proc/self/fd/{self._descriptor}"))

@@ -40,7 +40,7 @@ class Archive:
         path: the file.
         attributes: those of the root group (title, status, versions, checksum ...).
         damage: why each group that cannot be read is left out, by its place.
-        sealed: whether checksums have told that every byte of its groups is as it was written.
+        sealed: whether checksums have shown that every byte of its groups is as it was written.
 
     Raises:
         ArchiveError: missing, unreadable, damaged, or not an archive of edesign.
@@ -134,7 +134,7 @@ class Archive:
         Values are read first, unit and long name when these are asked for.
 
         What is asked for must be so while the archive is open. Of an archive without a seal all is read at once,
-        as only then the checksum of the group tells whether it is as it was written.
+        as only then the checksum of the group shows whether it is as it was written.
 
         Raises:
             ArchiveError: there is no such group, it is damaged, or a variable is asked for after the archive was

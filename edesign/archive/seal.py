@@ -1,7 +1,7 @@
 """The seal of a complete archive: a line of text behind its HDF5 content, with the SHA-256 of every byte before it.
 
 HDF5 checks its own structures and, where asked, chunks of data, but a page of zeros passes for data, and some of its
-tables have no checksum. The seal tells of every changed byte before the library reads one. Readers of HDF5 do not
+tables have no checksum. The seal reveals every changed byte before the library reads one. Readers of HDF5 do not
 look behind the end that the file itself names, so the line is in nobody's way.
 """
 

@@ -59,7 +59,7 @@ class Tree:
     Args:
         file: open for reading.
         size: of the file, bytes.
-        trusted: a seal has told that every byte is as it was written; checksums of groups are then not computed.
+        trusted: a seal has shown that every byte is as it was written; checksums of groups are then not computed.
 
     Attributes:
         layout: version of the layout; None if the file is none of edesign.
@@ -83,7 +83,7 @@ class Tree:
         found = decode(stored["edesign_archive"]) if "edesign_archive" in stored else None
         self.layout = found if found is None or isinstance(found, int) else str(found)
         if self.layout == 1 and CONTENT_CHECKSUM in stored:
-            self.layout = FORMAT  # layout 1 has no checksums: the mark is not as it was written, as its checksum tells
+            self.layout = FORMAT  # layout 1 has no checksums: the mark is not as it was written, as its checksum shows
 
     def has(self, path: str) -> bool:
         """Return whether something is at a path.

@@ -26,7 +26,7 @@ from edesign.stopping import uninterrupted
 
 Found = TypeVar("Found")
 PARTIAL_SUFFIX = ".partial"
-_ASIDE_SUFFIX = ".joining"  # no longer than the other, so that names that are too long are told before a run
+_ASIDE_SUFFIX = ".joining"  # no longer than the other, so that names that are too long are refused before a run
 _MARGIN = 1 << 20  # bytes of the joined file beyond those of its parts
 
 
@@ -210,7 +210,7 @@ class ArchiveWriter:
         as it is.
 
         Raises:
-            ArchiveError: it is elsewhere now; `partial` tells where.
+            ArchiveError: it is elsewhere now; `partial` says where.
             OSError: it cannot be written again.
         """
         place, folder = self.partial, self.partial.parent

@@ -9,7 +9,7 @@ from edesign.assess.envelopes import peak, residual
 
 
 def storey_profile(group: Group) -> dict[str, np.ndarray]:
-    """Return the peaks over the height, from the lowest storey up; each floor goes with the storey below it.
+    """Return the peaks over the height, from the lowest storey up; each floor belongs to the storey below it.
 
     Args:
         group: results of one analysis, as archived.

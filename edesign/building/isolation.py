@@ -219,7 +219,7 @@ def _widths(frame: Frame) -> dict[str, float]:
 
 
 def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
-    """A size goes with a prototype, a scale without one and without the weight; law files are known only here."""
+    """A size needs a prototype, a scale needs none and no weight of the law; law files are known only here."""
     if law.layers is None and (item.layers or item.layer_area or item.layer_thickness):
         raise InputError(f"{where}: the law `{item.law}` has no `prototype` whose size could be changed [E-DEVICE-01]")
     if isinstance(item, Isolator) and item.weight is not None and law.law.law != WEIGHED:

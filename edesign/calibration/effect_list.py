@@ -118,7 +118,7 @@ def effects_named(name: str) -> tuple[KnownEffect, ...]:
     """Return the effects of a name: of dampers and of structures, some have the same.
 
     Raises:
-        InputError: there is none; tells the nearest name.
+        InputError: there is none; names the nearest one.
     """
     every = known_effects()
     found = tuple(effect for effect in every if effect.name == name)

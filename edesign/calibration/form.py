@@ -35,7 +35,7 @@ class Form(Generic[A, S]):
         starts: values, SI, to start from: a grid over what acts non-linearly, at a typical size; six at most.
         constants: numbers that the campaign fixes (a reference, a side), SI; they are in the values of mechanisms too.
         shown: whether a campaign can show it.
-        proportional: whether what it does goes with its size, about nothing at zero.
+        proportional: whether what it does is proportional to its size near zero.
         meanings: of parameters by name, for people, as far as no law file has them.
         confounded: forms that do the same in all tests that are fitted, and something else in others; (): none.
     """

@@ -43,10 +43,10 @@ def calibrate(
             of a damper first.
         settings: numbers of the search, its effort among them.
         threads: of predictions, at most so many. Results do not depend on it.
-        progress: told what is done.
+        progress: called with what is done.
 
     Returns:
-        Errors before and after, effects, and what the tests cannot tell; of a table a `PropertyCalibration`.
+        Errors before and after, effects, and what the tests cannot decide; of a table a `PropertyCalibration`.
 
     Raises:
         InputError: the campaign is wrong, or its model cannot predict the tests or be fitted to them.
@@ -106,7 +106,7 @@ def with_fitted_law(campaign: DamperCampaign, threads: int = 1, progress: Progre
     Args:
         campaign: tests, and a law.
         threads: at most so many.
-        progress: told that the law is fitted.
+        progress: called when the law is fitted.
 
     Raises:
         InputError: the law cannot be fitted to these tests.

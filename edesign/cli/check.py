@@ -29,7 +29,7 @@ def check(
         Path | None,
         typer.Argument(help="With --figure: the file, .pdf, .html, .svg or .png; by default beside the first one."),
     ] = None,
-    figure: Annotated[bool, typer.Option("--figure", help="Draw the model, and tell where.")] = False,
+    figure: Annotated[bool, typer.Option("--figure", help="Draw the model, and print where.")] = False,
 ) -> None:
     """Check a file of any kind: a project with its records and frame, tests, laws, suites, ...; print a summary."""
     if drawing is not None and not figure:
@@ -90,7 +90,7 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
                     " [E-CLI-05]"
                 )
             return found
-    return check_project(_drawn(load_project(file), target))  # which tells what is wrong about a file that is none
+    return check_project(_drawn(load_project(file), target))  # which says what is wrong about a file that is none
 
 
 def _drawn(model: Drawable, target: Path | None) -> Drawable:
@@ -98,7 +98,7 @@ def _drawn(model: Drawable, target: Path | None) -> Drawable:
     if target is not None:
         from edesign.report.model_drawings import draw_model
 
-        with optional("the drawing of the model", passing=(InputError,)):  # which the check would tell of too
+        with optional("the drawing of the model", passing=(InputError,)):  # which the check would report too
             for path in draw_model(model, target):
                 print(f"{'figure:':<11} {path}")
     return model

@@ -74,7 +74,7 @@ def compare(
 
 
 def _check_kinds(archive: Path, reference: Path) -> None:
-    """Tell what the command needs of who names two archives, or both files in the other order."""
+    """Say what the command needs to who names two archives, or both files in the other order."""
     first, second = kind_of(archive), kind_of(reference)
     if second == ARCHIVE and first == REFERENCE:
         raise InputError(f"{archive}: the archive comes first: `edesign compare {reference} {archive}` [E-CLI-05]")

@@ -116,7 +116,7 @@ def fit(
         check_own_yaml(place / "law.yaml", source, overwrite)
     options: dict[str, Any] = {"starts": starts, "seed": seed, "loss": loss, "workers": workers}
     options["temperature"] = temperature
-    plans = []  # mistakes in any of them are told before the first fit
+    plans = []  # mistakes in any of them are reported before the first fit
     for item in laws:
         begin = read.read_starts(item, start or [], given.law, alone)
         own = options | {
@@ -159,8 +159,8 @@ def fit(
     finally:  # an interrupt does not take what is fitted by then with it
         found = list(results.values())
         if json_output and found:
-            results = [_json(result) for result in found]
-            print(json.dumps(results[0] if alone else results, indent=1, allow_nan=False))
+            texts = [_json(result) for result in found]
+            print(json.dumps(texts[0] if alone else texts, indent=1, allow_nan=False))
         elif found and not quiet:
             with optional("the tables"):
                 fits, outs = [result.fit for result in found], [result.held_out for result in found]
@@ -236,7 +236,7 @@ def _write(result: _Result, given: FitInput, folder: Path, source: Path) -> None
 
 
 def _progress(name: str) -> Progress:
-    """Tell on standard error which start of which law is done."""
+    """Print on standard error which start of which law is done."""
 
     def tell(what: str, done: int, of: int) -> None:
         progress_line(f"{name}: {what} {done}/{of}")

@@ -15,7 +15,7 @@ from edesign.report.archive.document import write_page
 from edesign.report.pdf.document import write_pdf
 
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
-LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some hundred figures
+LINE_EVERY = 10  # of its lines elsewhere; the largest reports have some hundred figures
 
 
 def report(

@@ -20,7 +20,7 @@ class Code:
     Attributes:
         name: as in a project file.
         title: for people.
-        set_rules: for a set of motions, of ultimate limit states where the code tells them apart.
+        set_rules: for a set of motions, of ultimate limit states where the code distinguishes them.
     """
 
     name: str

@@ -210,7 +210,7 @@ class CoreDamper:
 
 
 def fineness(method: Method, tolerance: float, length: float | None) -> float:
-    """Return what the core is told of how finely a method goes.
+    """Return the settings of the core for how finely a method goes.
 
     Args:
         method: how a law is integrated.

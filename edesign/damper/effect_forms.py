@@ -39,7 +39,7 @@ class LawEffectForm(Law):
 
     @property
     def placements(self) -> tuple[Placement, ...]:
-        """Where it may act: springs or dashpots alone only as a factor that does not go with the law's force."""
+        """Where it may act: springs or dashpots alone only as a factor that does not depend on the law's force."""
         return PLACEMENTS if self.is_factor and "F_law" not in self.equation else ("whole", "inside")
 
 
@@ -437,7 +437,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "hysteresis.stretch",
             "hysteresis whose force grows with the deformation",
             "F_y (|u|/r)^n z/Y, z' = u' - |u'| z/Y",
-            "friction that goes with the spring's force, as of ring springs: Nims, Richter and Bachman (1993), "
+            "friction proportional to the spring's force, as of ring springs: Nims, Richter and Bachman (1993), "
             "Earthquake Spectra 9, 467-489",
             (
                 _positive("F_y", "force at r of what has slid", "N"),

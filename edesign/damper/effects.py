@@ -124,7 +124,7 @@ def placement_of(name: str, form: str, placement: Placement | None) -> Placement
         )
     if placement not in definition.placements:
         why = (
-            "it goes with the law's force, and does not act"
+            "it is proportional to the law's force, and does not act"
             if definition.is_factor
             else "it is a force of its own, and only factors act"
         )

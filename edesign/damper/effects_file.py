@@ -28,7 +28,7 @@ def read_effects(effects: Sequence[Effect]) -> tuple[LawEffect, ...]:
     """Read the effects that a file describes.
 
     Raises:
-        EffectsError: an effect or form does not exist, or parameters are wrong; tells all of them.
+        EffectsError: an effect or form does not exist, or parameters are wrong; names all of them.
     """
     problems: list[tuple[Keys, str]] = []
     found = []

@@ -22,7 +22,7 @@ class Parameter:
         lower, upper: bounds.
         lower_allowed, upper_allowed: whether the bound itself is allowed.
         default: taken when the parameter is not given; None: it must be given.
-        fitted: whether it is a number that data can tell, not a choice.
+        fitted: whether it is a number that data can determine, not a choice.
         choices: of a switch, the values that it takes; (): all within the bounds.
     """
 

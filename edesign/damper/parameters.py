@@ -64,7 +64,7 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
         All parameters in the order of the core, SI units, with defaults.
 
     Raises:
-        ParameterError: a name is unknown, or a value cannot be read; tells all of them.
+        ParameterError: a name is unknown, or a value cannot be read; names all of them.
         InputError: a parameter is missing or out of its bounds, or there is no such set for this law.
     """
     if isinstance(values, str):
@@ -87,7 +87,7 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
         except PydanticCustomError as error:
             problems.append((parameter.name, error.message()))
         except KeyError:
-            pass  # the exponent of its unit is missing or wrong, which is told there
+            pass  # the exponent of its unit is missing or wrong, which is reported there
     if set(values) <= set(known):  # else the one that is missing is likely the one that is misspelt
         missing = [p for p in known.values() if p.default is None and p.name not in values]
         problems += [(p.name, f"this parameter ({p.meaning}) is missing") for p in missing]

@@ -39,8 +39,8 @@ class Score:
     """Log densities of tests, up to a constant that all models of the same tests and noise share.
 
     Attributes:
-        left_out: (tests,) log predictive density of each test, left out; -inf where the others do not tell all flat
-            parameters.
+        left_out: (tests,) log predictive density of each test, left out; -inf where the others do not determine all
+            flat parameters.
         within: (tests,) that of each test, in the fit.
         evaluations: sets of parameters for which tests were predicted.
     """
@@ -134,7 +134,7 @@ class _Linear:
         )
 
     def step(self, without: int | None) -> np.ndarray | None:
-        """Return the step (q,) to the best of all tests but one; None if they do not tell it."""
+        """Return the step (q,) to the best of all tests but one; None if they do not determine it."""
         root, _ = self._root(without)
         rest = np.arange(len(self.pulls)) != without
         return None if root is None else -root.T @ (root @ (self.prior * self.start + self.pulls[rest].sum(axis=0)))

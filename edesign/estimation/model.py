@@ -41,7 +41,7 @@ class Model(Protocol):
 
 @runtime_checkable
 class RoughModel(Protocol):
-    """A model that tells changes of predictions at less cost than predictions."""
+    """A model that gives changes of predictions at less cost than predictions."""
 
     def near(
         self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]

@@ -18,7 +18,7 @@ class Noise:
 
     It is white noise of the channel, and discrepancy of a size that is one share of the size of the measured values in
     all tests, correlated over some time. Their long-run variance L (variance times correlation length) is what
-    n samples tell of a parameter as if n v / L of them were independent.
+    n samples determine a parameter as if n v / L of them were independent.
 
     Attributes:
         variance: (tests,) v, of a residual.
@@ -74,11 +74,11 @@ class Noise:
         return 1.0 / math.sqrt(self.long_run[test])
 
     def without(self, test: int) -> Noise:
-        """Return the noise with which a test tells nothing."""
+        """Return the noise with which a test says nothing."""
         return replace(self, long_run=tuple(math.inf if i == test else one for i, one in enumerate(self.long_run)))
 
     def independent(self, test: int, samples: int) -> float:
-        """Return how many samples of a test would tell as much as these many if they were independent."""
+        """Return how many samples of a test would say as much as these many if they were independent."""
         return samples * self.variance[test] / self.long_run[test]
 
 

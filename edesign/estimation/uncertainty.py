@@ -1,4 +1,4 @@
-"""How sure estimated parameters are: by the scatter within tests and that from test to test; what is not told."""
+"""How sure estimated parameters are: by the scatter within tests and that from test to test; what is not determined."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import Parameter, priors_of, ranges_of
 
 LOOSE = 1e3
-"""Ratio of singular values of slopes of unit length, beyond which a direction is not told: 1e6 in the normal matrix."""
+"""Ratio of singular values of slopes of unit length; beyond it a direction is undetermined: 1e6 in normal matrices."""
 _LEVEL = 0.95  # of intervals
 _CLUSTERS = 4  # fewest: of fewer tests, parts are taken
 _DECADE = 0.5 * math.log(10.0)
@@ -24,8 +24,8 @@ _SMALLEST = 1e-9  # singular value, of the largest: what is below comes from err
 class Uncertainty:
     """Uncertainty of the coordinates of a fitted model; those at a bound count as known.
 
-    Two scatters tell it. Within tests, residuals are noise. From test to test, the estimate moves by what each test
-    pulls at it, which also holds what the model lacks in some tests. The larger one counts.
+    Two scatters determine it. Within tests, residuals are noise. From test to test, the estimate moves by what each
+    test pulls at it, which also holds what the model lacks in some tests. The larger one counts.
 
     Attributes:
         parameters: (p,) of the model.
@@ -33,7 +33,7 @@ class Uncertainty:
         within: (p, p) covariance by the scatter within tests, each with its own variance.
         freedom: degrees of freedom of that scatter.
         pulls: (clusters, p) by how much each test, or block, moves the coordinates, about their mean.
-        loose: (p,) share of each coordinate's variance that lies in directions which the tests do not tell.
+        loose: (p,) share of each coordinate's variance that lies in directions which the tests do not determine.
         condition: ratio of the singular values of the slopes, with columns of unit length.
 
     Sources: Liang and Zeger (1986), Biometrika 73, 13-22 (covariance A^-1 (sum g_i g_i') A^-1 by clusters); Bester,
@@ -63,7 +63,7 @@ class Uncertainty:
 
         Args:
             weights: (p,).
-            joint: how many coordinates the weights were chosen for, so that the sum is the one told best (Scheffe).
+            joint: how many coordinates the weights were chosen for, so that the sum is the surest one (Scheffe).
         """
         from scipy.special import fdtri  # scipy takes time at the start of every command
 
@@ -76,7 +76,7 @@ class Uncertainty:
         return one.value(self.z[index] - width), one.value(self.z[index] + width)
 
     def determined(self, index: int) -> bool:
-        """Return whether the tests tell a parameter: it is not loose, and a logarithm is known to a decade."""
+        """Return whether the tests determine a parameter: it is not loose, and a logarithm is known to a decade."""
         one, width = self.parameters[index], self.half_width(np.eye(self.z.size)[index])
         return bool(self.loose[index] < 0.5 and not (one.logarithmic and width * one.spread > _DECADE))
 
@@ -132,7 +132,7 @@ def at_bounds(fitted: Fit) -> tuple[str, ...]:
 def _inverse(root: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return S (p, p) with (R'R)^-1 = S S', and singular values of R with columns of unit length.
 
-    Directions that R does not tell have a large variance instead of none.
+    Directions that R does not determine have a large variance instead of none.
     """
     length = np.linalg.norm(root, axis=0)
     length[length == 0.0] = 1.0

@@ -20,7 +20,7 @@ class FileKind:
         guide: page of docs/ that explains it.
         files: names that such files often have, for settings of editors.
         needed: keys without which a whole file is refused, though its model does without them elsewhere.
-        title: for people where `name` does not tell it from other kinds; "": it does.
+        title: for people where `name` does not distinguish it from other kinds; "": it does.
     """
 
     name: str
@@ -50,7 +50,7 @@ class FileKind:
 ARCHIVE = FileKind("archive of results (HDF5)", "`edesign show` prints what it holds")
 TABLE = FileKind(
     "table of numbers (CSV)",
-    "`edesign inspect` tells what is in it; `characterise`, `sheet`, `rts identify` and `rts judge` read such",
+    "`edesign inspect` prints what is in it; `characterise`, `sheet`, `rts identify` and `rts judge` read such",
 )
 PROJECT = FileKind(
     "project file",
@@ -165,7 +165,7 @@ PROGRAMME = replace(
     files=("programme.yaml", "programme_*.yaml"),
     title="programme file",
 )
-"""Which a schema tells from a campaign by its list; the outermost keys, by which edesign tells kinds, are the same."""
+"""A schema knows it from a campaign by its list; the outermost keys, by which edesign knows kinds, are the same."""
 STRUCTURE = FileKind(
     "structure file",
     "its `structure` goes into a campaign of records",
@@ -191,7 +191,7 @@ EMPTY = FileKind("file without content", "it may not have been written to its en
 RECORDING = FileKind(
     "recorded motion", "`edesign inspect`, `spectrum` and `match` read it; a project names it under `records`"
 )
-TEXT = FileKind("file of text", "`edesign check` tells what edesign takes it for")
+TEXT = FileKind("file of text", "`edesign check` says what edesign takes it for")
 YAML_KINDS = (
     PROJECT,
     STUDY,

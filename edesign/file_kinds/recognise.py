@@ -32,7 +32,7 @@ from edesign.yaml_parser import quick_parser
 HDF5 = b"\x89HDF\r\n\x1a\n"
 """How a file of HDF5 begins."""
 HEAD = 1 << 16
-"""Bytes at the beginning of a file that tell its kind: the keys that do stand at the top."""
+"""Bytes at the beginning of a file that show its kind: the keys that do stand at the top."""
 _MAY_HAVE_KEYS = re.compile(r"[{?]|:(?!\S)")
 """What every mapping has. The parser takes 0.04 s to find none in the numbers of a record."""
 

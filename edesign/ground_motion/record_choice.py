@@ -69,7 +69,7 @@ class RecordChoice:
 
 
 def choice_facts(names: Sequence[str], selection: Selection, compared: int) -> dict[str, Any]:
-    """Return what is told of a choice: factor of each recording by name, how near the mean is, out of how many.
+    """Return what is reported of a choice: factor of each recording by name, how near the mean is, out of how many.
 
     Args:
         names: of the chosen recordings.
@@ -139,7 +139,7 @@ def choose(
 
     Raises:
         InputError: the band of periods is empty, a folder, suite, flatfile or package cannot be read, or there are
-            not enough candidates; the message tells why others were left out.
+            not enough candidates; the message says why others were left out.
     """
     widest = target.set_rules.period_band(T_1)
     low, high = widest if spec.periods is None else (period.at(T_1) for period in spec.periods)

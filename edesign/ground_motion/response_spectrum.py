@@ -77,7 +77,7 @@ def response_spectra(
             spectrum[:, at] = value.reshape(ratio.size, at.size)
 
     computed = over_periods([motion], step, period, threads, task)
-    share = (period / computed) ** 2  # of a static response, which goes with the square of the period
+    share = (period / computed) ** 2  # of a static response, which is proportional to the square of the period
     sd *= share
     sv *= share
     sa[:, period == 0.0] = np.max(np.abs(motion))

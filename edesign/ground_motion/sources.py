@@ -184,7 +184,7 @@ def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path
 
 
 def _short_named(entry: SuiteEntry, name: PeerName, files: Sequence[_File], tried: list[str]) -> list[_File]:
-    """Files whose names have the component only; the year in the file tells the earthquake."""
+    """Files whose names have the component only; the year in the file identifies the earthquake."""
     fits = []
     for file in files:
         if entry.year is None or not name.is_short(file.path.name):

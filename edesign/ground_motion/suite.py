@@ -243,7 +243,7 @@ def _check_twins(suite: Suite, problems: Problems) -> None:
     first: dict[tuple[Any, ...], int] = {}
     for i, entry in enumerate(suite.records):
         values = (
-            entry.id.lower(),  # names of files, and some systems do not tell a from A
+            entry.id.lower(),  # names of files, and some systems do not distinguish a from A
             entry.peer_name and (entry.peer_name.event.lower(), entry.peer_name.component.lower()),
             entry.package,
             entry.pair and (entry.pair, entry.direction),

@@ -71,7 +71,7 @@ def template(name: str) -> Template:
     """Return a template by its name.
 
     Raises:
-        InputError: there is none of this name; tells the nearest one.
+        InputError: there is none of this name; names the nearest one.
     """
     known = templates()
     if name not in known:

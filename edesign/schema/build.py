@@ -94,7 +94,7 @@ class _Generator(GenerateJsonSchema):
         return super().model_field_schema(stripped)
 
     def tagged_union_schema(self, schema: Any) -> Json:
-        """Alternatives that keys tell apart; no discriminator, which JSON Schema does not have."""
+        """Alternatives that keys distinguish; no discriminator, which JSON Schema does not have."""
         chosen = [self.generate_inner(choice) for choice in schema["choices"].values()]
         different = [one for i, one in enumerate(chosen) if one not in chosen[:i]]
         return different[0] if len(different) == 1 else {"anyOf": different}

@@ -35,7 +35,7 @@ def index_page() -> str:
             "# Keys of all YAML files",
             "",
             "Each page lists every key of a kind of file, with its type, unit, default and meaning. The guides",
-            "explain how keys belong together. [Keys in your editor](../../how_to/editors.md) tells how an editor",
+            "explain how keys belong together. [Keys in your editor](../../how_to/editors.md) says how an editor",
             "completes and checks them while you type.",
             "",
             "| file | known by | guide | schema |",

@@ -73,7 +73,7 @@ def run_tests(
         tell(f"replacing {path}, which has {listed(gone, 5)} that {file.path.name} no longer asks for")
     laboratory = VirtualLaboratory(file)
     names = _csv_names(laboratory) if csv_folder is not None else {}
-    _ = laboratory.drives  # what is wrong with records and commands is told before anything is written
+    _ = laboratory.drives  # what is wrong with records and commands is reported before anything is written
     warnings = list(laboratory.laboratory.warnings)
     root.attributes["warnings"] = warnings
     if csv_folder is not None:

@@ -42,7 +42,7 @@ def _decompressed(path: Path) -> bytes:
     if data[:2] == b"\x1f\x8b" and said > TABLE_BYTES:
         raise too_large(path, WHAT, said, TABLE_BYTES)
     try:
-        with gzip.GzipFile(fileobj=io.BytesIO(data)) as file:  # a file in several parts tells the size of the last one
+        with gzip.GzipFile(fileobj=io.BytesIO(data)) as file:  # a file in several parts gives the size of the last one
             text = read_up_to(file, TABLE_BYTES)
     except (OSError, EOFError, zlib.error):
         raise InputError(f"{path}: this is no compressed file (gzip) [E-TABLE-02]") from None

@@ -134,7 +134,7 @@ def find_header(
     """Return the first line with two names or more, and the sign between its columns; None without one.
 
     Args:
-        names: tells whether a cell is a header.
+        names: says whether a cell is a header.
         given: the form that the file of the user states; None: nothing is stated.
 
     Returns:
@@ -160,7 +160,7 @@ def find_blank_header(lines: Sequence[str], names: Callable[[str], bool]) -> int
     A line of units may be between them.
 
     Args:
-        names: tells whether a cell is a header.
+        names: says whether a cell is a header.
 
     Returns:
         Index of the line, from 0.

@@ -32,7 +32,7 @@ def is_matlab(content: bytes) -> bool:
 
 
 def is_matlab_file(path: Path) -> bool:
-    """Return whether a file is one of MATLAB; False too if it cannot be read, which its reader tells."""
+    """Return whether a file is one of MATLAB; False too if it cannot be read, which its reader reports."""
     return is_matlab(head_of(path) or b"")
 
 
@@ -97,7 +97,7 @@ def _check_size(path: Path, content: bytes) -> None:
     while at + 8 <= len(content) and left >= 0:
         kind, size = struct.unpack_from(f"{order}2I", content, at)
         if kind == _COMPRESSED:
-            with suppress(zlib.error):  # which the reader tells
+            with suppress(zlib.error):  # which the reader reports
                 left -= len(zlib.decompressobj().decompress(content[at + 8 : at + 8 + size], left + 1))
         at += 8 + size
     if left < 0:

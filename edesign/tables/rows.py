@@ -38,7 +38,7 @@ def clocks_in_seconds(
     for column in clocks:
         try:
             seconds = clock_seconds(path, [row[column] for row in rows], numbers)
-        except IndexError:  # a row that is too short, which the reader of numbers tells
+        except IndexError:  # a row that is too short, which the reader of numbers reports
             return lines, frozenset()
         for row, second in zip(rows, seconds, strict=True):
             row[column] = second

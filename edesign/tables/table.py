@@ -126,7 +126,7 @@ def read_table(
             lines = [line.replace(",", ".") for line in lines]
     elif given and given.decimal == "comma":
         raise InputError(
-            f"{path}:{first}: decimal commas and commas between the columns cannot be told apart [E-TABLE-09]"
+            f"{path}:{first}: decimal commas and commas between the columns cannot be distinguished [E-TABLE-09]"
         )
     lines, clocks = clocks_in_seconds(path, lines, body.numbers, delimiter)
     rows = rows_of_numbers(

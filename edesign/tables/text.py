@@ -53,7 +53,7 @@ class TableText:
         numbers: of the lines, from 1.
         lines: those that are neither skipped, blank nor comments.
         last: number of the last line of the file.
-        mark: maker whose format the file has; empty: it is told by marks in the lines, if at all.
+        mark: maker whose format the file has; empty: it is recognised by marks in the lines, if at all.
         decimal: sign before the decimals as the file says it; None: it does not.
         above: lines above the headers that were left out.
     """

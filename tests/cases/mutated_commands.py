@@ -48,7 +48,7 @@ def fault(code: int | str, said: str, *paths: Path, allowed: tuple[int, ...] = (
     """What is wrong with the end of a command, "" if nothing is: it is done, or refuses a file with a place in it.
 
     Args:
-        code, said: from `told`.
+        code, said: from `outcome`.
         paths: files one of which a refusal names.
         allowed: exit codes.
     """

@@ -94,7 +94,7 @@ def test_the_supports_carry_the_inertia_of_the_floors(answers: Answers, groups: 
 def test_dampers_are_judged_by_their_histories(answers: Answers, groups: dict[str, Group]) -> None:
     strokes = [np.abs(u[:, 0]).max() for u in each(groups, "damped", "damper_deformation")]
     assert answers["stroke", "damped"].value == pytest.approx(np.mean(strokes), rel=SINGLE)
-    # a viscous damper tells its velocity: F = c v, of the dashpot behind a brace in series
+    # a viscous damper shows its velocity: F = c v, of the dashpot behind a brace in series
     rates = [np.abs(f[:, 0]).max() / 150e3 for f in each(groups, "damped", "damper_force")]
     assert answers["velocity", "damped"].value == pytest.approx(np.mean(rates), rel=2e-3)
     forces = [np.abs(f[:, 0]).max() for f in each(groups, "damped", "storey_damper_force")]

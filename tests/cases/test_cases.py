@@ -1,7 +1,7 @@
 """Every folder here is a case: a project and the results expected of it (measures.csv, storeys.csv, periods.csv).
 
 The expected files were written by this program (EDESIGN_REWRITE_CASES=1 writes them again, see docs/develop/cases.md).
-They tell when results change; that the results are right is shown beside them, in test_case_statics.py and
+They show when results change; that the results are right is shown beside them, in test_case_statics.py and
 test_case_dynamics.py, and in tests/verification.
 """
 

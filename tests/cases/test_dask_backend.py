@@ -107,7 +107,7 @@ def _plain_answer(port: int) -> bytes:
 
 
 def test_works_run_at_the_same_time_and_report_their_progress(backend: Backend, tmp_path: Path) -> None:
-    """Each waits until all have begun, in processes of their own; they end when the first has told its progress."""
+    """Each waits until all have begun, in processes of their own; they end when the first has reported its progress."""
     listener = Listener()
     calls = [Call(name, toy_calls.until_stopped, (tmp_path, name)) for name in "abc"]
     results = backend.results(calls, _stop_at_progress(listener, {"a", "b"}), listener.started)
@@ -286,7 +286,7 @@ def _environment(code: Path) -> dict[str, str]:
 
 
 def _stop_at_progress(listener: Listener, keys: set[str]) -> Listener:
-    """A listener that stops when it was told the progress of some calls."""
+    """A listener that stops after the progress of some calls."""
     tell = listener.progress
 
     def progress(key: str, done: int, total: int) -> None:

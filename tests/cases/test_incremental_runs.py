@@ -198,7 +198,7 @@ def test_tables_and_figures_of_the_archive(done: RunSummary) -> None:
         ida = rows["same.ida"]
         states = [ida[key] for key in ("planned", "completed", "collapsed", "skipped")]
         assert states == ["6", str(first), "1", str(5 - first)]
-        # of the study nothing is to be told; the columns, which are given by their A and I_y, are slender
+        # of the study nothing is to be reported; the columns, which are given by their A and I_y, are slender
         assert all("buckling" in note for note in table.notes)
         fragility, needed = study_tables(opened)[-2:]
         assert [row[:2] for row in fragility.texts] == [

@@ -1,4 +1,4 @@
-"""Ctrl-C, full disks, closed streams and a second run: what the user is told, and that nothing finished is lost."""
+"""Ctrl-C, full disks, closed streams and a second run: what is printed, and that nothing finished is lost."""
 
 from __future__ import annotations
 

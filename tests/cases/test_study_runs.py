@@ -77,7 +77,7 @@ def same(first: dict[str, Any], other: Path) -> None:
 
 
 def statuses(path: Path) -> dict[str, str]:
-    """Status of each analysis of a plan, as `edesign show --json` tells it."""
+    """Status of each analysis of a plan, as `edesign show --json` prints it."""
     return {item["name"]: item["status"] for item in summarise(path)["analyses"]}
 
 
@@ -124,7 +124,7 @@ def archive(study: Path, reported: subprocess.CompletedProcess[str]) -> Path:
 
 @pytest.fixture(scope="module")
 def whole(archive: Path) -> str:
-    """All that the command tells of the archive."""
+    """All that the command prints of the archive."""
     return edesign("show", archive, "--all").stdout
 
 
@@ -351,7 +351,7 @@ def test_a_design_that_cannot_be_ends_with_its_reason_and_the_rest_is_there(tmp_
     assert ended.code == 3
     reason = "its design `added` failed: not met within 2 rounds; the last, with 0.064, misses: drift, DBE (2."
     (line,) = [line for line in ended.err.splitlines() if line.startswith("  damped.modes, ")]
-    assert f"damped.modes, damped.gravity, upper.modes, upper.gravity and 17 more: {reason}" in line  # told once
+    assert f"damped.modes, damped.gravity, upper.modes, upper.gravity and 17 more: {reason}" in line  # printed once
     found = statuses(tmp_path / "out.h5")
     assert all((status == "completed") == name.startswith("bare") for name, status in found.items())
     with open_archive(tmp_path / "out.h5") as opened:

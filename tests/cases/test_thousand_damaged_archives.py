@@ -1,4 +1,4 @@
-"""A thousand damaged and crafted copies of a real archive, each told by the commands in a process of its own.
+"""A thousand damaged and crafted copies of a real archive, each read by the commands in a process of its own.
 
     make pytest ARGS="-m study -k thousand_damaged -s"
 

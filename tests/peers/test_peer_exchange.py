@@ -191,7 +191,7 @@ def test_tcl_does_what_python_does(tmp_path: Path, name: str) -> None:
 
 
 def run_tcl(script: Path) -> None:
-    """Run a script in the Tcl of Python; what it tells OpenSees goes to OpenSeesPy."""
+    """Run a script in the Tcl of Python; its commands for OpenSees go to OpenSeesPy."""
     tkinter = pytest.importorskip("tkinter", reason="this Python has no Tcl")
     import openseespy.opensees as ops
 

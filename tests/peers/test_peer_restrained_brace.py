@@ -98,7 +98,7 @@ def test_the_model_of_zona_and_dall_asta(
 ) -> None:
     """What remains are chords in place of exponentials, and the corner, which is the rounder the smaller its exponent.
 
-    The round one yields long before F_ysc: what the first, small turns reach tells it apart, and its loops hold less
+    The round one yields long before F_ysc: what the first, small turns reach distinguishes it, and its loops hold less
     work. Measured: 0.9 % and 2.0 % of the largest stress at turns beyond twice the yield strain, 1.3 % and 10.6 % of
     the work.
     """

@@ -115,4 +115,4 @@ def test_rules_of_a_set(edition: str) -> None:
     assert [found.reference for found in check.criteria] == [f"ASCE {edition}, 16.2.2", f"ASCE {edition}, 16.2.3"] + [
         f"ASCE {edition}, 16.4"
     ]
-    assert "maximum direction" in check.criteria[1].detail  # what a plane frame assumes is told
+    assert "maximum direction" in check.criteria[1].detail  # what a plane frame assumes is reported

@@ -1,4 +1,4 @@
-"""Messages that tell what to write: for each an input that provokes it, and the input as the message wants it.
+"""Messages that say what to write: for each an input that provokes it, and the input as the message wants it.
 
 A change is the text that stands once in the files of a base, and what takes its place; without the first one the text
 is put at the end. `rights` are the ways that the message leaves: each is made of the wrong input.
@@ -625,7 +625,7 @@ DESIGNS = (
     _row(
         "elastomer",
         ("strain: 20 %", "strain: 20 %, distribution: uniform, target_in: storeys"),
-        "goes with `distribution: storey_stiffness` alone",
+        "belongs to `distribution: storey_stiffness` alone",
         ("uniform", "storey_stiffness"),
     ),
     _row(
@@ -1014,7 +1014,7 @@ CAMPAIGNS = (
     _row(
         "campaign",
         ("temperature: 20 degC", "temperature: 20 degC, start_ramp: 1 s"),
-        "it goes with `start: at_rest`",
+        "it belongs to `start: at_rest`",
         ("start_ramp: 1 s", "start_ramp: 1 s, start: at_rest"),
     ),
     _row(
@@ -1077,7 +1077,7 @@ OTHER_PARTS = (
                 "    lead: {type: elastic_plastic, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0.03}}\n    moat: {",
             ),
         ),
-        "do not go with a weight; leave it out",
+        "do not depend on a weight; leave it out",
         (", weight: law", ""),
     ),
     _row(
@@ -1141,7 +1141,7 @@ LEFT = {
         "this is what is compared with the spectrum of the hazard by `match`",
         "it is of a frame that may yield: `structure: {",
     ),
-    "it is told of values in Python, not of a file": (
+    "it is reported of values in Python, not of a file": (
         "was not read from a file or text", "; give a new one as a whole", "yet; give it as a whole", "give text such as `100 GPa`",
     ),
     "following it takes files or an analysis of its own; tests of its package provoke it": (

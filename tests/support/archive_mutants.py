@@ -221,7 +221,7 @@ def other_attribute(file: h5py.File, random: Random, folder: Path) -> None:
 
 
 def other_mark(file: h5py.File, random: Random, folder: Path) -> None:
-    """What tells the layout, and whether the archive is complete."""
+    """What gives the layout, and whether the archive is complete."""
     name = ("edesign_archive", "complete")[random.integers(2)]
     values = (0, 1, 3, 2.5, "2", np.arange(3), 1 << 62)
     file.attrs[name] = values[int(random.integers(len(values)))]

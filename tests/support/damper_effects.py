@@ -290,7 +290,7 @@ def _bouc_wen(p: Mapping[str, float], z: float, way: float) -> float:
 
 
 def _along(go: Callable[[float, float], float], h: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """A state (n,) that goes with the ways between the turns of the cubics between samples."""
+    """A state (n,) that follows the ways between the turns of the cubics between samples."""
     z = np.zeros_like(u)
     for i, step in enumerate(h):
         cubic = CubicHermiteSpline([0.0, step], u[i : i + 2], v[i : i + 2])

@@ -81,7 +81,7 @@ def test_tangent_and_repeated_steps(law: str) -> None:
     """Derivatives of a step against central differences, at states that a random history reaches; every trial from a
     state gives the same to the last bit, whatever was tried before, and does not touch that state.
 
-    Differences over two widths tell where there is a kink within reach (yielding, a reversal at the end of the step, a
+    Differences over two widths show where there is a kink within reach (yielding, a reversal at the end of the step, a
     dashpot at rest) and no derivative to compare with; these must be few.
     """
     core, rng = damper(law), np.random.default_rng(20)

@@ -60,7 +60,7 @@ def _filter_of_a_mass() -> float:
     ids=["mass", "offset", "ageing", "friction", "hum"],
 )
 def test_what_is_hidden_is_found(tmp_path: Path, hidden: Hidden, equations: Mapping[str, tuple[str, float]]) -> None:
-    # two of them validate, and three would not tell ageing from scatter
+    # two of them validate, and three would not separate ageing from scatter
     found = calibrate(campaign(tmp_path, hidden, tests=6 if hidden is _ageing else 5), threads=1)
     (effect,) = found.effects
     assert effect.label in equations and found.verdict == "explained"

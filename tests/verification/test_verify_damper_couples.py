@@ -78,7 +78,7 @@ def test_overturning_moment_is_that_of_the_loads(tmp_path: Path, kind: str) -> N
 
 
 def test_columns_lack_the_couples_of_dampers_between_floors(tmp_path: Path) -> None:
-    """And are told how much; with chevrons they lack nothing."""
+    """And the warning says how much; with chevrons they lack nothing."""
     found = results(tmp_path, "storey")
     for group in found.values():
         force = values(group, "storey_damper_force" if "time" in group.coords else "storey_damper_force_final")

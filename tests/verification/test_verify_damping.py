@@ -136,7 +136,7 @@ def test_ratios_mode_by_mode() -> None:
 
 
 def test_proportional_to_mass_or_stiffness_alone() -> None:
-    """The ratio goes with the period, or with the frequency; 0.1 %: whole undamped periods, (omega dt)^2."""
+    """The ratio is proportional to the period, or to the frequency; 0.1 %: whole undamped periods, (omega dt)^2."""
     omega = shear_building().analysis().modes(N).omega
     found = decays(MassDamping(kind="mass_proportional", ratio=0.05))
     np.testing.assert_allclose(found, 0.05 * omega[0] / omega, rtol=3e-3)

@@ -1,4 +1,4 @@
-"""Conditions that tests declare: what goes with them is found, with its size, in forces written here in closed form."""
+"""Conditions that tests declare: what depends on them is found, with its size, in forces of closed form."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ def ramp_response(damper: CoreDamper, time: np.ndarray) -> np.ndarray:
 def complex_modulus(damper: CoreDamper, frequency: float) -> complex:
     """First harmonic of the force over that of the deformation in steady cycles, 64 cubics a cycle (2e-7 off a sine).
 
-    The equations are linear and diagonal: the factor by which a held state falls in a period tells what repeats.
+    The equations are linear and diagonal: the factor by which a held state falls in a period shows what repeats.
     """
     period, n = 1.0 / frequency, 64
     phase = 2.0 * np.pi * np.arange(n + 1) / n

@@ -130,7 +130,7 @@ def test_least_coefficients_whatever_the_estimate_says(a_gR: float) -> None:
 
 
 def test_least_area_whatever_the_estimate_says() -> None:
-    """Kelvin-Voigt: k and c go with the area, so that the least area is the least of either."""
+    """Kelvin-Voigt: k and c are proportional to the area, so that the least area is the least of either."""
     project = shear_project(2).with_values("hazard.a_gR", "1.0 g")
     text = (
         "method: strain_energy, law: rubber, distribution: least_area, strain: 20 %, layer_thickness: 10 mm, "

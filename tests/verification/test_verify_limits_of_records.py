@@ -1,4 +1,4 @@
-"""What records cannot tell: forces beyond the load cell, and noise of records that have none; closed forms."""
+"""What records cannot show: forces beyond the load cell, and noise of records that have none; closed forms."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_clipped_samples_have_no_weight(tmp_path: Path) -> None:
         if np.any(np.abs(one.measured_force()) > END)
     }
     assert len(beyond) >= 3 and calibration_json(found)["clipped_samples"] == beyond
-    # the error is that of the noise in the samples that are left; a spectrum tells it to a fifth
+    # the error is that of the noise in the samples that are left; a spectrum gives it to a fifth
     left = [f[np.abs(f) < END] for one in tests if one.use == "validate" for f in [one.measured_force()]]
     noise = sum(f.size for f in left) * NOISE**2 / sum(float(f @ f) for f in left)
     assert found.errors["refit"].validate == pytest.approx(noise, rel=0.1)

@@ -51,8 +51,8 @@ def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -
             found.append([float(np.mean(r[part] ** 2)) for part in (rest, moving)])
     still, fast = np.mean(bare, axis=0)
     assert still > 20.0 * fast  # what is evened out
-    # six repetitions tell a power within a tenth of a second, some ten independent values each, to 2 / sqrt(120) = 0.2;
-    # noise on top of noise, which is all that a program has, is stronger by at most the two together: sqrt(2)
+    # six repetitions determine a power within a tenth of a second, some ten independent values each, to 2 / sqrt(120)
+    # = 0.2; noise on top of noise, which is all that a program has, is stronger by at most the two together: sqrt(2)
     assert np.mean(weighted, axis=0) == pytest.approx([1.0, 1.0], rel=0.35)
 
 

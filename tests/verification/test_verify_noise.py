@@ -68,7 +68,7 @@ def test_white_noise_beside_a_motion(motion: object, rate: float) -> None:
     rng = np.random.default_rng(int(rate))
     for deviation in (1e-6, 5e-6, 1e-4):
         found = white_noise(u + deviation * rng.standard_normal(t.size), t)
-        # four times the scatter of 2/sqrt(n); corners just above the noise cannot be told from it and add to it
+        # four times the scatter of 2/sqrt(n); corners just above the noise cannot be separated from it and add to it
         assert found == pytest.approx(deviation, rel=0.2 if motion in CORNERS else 8.0 / np.sqrt(t.size))
 
 

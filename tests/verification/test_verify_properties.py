@@ -55,7 +55,7 @@ def run(
     [
         (1.0, 1000.0, 1e-7),
         (4.0, 1000.0, 1e-7),
-        # the area comes from cubic splines, whose error goes with the fourth power of the step
+        # the area comes from cubic splines, whose error is proportional to the fourth power of the step
         (3.0, 100.0, 3e-5),
         (1.0, 23.7, 2e-4),
         (1.0, 12.5, 1e-3),

@@ -1,4 +1,4 @@
-"""Limits of the model that change numbers are told with their size: each is worked out by hand here.
+"""Limits of the model that change numbers are reported with their size: each is worked out by hand here.
 
 Damping of C = a0 M + a1 K in an oscillator: a0 / (2 omega) + a1 omega / 2 (Chopra, Dynamics of Structures, 11.4.8), and
 free vibration falls by exp(-2 pi zeta / sqrt(1 - zeta^2)) a cycle. Axial forces and moments: statics.

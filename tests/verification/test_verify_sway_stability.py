@@ -117,9 +117,9 @@ def in_elements(stiff: float, N: float, h: float, parts: int, fixed: bool) -> tu
 def test_against_many_elements(fixed: bool) -> None:
     """The same row with 24 elements a column, all eigenvalues: alpha_cr is the one whose shape moves the floor.
 
-    24 elements err by (u / 24)^4 / 720 < 1e-6. The share of the floor in the strain energy is told by the stiffness of
-    the storey without forces. One cubic element a column, with the rotations of a horizontal force alone, is what the
-    storey's geometric stiffness would be without the bowing under N: 1.17 times the factor.
+    24 elements err by (u / 24)^4 / 720 < 1e-6. The share of the floor in the strain energy follows from the stiffness
+    of the storey without forces. One cubic element a column, with the rotations of a horizontal force alone, is what
+    the storey's geometric stiffness would be without the bowing under N: 1.17 times the factor.
     """
     frame, model, stiff, slender, spring = row(fixed)
     N = {"A": 2e4, "B": 3.5e5, "C": 2e4}
@@ -147,8 +147,8 @@ def test_columns_between_floors_add_what_they_move_of_the_floor() -> None:
     """Braced columns on fixed bases buckle below their hinged tops, and push at the floor as they do.
 
     They buckle at 20.19 EI / h^2, before half of alpha_cr. Sway grows by 1 / (1 - 1 / alpha_cr), the stiffness of the
-    storey without forces over that with them. What the shapes before that of the bracing leave goes with its factor,
-    so that alpha_cr is not above; what shapes further up have of it makes it 1.3 % less here.
+    storey without forces over that with them. What the shapes before that of the bracing leave is proportional to its
+    factor, so that alpha_cr is not above; what shapes further up have of it makes it 1.3 % less here.
     """
     frame, model, _ = bending_only(building(portals() + NO_TORSION))
     length = np.hypot(6.0, 5.0)

@@ -6,7 +6,7 @@ Spencer (2020), Benchmark control problem for real-time hybrid simulation, MSSP 
 the released files, as do the criteria J1 to J9; what J should be comes from a simulation of these files in Python,
 independent of edesign (the J of the paper were not at hand).
 
-How the benchmark samples, and how the loop is told so:
+How the benchmark samples, and how the loop is set so:
 
 - Its command is held over a step: the rig gets the command of the end of a step from the start on.
 - Target and measurement of the instant at which a step begins make the command, so terms of the target lag by 1.

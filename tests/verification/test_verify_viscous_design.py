@@ -285,7 +285,7 @@ def test_least_coefficients_against_a_grid() -> None:
 
 
 def test_bounds_enclose_the_design() -> None:
-    # linear dashpots in proportion to the storeys: damping goes with the coefficients
+    # linear dashpots in proportion to the storeys: damping is proportional to the coefficients
     group = run("damping: 8 %, level: DBE, bounds: {upper: 1.5, lower: 0.7}", shear(3)).group
     np.testing.assert_allclose(group.variables["bound_damping"].values, 0.08 * np.array([0.7, 1.0, 1.5]), rtol=1e-6)
     assert group.attributes["governing"]["storey_drift"] == "lower"

@@ -19,7 +19,7 @@ static void record(ed_analysis *a, int fallback, int level, int status)
                                         .iterations = ed_last_iterations(&a->iteration)};
 }
 
-/* What the committed state tells of the cause: how far yielding has spread, or a member that has turned over (returns 1). */
+/* What the committed state shows of the cause: how far yielding has spread, or a member that has turned over (returns 1). */
 static int describe_state(const ed_analysis *a, char *buffer, int size)
 {
   int sections = 0, members = 0, furthest = -1;

@@ -27,7 +27,7 @@ static int moves(ed_analysis *a, int pattern, int control)
   double largest = 0.0, *x = a->iteration.work;
   reference_load(a, pattern, x);
   if (ed_factor_effective(a, 1.0, 0.0, 0.0) != ED_OK || ed_solver_solve(a->factors.solver, x, 1) != ED_OK)
-    return 1; /* a state at its limit: the run will tell */
+    return 1; /* a state at its limit: the run will show */
   for (int i = 0; i < a->numbering.n; i++)
     largest = fmax(largest, fabs(x[i]) * (a->numbering.rotational[i] ? a->numbering.length : 1.0));
   return fabs(x[control]) * (a->numbering.rotational[control] ? a->numbering.length : 1.0) > NO_MOTION * largest;

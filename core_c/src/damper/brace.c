@@ -278,7 +278,7 @@ static int meet(const ed_damper *d, const double *committed, double u0, const do
       high = u + reach;
     }
     *found = u;
-    /* `from` tells how large forces of this path are where they pass through zero */
+    /* `from` says how large forces of this path are where they pass through zero */
     if (fabs(residual) <= TOLERANCE * (fabs(out->force) + kb * (fabs(total) + fabs(u) + fabs(from))))
       return ED_OK;
     *(residual > 0.0 ? &high : &low) = u;

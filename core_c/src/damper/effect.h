@@ -25,7 +25,7 @@ typedef struct {
   int is_factor;  /* of the law's force; else a force beside it */
   int has_state;  /* one double */
   int on_speed;   /* depends on time or velocity */
-  int by_force;   /* goes with the law's force, so that none of springs or dashpots has it without a jump */
+  int by_force;   /* proportional to the law's force, so that none of springs or dashpots has it without a jump */
   /* The value at the end of a step from the state before it; writes the state after it. `out` holds zeros. */
   void (*at_end)(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out);
   /* The state after a step in which the law, with all factors, has done this work. NULL: none is counted. */

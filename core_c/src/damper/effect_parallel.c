@@ -139,7 +139,7 @@ static void dashpot(const double *p, double before, const ed_ends *ends, double 
 
 const ed_effect_form ed_effect_velocity_exponent_dashpot = {.name = "velocity_exponent.dashpot", .on_speed = 1, .at_end = dashpot};
 
-/* A dashpot whose coefficient goes with a power of the deformation: none at rest. */
+/* A dashpot whose coefficient is proportional to a power of the deformation: none at rest. */
 static void dashpot_of_position(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
   enum { ED_EFFECT_VELOCITY_EXPONENT_POSITION_PARAMETERS };

@@ -53,7 +53,7 @@ static int check_placement(const ed_damper *damper, const ed_effect_form *form, 
     snprintf(message, ED_DAMPER_MESSAGE, "effect %s: it is a force of its own, and only factors act on springs or dashpots alone",
              form->name);
   else if (ed_of_side(placement) && form->by_force)
-    snprintf(message, ED_DAMPER_MESSAGE, "effect %s: it goes with the law's force, and does not act on springs or dashpots alone",
+    snprintf(message, ED_DAMPER_MESSAGE, "effect %s: it is proportional to the law's force, and does not act on springs or dashpots alone",
              form->name);
   else if (ed_of_side(placement) && !damper->law->without_dashpots)
     snprintf(message, ED_DAMPER_MESSAGE,

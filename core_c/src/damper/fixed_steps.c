@@ -9,7 +9,7 @@
 #include <string.h>
 
 enum { COPIES = 3, MOST_SUB_STEPS = 64, MOST_ITERATIONS = 80, MOST_HALVINGS = 12 }; /* copies: the variables, and two derivatives */
-/* About a turn of the motion forces that go with a power of the velocity change fast: so many sub-steps at least, where the speed at one
+/* About a turn of the motion forces that follow a power of the velocity change fast: so many sub-steps at least, where the speed at one
  * end is below this share of that at the other. */
 enum { ABOUT_TURNS = 4 };
 static const double SLOW = 0.5;

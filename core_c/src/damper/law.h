@@ -57,7 +57,7 @@ struct ed_damper {
   int n_effects, n_effect_state;
   ed_effect *effects; /* effects that the law has not (effect.h), with n_effect_state doubles of state behind the law's; owned */
   ed_damper *springs; /* the same law without its dashpots, where effects act on springs or dashpots alone (effect_sides.c); owned */
-  int at_sides;       /* where its state, and what goes with it, stands among the effects' */
+  int at_sides;       /* where its state, and what belongs to it, stands among the effects' */
 };
 
 struct ed_law {

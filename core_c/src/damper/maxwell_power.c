@@ -175,7 +175,7 @@ static int solve_stages(stages *in)
   const part *of = in->of;
   const double step = of->kappa * of->h, most = in->by_w ? raised(of->largest, of->power) : of->largest;
   const pair start = in->at[0];
-  /* rounding of what the dashpot goes, where x is free to follow it: that much Newton's method cannot tell */
+  /* rounding of what the dashpot goes, where x is free to follow it: that much Newton's method cannot resolve */
   const double settled = SETTLED * most + (in->by_w ? 0.0 : 4.0 * DBL_EPSILON * step * raised(most, of->power));
   double unknown[STAGES], change[STAGES];
   for (int i = 0; i < STAGES; i++) { /* a first guess by the implicit Euler rule, within what x can reach */

@@ -19,7 +19,7 @@ enum { ED_LAW_MODIFIED_BOUC_WEN_PARAMETERS };
 /* For alpha_d > 1 the slope of the dashpot's speed is infinite at no force: below this share of C it is held. */
 static const double NO_FORCE = 1e-16;
 static const double rounding = 1e-10; /* of the extremes: so near to one it grows */
-static const double no_way = 1e-12; /* of the brace's force: which way the device goes is then told by the whole */
+static const double no_way = 1e-12; /* of the brace's force: which way the device goes then follows from the whole */
 
 static ed_bouc_wen_shape shape_of(const ed_damper *damper)
 {
@@ -155,7 +155,7 @@ static void braced_rate(const ed_damper *damper, double u, double v, const doubl
     out->force = brace * y[0];
     out->force_u = out->force_y[1] = 0.0;
     out->force_y[0] = brace;
-  } else { /* brace and device carry the same: of the two variables z alone tells the force, to second order in the error of e */
+  } else { /* brace and device carry the same: of the two variables z alone gives the force, to second order in the error of e */
     const double share = brace / (brace + part.x);
     out->force = brace * y[0] + share * (part.force - brace * y[0]);
     out->force_u = share * part.x;

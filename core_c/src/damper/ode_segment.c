@@ -29,7 +29,7 @@ double ed_ode_next_event(const ed_damper *damper, const ed_path *path, const dou
   return next < path->h - ed_ode_instants_apart(path) ? next : INFINITY;
 }
 
-/* Which way a block goes at t that turns itself. Where it has none, just after a turn of the path or of its own, the path tells. */
+/* Which way a block goes at t that turns itself. Where it has none, just after a turn of the path or of its own, the path decides. */
 static void look_which_way(ed_ode_block *block, ed_ode_work *work, double t, double stop, const double *y)
 {
   double speed = 0.0, u, v;

@@ -236,7 +236,7 @@ int ed_test_run_in_series(ed_test_run *run, const ed_test *test, double *force, 
     ed_path path;
     ed_path_hermite(&path, h, u[i], v[i], u[i + 1], v[i + 1]);
     path.c[0] -= from;
-    const double strayed = u[i + 1] - u[i] - led_to(&of_u, h); /* as noise of the motion does, which no course tells */
+    const double strayed = u[i + 1] - u[i] - led_to(&of_u, h); /* as noise of the motion does, which no course shows */
     stretch = from + led_to(&of_stretch, h) + in.share * strayed;
     status = advance(&in, &path, from, before, ends[1], &stretch);
     const int corner = status == ED_OK && turns_corner(&in, from, stretch);

@@ -6,7 +6,7 @@ enum { MOST_INNER = ED_MAX_ODE - 2 }; /* branches but those at both ends */
 
 /* Orders below it are none. A spectrum changes by the order in each unit of ln r: between the slowest and the fastest rate, 20 apart, it
  * then holds less than 2e-13 of what it holds on one side of them. The numbers of its nodes, up to 16 / (order ED_SPACING), would come
- * near 2^53, up to which a double tells whole numbers apart. */
+ * near 2^53, up to which a double distinguishes whole numbers. */
 static const double NO_ORDER = 1e-14;
 
 static void start(ed_prony *series)

@@ -16,7 +16,7 @@ int ed_model_refuse(ed_model *model, int status, const char *format, ...)
   return status;
 }
 
-/* Room for one more item; arrays grow by powers of two, so that the present count tells the capacity. */
+/* Room for one more item; arrays grow by powers of two, so that the present count gives the capacity. */
 void *ed_model_grown(void *array, int count, size_t size)
 {
   const int full = count >= 8 ? (count & (count - 1)) == 0 : count == 0;

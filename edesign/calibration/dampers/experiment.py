@@ -71,12 +71,12 @@ class Experiment:
 
     @property
     def prior_extremes(self) -> Extremes:
-        """Extremes that the specimen went through before the test, of which its record does not tell."""
+        """Extremes that the specimen went through before the test, of which its record shows nothing."""
         return NONE if self.start is None else self.start.prior_extremes
 
     @property
     def prior_extremes_unknown(self) -> bool:
-        """Whether nothing but its force tells what the specimen went through before the test."""
+        """Whether nothing but its force shows what the specimen went through before the test."""
         return self.start is not None and not self.start.known
 
     @cached_property

@@ -230,7 +230,7 @@ def _check_forces(problem: DamperProblem, campaign: Campaign, predicted: Sequenc
         scales.append(float(np.sqrt((one.force @ one.force) / max(force @ force, 1e-300))))
     if flipped:
         text = (
-            "the force is negative where the damper is stretched; a positive force must go with a positive "
+            "the force is negative where the damper is stretched; a positive force must belong to a positive "
             "displacement: say `reversed: [force]`, or change the sign of one of the channels"
         )
         raise InputError(_of_tests(flipped, campaign, text))

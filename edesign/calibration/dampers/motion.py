@@ -13,7 +13,7 @@ from edesign.calibration.signals.spline import Spline
 from edesign.damper.history import Extremes
 
 _NEAR = 1e-3
-"""Of a step, between samples before and after an onset: what it is late by is a thousandth of what a step tells."""
+"""Of a step, between samples before and after an onset: what it is late by is a thousandth of what a step shows."""
 
 
 @dataclass(frozen=True, eq=False)

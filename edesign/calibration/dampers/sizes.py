@@ -14,7 +14,7 @@ APART = 1.0
 """K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
 _BETWEEN = 4
-_LONGEST = 20.0  # s, of a slow period up to which lags go with it
+_LONGEST = 20.0  # s, of a slow period up to which lags depend on it
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class Sizes:
     def between(self) -> bool:
         """Whether the tests show what changes from one to the next alone.
 
-        That takes their order, a test for the law, one for the change, and two that tell how tests scatter.
+        That takes their order, a test for the law, one for the change, and two that show how tests scatter.
         """
         return self.ordered and sum(self.fitted) >= _BETWEEN
 

@@ -29,7 +29,7 @@ def next_test(problem: PropertyProblem, posterior: Posterior) -> NextTest | None
     over those of the best model, and of forces (NRMS) for loops.
 
     Returns:
-        None: one model alone is left, or no test would tell them apart better than the table, and from how rows repeat.
+        None: one model alone is left, or no test would separate them better than the table, and from how rows repeat.
     """
     chosen = posterior.rivals()[:_MOST_MODELS]
     one = posterior.best

@@ -98,7 +98,7 @@ class TableOutcome(Evidence[PropertyRows]):
         return describe_residual(self.predicted["corrected"], self.campaign.table)
 
     def next_test(self) -> NextTest | None:
-        """Return which further test would tell more."""
+        """Return which further test would separate the models."""
         return next_test(self.found.base.problem, self.posterior)  # type: ignore[arg-type]
 
     def calibrated(self) -> Calibrated:

@@ -31,7 +31,7 @@ from edesign.damper.testing.steady_state import PropertyRows, force_amplitudes, 
 from edesign.estimation.model import PredictionError
 from edesign.estimation.parameters import Parameter
 
-# what fades, wears or drifts is gone in the mean of late cycles of tests of which nobody tells the order
+# what fades, wears or drifts is gone in the mean of late cycles of tests of which the order is unknown
 _SHOWN = {
     *("payne", "hardening", "relaxation_branch", "velocity_exponent", "temperature_law"),
     *("friction", "play", "series_flexibility", "lag", "gain", "inertia"),

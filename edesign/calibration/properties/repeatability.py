@@ -15,7 +15,7 @@ _MEDIAN = 0.6745  # of the absolute value of a standard normal number
 _LEAST = 1e-4  # relative: no table is printed with more digits than that
 _EFFICIENCY = 0.37  # of the median absolute value beside the root mean square, of normal numbers
 _ALIKE = 1.6  # ratio of two estimates that chance may make
-_FEW = 6  # differences below which a direction tells nothing
+_FEW = 6  # differences below which a direction says nothing
 
 
 def repeatability(table: PropertyTable) -> dict[str, float]:

@@ -20,7 +20,7 @@ WORTH_TELLING = 0.1
 
 _RARE = 1e-3  # probability by chance
 _NOISE = 0.05  # structured share below which only noise is left
-_MOST = 3  # things told
+_MOST = 3  # things named
 _NEARLY, _ALIKE = 0.85, 0.98  # of the share of the best
 _MONOTONE, _PARITY = 0.75, 0.8  # rank correlation; share of one parity
 _STATES = ("displacement", "velocity", "sign of velocity")
@@ -40,7 +40,7 @@ class _Thing:
 
 
 def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | None = None) -> str:
-    """Return what is left, how much of it is structure, and what that goes with.
+    """Return what is left, how much of it is structure, and what that depends on.
 
     Things are taken one after another, each the one that explains most of what those before have left; at most three,
     of at least 10 % of the squared residual.
@@ -125,18 +125,18 @@ def _binned(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
 
 
 def _state(driver: str, centre: np.ndarray, mean: np.ndarray) -> str:
-    """Words for a force that goes with the displacement or velocity: even or odd."""
+    """Words for a force that depends on the displacement or velocity: even or odd."""
     if driver == "sign of velocity":
         return f"a force with the sign of the velocity, {_signed(0.5 * (mean[-1] - mean[0]))} of the rms force"
     reach = min(float(centre[-1]), -float(centre[0]))
     if reach <= 0.0:
-        return f"a force that goes with the {driver}, on one side"
+        return f"a force that depends on the {driver}, on one side"
     at = np.linspace(0.1, 1.0, 10) * reach
     right, left = (np.interp(side * at, centre, mean) for side in (1.0, -1.0))
     even, odd = (float(np.sum((right + sign * left) ** 2)) for sign in (1.0, -1.0))
     if even > _PARITY * (even + odd):
         return f"a force even in the {driver}"
-    return f"a force odd in the {driver}" if odd > _PARITY * (even + odd) else f"a force that goes with the {driver}"
+    return f"a force odd in the {driver}" if odd > _PARITY * (even + odd) else f"a force that depends on the {driver}"
 
 
 def _slow(driver: str, action: str, centre: np.ndarray, mean: np.ndarray) -> str:

@@ -44,7 +44,7 @@ def find_tones(motion: Cycles, values: np.ndarray) -> tuple[Tone, ...]:
     at none of its first nine harmonics, and only where the power is four times that one and two harmonics away.
 
     Args:
-        motion: of the test, which tells what it explains.
+        motion: of the test, which shows what it explains.
         values: (n,) N.
     """
     return _search(motion, values)[0]
@@ -92,7 +92,7 @@ def _allowed(frequency: np.ndarray, power: np.ndarray, motion: Cycles) -> np.nda
     """Bins (m,) in which a peak does not come from the motion.
 
     Harmonics of a periodic motion, and their images at sampling, come in combs: as far from a peak as the base
-    frequency, or a multiple that the window tells apart, there are others.
+    frequency, or a multiple that the window separates, there are others.
     """
     bin_width = float(frequency[1])
     lobe = (_MAIN_LOBE + 1) * bin_width

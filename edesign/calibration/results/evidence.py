@@ -40,7 +40,7 @@ from edesign.estimation.model import PredictionError
 T = TypeVar("T")
 S = TypeVar("S")
 MODELS = "comparing the models of the search"
-NEXT_TEST = "asking which further test would tell more"
+NEXT_TEST = "asking which further test would separate the models"
 OTHER_LAW = "asking whether another law does better"
 """Steps of a calibration that it can do without."""
 NOT_DESCRIBED = "more than noise, which could not be described"
@@ -99,7 +99,7 @@ class Evidence(ABC, Generic[T]):
         """Return the campaign, and its model at each stage."""
 
     def next_test(self) -> NextTest | None:
-        """Return which further test would tell more."""
+        """Return which further test would separate the models."""
         raise NotImplementedError
 
     def other_law(self) -> OtherLaw | None:

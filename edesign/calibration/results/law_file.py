@@ -77,7 +77,7 @@ def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
 def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carried | None:
     """Return how a law file carries an effect of the damper; None: it has no such form.
 
-    What ages is as it was in the last test, what softens or wears with use as in a virgin damper, what goes with a
+    What ages is as it was in the last test, what softens or wears with use as in a virgin damper, what depends on a
     condition of the tests as at its mean in those fitted to, where most of these effects do nothing.
 
     Args:
@@ -318,7 +318,7 @@ def law_lines(found: Calibration) -> list[str]:
         )
     lines += [f"no part of the damper: {text}" for text in file.measurement_effects]
     lines += [
-        f"the tests cannot tell {one.label} ({one.kind}) from {' or '.join(one.indistinguishable_from)}: "
+        f"the tests cannot separate {one.label} ({one.kind}) from {' or '.join(one.indistinguishable_from)}: "
         "it may be either"
         for one in found.effects
         if one.indistinguishable_from

@@ -85,7 +85,7 @@ class Posterior:
     def probabilities(self) -> np.ndarray:
         """Of each model (n,)."""
         totals = np.array([-self.behind(i).total for i in range(len(self.models))])
-        totals[np.isnan(totals)] = -np.inf  # of which tests left out tell nothing
+        totals[np.isnan(totals)] = -np.inf  # of which tests left out say nothing
         totals[0] = 0.0
         weights = np.exp(totals - totals.max())
         return np.asarray(weights / weights.sum())
@@ -102,7 +102,7 @@ class Posterior:
         return float(sum(p for p, m in zip(self.probabilities, self.models, strict=True) if name in m.names))
 
     def indistinguishable_from(self, name: str) -> dict[str, float]:
-        """Return what the tests cannot tell from an effect of the best model: other effects in its place.
+        """Return what the tests cannot separate from an effect of the best model: other effects in its place.
 
         They stand in models that are not surely behind the best one, by the rule of adoption. A richer model that is
         ahead, though not surely, takes nothing off them.

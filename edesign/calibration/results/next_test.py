@@ -1,8 +1,8 @@
 """Which further test would separate the models that the tests made so far leave probable.
 
 Each model predicts each test that the rig can make, as the tests have shown: no larger, no faster and no warmer than
-they were. The test with the largest expected difference is told: sum over pairs w_i w_j |f_i - f_j|^2 over the noise,
-with w the probabilities of the models.
+they were. The test with the largest expected difference is proposed: sum over pairs w_i w_j |f_i - f_j|^2 over the
+noise, with w the probabilities of the models.
 
 Source: Box and Hill (1967), Discrimination among mechanistic models, Technometrics 9, 57-71.
 """
@@ -73,7 +73,7 @@ def next_test(problem: DamperProblem, posterior: Posterior) -> NextTest | None:
         posterior: over the models of the search.
 
     Returns:
-        None: one model alone is left, or no test would tell them apart better than those that were made, and from
+        None: one model alone is left, or no test would separate them better than those that were made, and from
             what the best one leaves.
     """
     chosen = posterior.rivals()[:_MOST_MODELS]

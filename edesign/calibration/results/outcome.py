@@ -100,7 +100,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
         return describe_residual(long) if long else ""
 
     def next_test(self) -> NextTest | None:
-        """Return which further test would tell more."""
+        """Return which further test would separate the models."""
         return next_test(self.found.base.problem, self.posterior)  # type: ignore[arg-type]
 
     def other_law(self) -> OtherLaw | None:

@@ -1,4 +1,4 @@
-"""What a calibration found: the errors before and after, the effects, and what the tests cannot tell."""
+"""What a calibration found: the errors before and after, the effects, and what the tests cannot decide."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ class Steps:
     A step that fails has what stands instead of it.
 
     Attributes:
-        progress: told what is done.
+        progress: called with what is done.
         ending: how the search ended; interrupted if a step was.
         failed: steps that failed, with the reason, for people.
     """
@@ -95,7 +95,7 @@ def searched(problem: Problem, settings: SearchSettings, progress: Progress, cam
 
     Args:
         problem: of the tests.
-        progress: told what is done.
+        progress: called with what is done.
         model: what is declared in it, for people.
 
     Raises:

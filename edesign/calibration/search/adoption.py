@@ -1,4 +1,4 @@
-"""Where an effect is adopted: every gate, in the order in which docs/theory/calibration.md tells them.
+"""Where an effect is adopted: every gate, in the order in which docs/theory/calibration.md lists them.
 
     rule of adoption   `sure`: tests that are left out are predicted significantly better
     search, step 5     `Adoption.pruned`: an effect is needed beside the others, is of some size (`insignificant`),
@@ -274,8 +274,8 @@ def placed(model: FittedModel, validate: Validate) -> FittedModel:
 def validated(fitter: Fitter, found: Kept, refit: float, validate: Validate) -> Kept:
     """Return a model without the effects by which validation tests are predicted worse than by the refit.
 
-    Where all effects together do that, the one goes without which these tests are predicted best, and so on. No effect
-    comes in by the validation tests.
+    Where all effects together do that, the one is dropped without which these tests are predicted best, and so on. No
+    effect comes in by the validation tests.
 
     Args:
         fitter: of the problem.

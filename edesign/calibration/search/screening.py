@@ -10,7 +10,7 @@ L is the log density with the scale of the noise integrated out. Pairs follow fr
 Nuisance amplitudes of each test, as of hum, whose phase is any, are integrated out of c and r.
 
 The noise is what all effects together leave. What one effect makes looks like slow noise as long as it is not there;
-under such noise nothing slow would be told from chance.
+under such noise nothing slow would be separated from chance.
 
 Sources: grouped orthogonal forward regression: Chen, Billings and Luo (1989), Int. J. Control 50, 1873-1896; with
 priors it is the evidence of a linear model: MacKay (1992), Neural Computation 4, 415-447; noise by the full model:

@@ -101,7 +101,7 @@ class Search:
     def _swap(self) -> bool:
         """Try other effects in the place of each one; return whether one of them is surely better, and was taken.
 
-        Those that the best model does not surely beat are its rivals: the tests cannot tell them apart.
+        Those that the best model does not surely beat are its rivals: the tests cannot separate them.
         """
         best = self._best
         self._rivals = []

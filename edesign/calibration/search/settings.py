@@ -27,7 +27,7 @@ class SearchSettings:
         own_discrepancy: the same in a way that no other equation of it has: all others together leave 3 to 29 %, 8 % in
             the median.
         least: root mean square of what an effect explains beside the others, of that of what was measured. Less is not
-            told from the instruments: a force transducer of class 1 reproduces no better (ISO 376:2011, table 2).
+            separated from the instruments: a force transducer of class 1 reproduces no better (ISO 376:2011, table 2).
         effort: weighted predictions of all tests, after which the search ends unfinished: in those campaigns searches
             that were right ended within 8 000.
     """

@@ -17,9 +17,9 @@ _FEWEST = 8  # samples
 
 
 def cornered(time: np.ndarray, values: np.ndarray, noise: float) -> bool:
-    """Say whether cubics that do not overshoot their samples tell every other sample better than a spline does.
+    """Say whether cubics that do not overshoot their samples predict every other sample better than a spline does.
 
-    Where neither tells them, as there are too few, cubics that do not overshoot are the safer ones.
+    Where neither predicts them, as there are too few, cubics that do not overshoot are the safer ones.
 
     Records that were digitised from figures, or taken at a few points of each ramp, turn at their samples. A spline
     overshoots these, and a law that yields goes with it.

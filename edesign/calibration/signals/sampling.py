@@ -7,7 +7,7 @@ from scipy.interpolate import CubicSpline
 
 _EVEN = 1e-3  # of a step: departure from even times that means nothing
 _MOST_STEPS = 1e9  # of a digitiser or of printed digits over the range: 30 bit
-_FEWEST_GAPS = 8  # between values: with fewer, steps cannot be told from chance
+_FEWEST_GAPS = 8  # between values: with fewer, steps cannot be separated from chance
 _INTEGER = 1e-2  # of a step
 _DIVISORS = 8  # the smallest gap may be that many steps
 _BENDS = 0.2  # of the changes between samples: fewer are ramps

@@ -149,7 +149,7 @@ class StructureFile(Model):
 
 
 def check_structure(file: StructureFile, problems: Problems) -> None:
-    """Check what no key alone can tell: numbers of storeys and channels, the law of the isolation layer."""
+    """Check what no key alone can show: numbers of storeys and channels, the law of the isolation layer."""
     block = file.structure
     floors = len(block.floor_masses)
     storeys = floors - 1 if block.base == "isolated" else floors

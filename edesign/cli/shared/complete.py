@@ -17,7 +17,7 @@ def _names(names: Callable[[], Iterable[str]]) -> Callable[[str], list[str]]:
     def complete(incomplete: str) -> list[str]:
         try:
             return [name for name in dict.fromkeys(names()) if name.startswith(incomplete)]
-        except Exception:  # a shell has no place for an error; the command itself tells it
+        except Exception:  # a shell has no place for an error; the command itself prints it
             return []
 
     return complete
@@ -34,7 +34,7 @@ def _named(names: Callable[[Path], Iterable[str]]) -> Callable[[str], list[str]]
 
 
 def _words() -> list[str]:
-    """The words of the line, as the shell tells them: an option without its value hides the arguments from typer."""
+    """The words of the line, as the shell gives them: an option without its value hides the arguments from typer."""
     line = os.environ.get("COMP_WORDS") or os.environ.get("_TYPER_COMPLETE_ARGS", "")
     try:
         return shlex.split(line)[1:]

@@ -54,7 +54,7 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
     """Read a campaign (YAML) or a property table (CSV).
 
     Raises:
-        InputError: the file cannot be read, nothing in it can be fitted to, or an option does not go with it.
+        InputError: the file cannot be read, nothing in it can be fitted to, or an option does not apply to it.
     """
     if against is not None and against not in AGAINST:
         raise InputError(

@@ -128,7 +128,7 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
     recordings: dict[str, Found] = {}
     for path in inputs:
         name = _name(path)
-        if name.lower() in map(str.lower, recordings):  # names of files, and some systems do not tell a from A
+        if name.lower() in map(str.lower, recordings):  # names of files, and some systems do not distinguish a from A
             raise InputError(f"{path}: another of the files is called {name} too; rename one of them [E-FILE-09]")
         record = _record(path, name, reading)
         twin = next((other for other, item in recordings.items() if item.record.checksum == record.checksum), None)

@@ -45,7 +45,7 @@ class VisibleStream:
 def progress_line(text: str) -> None:
     """Print a line of progress on standard error.
 
-    Nobody may read it on, or the disk of a log may be full: no reason to stop the work that it tells of.
+    Nobody may read it on, or the disk of a log may be full: no reason to stop the work that it reports.
     """
     with suppress(OSError):
         print(text, file=sys.stderr, flush=True)

@@ -16,7 +16,7 @@ RANGE = 1.5
 
 LEAST_ROOF_FORCE = 1e-6
 """Of the force of the roof over the largest one. With less the control node does not stand for the frame: Gamma, by
-which its displacement is divided, goes with it towards zero. Forces are in equilibrium to 1e-7 of the largest, and so
+which its displacement is divided, tends to zero with it. Forces are in equilibrium to 1e-7 of the largest, and so
 are displacements about; at 1e-6 one digit of that of the roof is left."""
 
 LARGEST_RATIO = 3.0

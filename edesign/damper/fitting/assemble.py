@@ -61,7 +61,7 @@ def assemble(
     if not enough:
         robust = dict.fromkeys(names, float("nan"))
     fewer = float(np.sqrt(max(samples / max(independent, 1.0), 1.0)))
-    loose = [coordinates.names[i] for i in free if found.loose[i] > LOOSE]  # what no block tells does not scatter
+    loose = [coordinates.names[i] for i in free if found.loose[i] > LOOSE]  # what no block determines does not scatter
     robust |= {name: max(robust[name], white[name]) for name in loose if enough}
     printed = robust if enough else {name: error * fewer for name, error in white.items()}
     at_bound = {name: values[name] for name in coordinates.names if name not in names}

@@ -48,7 +48,7 @@ class Coordinates:
     """Free parameters as coordinates of a search: dimensionless, logarithms of those that are positive.
 
     A coefficient with an exponent in its unit, c |v|^alpha, is searched as its force at the typical velocity of the
-    tests, which data tell almost independently of the exponent.
+    tests, which data determine almost independently of the exponent.
 
     Args:
         parameters: all of the law, and further unknowns.

@@ -75,7 +75,7 @@ def fit_forces(
         reference_C: degC at which the parameters hold.
         predict: force of parameters under a loading; None: the law in the core.
         workers: threads.
-        progress: told of the starts.
+        progress: called at each start.
 
     Raises:
         InputError: something is wrong with tests or options, or the data cannot carry so many parameters.

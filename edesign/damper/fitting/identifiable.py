@@ -32,7 +32,7 @@ _BOUC_WEN = {
     ),
 }
 
-_CORE = "it is measured on the brace; force and deformation tell F_ysc A_sc and KF E A_sc / L_wp alone"
+_CORE = "it is measured on the brace; force and deformation determine F_ysc A_sc and KF E A_sc / L_wp alone"
 
 FIXED: dict[str, dict[str, FixedParameter]] = {
     "buckling_restrained": {
@@ -67,7 +67,7 @@ _NOT_BELOW_MINUS = {"bouc_wen": {"beta": "gamma"}, "modified_bouc_wen": {"beta":
 def beside(law: Law, parameter: Parameter, fixed: Mapping[str, float]) -> Parameter:
     """Return a parameter with the bounds that it has beside others which are fixed.
 
-    A search then stops there as at any bound. Where nothing but refused predictions tells of it, all steps that lead
+    A search then stops there as at any bound. Where nothing but refused predictions shows it, all steps that lead
     beyond it are refused as a whole, and the search stands still in all its parameters.
 
     Args:
@@ -89,7 +89,7 @@ def fixed_by_default(law: Law, start: Mapping[str, float] | None, scales: Scales
         force: largest measured force, N.
 
     Returns:
-        By name, SI; choices of the law that are no numbers for data to tell are among them.
+        By name, SI; choices of the law that are no numbers for data to determine are among them.
 
     Raises:
         InputError: one of them must be given.

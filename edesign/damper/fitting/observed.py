@@ -1,4 +1,4 @@
-"""What force histories tell without any law: equivalent stiffness and damping of every test."""
+"""What force histories show without any law: equivalent stiffness and damping of every test."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ def fit_properties(
         cycles: first and last full cycle that is averaged, see `steady_state.predict`.
         samples: of a simulated cycle, see `steady_state.predict`.
         workers: number of threads.
-        progress: told of the starts.
+        progress: called at each start.
 
     Returns:
         The fitted parameters with their uncertainty and errors.

@@ -141,7 +141,7 @@ def solve(
         candidates: coordinates (n,); the first is a start if the law gives a force with it.
         starts: how many descents.
         workers: threads.
-        progress: told of every start.
+        progress: called at each start.
         canonical: coordinates of the same law in their proper order, where branches can change places.
 
     Raises:

@@ -104,7 +104,7 @@ def thermal(
         reference_C: degC; None: 20 degC if a test has it, else the lowest of the tests.
 
     Raises:
-        InputError: the kind is not made for the law, or the tests cannot tell its unknowns.
+        InputError: the kind is not made for the law, or the tests cannot determine its unknowns.
     """
     known = tuple(sorted(set(temperatures)))
     reference = reference_C if reference_C is not None else REFERENCE_C if REFERENCE_C in known else known[0]

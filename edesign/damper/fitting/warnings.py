@@ -12,7 +12,7 @@ from edesign.damper.history import sign_questionable
 
 CORRELATED = 0.98
 LOOSE = 0.5
-"""Share of a parameter's variance in combinations that data do not tell, for it to be named."""
+"""Share of a parameter's variance in combinations that data do not determine, for it to be named."""
 _PRECISE = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
 
@@ -32,7 +32,7 @@ def identifiability_warnings(
         values: SI.
         errors: standard errors, SI.
         correlation: (n, n) of them.
-        loose: names of those that data tell in combinations only.
+        loose: names of those that data determine in combinations only.
         condition: of the derivatives, with columns of unit length.
     """
     said = []
@@ -46,7 +46,7 @@ def identifiability_warnings(
             unsure = max(errors[name] / max(abs(values[name]), 1e-300) for name in (first, names[j]))
             together = first in loose and names[j] in loose
             if abs(rho) > CORRELATED and unsure > _PRECISE and not together:
-                said.append(f"{names[j]} and {first} are correlated by {rho:.3f}: the data can hardly tell them apart")
+                said.append(f"{names[j]} and {first} are correlated by {rho:.3f}: the data can hardly separate them")
     for name in names:
         if name not in loose and errors[name] > _UNSURE * abs(values[name]):
             said.append(f"{name}: the standard error is {_ratio(errors[name], values[name])} of the value")

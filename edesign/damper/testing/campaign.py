@@ -195,7 +195,7 @@ def _readings(tests: Sequence[DamperTest]) -> tuple[str, ...]:
 
 
 def _by_tests(notes: Iterable[tuple[str, str]]) -> tuple[str, ...]:
-    """Each text once, behind the names of the tests that it is told of."""
+    """Each text once, behind the names of the tests that it belongs to."""
     names: dict[str, list[str]] = {}
     for text, name in notes:
         if text:
@@ -378,7 +378,7 @@ def short_names(paths: Sequence[Path]) -> list[str]:
 
 
 def _names(file: CampaignFile) -> list[str]:
-    """Names of the tests: file names, with ending and folders where these are needed to tell them apart."""
+    """Names of the tests: file names, with ending and folders where these are needed to distinguish them."""
     return short_names([Path(entry.file) for entry in file.tests])
 
 

@@ -210,7 +210,7 @@ def check_law(block: LawBlock | None, problems: Problems, complete: bool) -> Non
     law = LAWS[block.type]
     try:
         values = read_parameters(law, block.parameters)
-        CoreDamper(law.name, list(values.values()))  # what no parameter alone can tell
+        CoreDamper(law.name, list(values.values()))  # what no parameter alone can show
     except ParameterError as error:
         for name, message in error.problems:
             given = isinstance(block.parameters, dict) and name in block.parameters

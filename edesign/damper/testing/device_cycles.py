@@ -13,7 +13,7 @@ from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import InputError
 
 LEAST_CYCLES = 3
-"""Of a run: standards ask for three cycles of the largest amplitude at least, and tell devices by the third."""
+"""Of a run: standards ask for three cycles of the largest amplitude at least, and judge devices by the third."""
 
 _STORES = 0.03
 """k' over k'' from which a device is said to store energy: the tangent of 1.8 degrees, by which filters and clocks of

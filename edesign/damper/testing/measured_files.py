@@ -156,7 +156,7 @@ def rest_before(displacement: np.ndarray) -> int:
 
 
 def _gaps(table: Table, time: np.ndarray) -> str:
-    """Tell where samples are missing; a rate of sampling that changes and stays so is no gap."""
+    """Say where samples are missing; a rate of sampling that changes and stays so is no gap."""
     found = gaps(time)
     if not found.size:
         return ""
@@ -170,7 +170,7 @@ def _gaps(table: Table, time: np.ndarray) -> str:
 def _from_zero(
     table: Table, time: np.ndarray, displacement: np.ndarray, zero: DisplacementZero
 ) -> tuple[np.ndarray, str]:
-    """Displacement (n,) m from what counts as none, and what is to be told of its beginning."""
+    """Displacement (n,) m from what counts as none, and what is to be noted of its beginning."""
     samples = rest_before(displacement)
     rest = f"rest before the motion for {time[samples] - time[0]:.3g} s" if samples else ""
     if zero == "as_recorded":

@@ -26,7 +26,7 @@ from edesign.optional_stages import optional
 
 PROPERTIES_FILE = "properties.csv"
 Progress = Callable[[int, int, str], None]
-"""Told before each test: its number from 1, how many there are, its name."""
+"""Called before each test with its number from 1, how many there are, its name."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
     Args:
         programme: from `load_programme`.
         folder: made if it does not exist.
-        progress: told before each test.
+        progress: called before each test.
 
     Raises:
         InputError: parameters or a test are wrong.

@@ -15,7 +15,7 @@ from edesign.errors import InputError
 CYCLES = (5, 15)
 """First and last of the cycles that are averaged where there are so many (thesis 3.3)."""
 THIRD = 3
-"""Cycle from which a test with fewer is averaged: devices are told by it, as the first two are of a virgin specimen."""
+"""Cycle from which a test with fewer is averaged: devices are judged by it, as two are of a virgin specimen."""
 
 
 @dataclass(frozen=True)

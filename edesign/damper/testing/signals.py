@@ -20,7 +20,7 @@ SAMPLING_RATE = 1000.0
 
 MOST_SAMPLES = 10_000_000
 LEAST_PER_CYCLE = 12
-"""Samples: from fewer no properties can be told, and the splines between them miss the peaks."""
+"""Samples: from fewer no properties can be determined, and the splines between them miss the peaks."""
 
 SWEEP_4_4 = tuple(
     (cycles, share / 6.0)

@@ -161,7 +161,7 @@ def opensees_script(
 
 
 class _Mark:
-    """What a structure had at a moment, to tell what was added afterwards."""
+    """What a structure had at a moment, to find what was added afterwards."""
 
     LISTS = ("node_commands", "masses", "materials", "sections", "elements", "springs")
 

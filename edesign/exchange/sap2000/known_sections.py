@@ -14,7 +14,7 @@ CLOSE = 0.01
 """Share by which area and second moment of area may differ from the catalogue's: tables round, mills roll fillets of
 other radii. W14X176 of AISC differs by 0.8 % in area; the next mass of a series by 4 % and more."""
 WORTH_TELLING = 1e-3
-"""Difference that is told: what rounding in tables of three digits does."""
+"""Difference that is reported: what rounding in tables of three digits does."""
 _SIZES_CLOSE = 0.005  # of depth, width and thicknesses, which tables give to 0.1 mm or 0.01 in
 
 

@@ -141,7 +141,7 @@ def _is_heading(line: str) -> bool:
 
 
 def _decoded(path: Path, content: bytes) -> str:
-    """The text of a file, whose encoding its first bytes tell."""
+    """The text of a file, whose encoding its first bytes show."""
     for mark, encoding in ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (b"\xfe\xff", "utf-16")):
         if content.startswith(mark):
             text = content.decode(encoding, errors="replace")

@@ -53,7 +53,7 @@ def units_of(tables: Tables) -> Units:
     """Return the units of a file.
 
     Raises:
-        InputError: the file does not tell its units, or has others than SAP2000.
+        InputError: the file does not state its units, or has others than SAP2000.
     """
     rows = tables.of("PROGRAM CONTROL")
     row = next((row for row in rows if row.has("CurrUnits")), None)

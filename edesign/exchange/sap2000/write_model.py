@@ -25,7 +25,7 @@ def model_text(model: Sap2000Model, name: str, mark: str) -> str:
 
     Args:
         model: in SI.
-        mark: how its first line begins to tell who wrote it.
+        mark: how its first line begins to say who wrote it.
     """
     return written_tables(f"File {name} was saved on m/d/yy at h:mm:ss. {mark} {__version__}", _tables(model))
 

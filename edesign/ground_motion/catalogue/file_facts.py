@@ -34,7 +34,7 @@ def facts_of(path: Path, file_format: FileFormat) -> Facts:
 
 
 def is_vertical(path: Path, label: str) -> bool:
-    """Return whether a component is the vertical one, as far as its label or the name of its file tells.
+    """Return whether a component is the vertical one, as far as its label or the name of its file shows.
 
     Args:
         label: of the component; "" without one.

@@ -27,7 +27,7 @@ from edesign.project.records.chosen_records import (
 )
 from edesign.project.records.suite_names import is_suite_name, suite_file, suite_names
 
-_HERE = Path("project.yaml")  # of a project in the working directory, from which paths are told
+_HERE = Path("project.yaml")  # of a project in the working directory, from which paths are given
 _SETS: tuple[FemaSet, ...] = get_args(FemaSet)
 
 

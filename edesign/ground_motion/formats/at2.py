@@ -32,7 +32,7 @@ def read_at2(path: Path | str, name: str = "") -> Record:
 
     Returns:
         The record in m/s2 (1 g = 9.80665 m/s2); its source is the file name and the title in its second line. It has as
-        many samples as the header says; a remark tells of others below that are not zero.
+        many samples as the header says; a remark reports others below that are not zero.
 
     Raises:
         InputError: the file cannot be read, has no such header, holds another quantity than acceleration in g, a time

@@ -181,7 +181,7 @@ def _top(rows: list[list[str]], given: TableFormat) -> int:
     """How many lines stand above the numbers: words, then headers, then units.
 
     Words above the headers are left out only where headers without any number stand below them, and no row of numbers
-    above; else the first line has the headers, if it has no number, and the reader of numbers tells what is wrong.
+    above; else the first line has the headers, if it has no number, and the reader of numbers reports what is wrong.
     """
     if given.headers is False:
         return 0

@@ -45,7 +45,7 @@ def has_header(lines: list[str]) -> bool:
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read the uncorrected acceleration of all channels; uneven times are interpolated, which `source` tells.
+    """Read the uncorrected acceleration of all channels; uneven times are interpolated, which `source` says.
 
     A channel is called by its number, its orientation (`90 DEG`, `UP`, `EW`) or its component (`N08W`, `L1`).
 

@@ -64,7 +64,7 @@ def wavelets_for(
 ) -> Wavelets:
     """Set wavelet pairs for each period, one for each lag: so that they act on its oscillator's peak.
 
-    Two bursts one after the other tell neighbouring periods apart better than one: where the peaks of neighbours fall
+    Two bursts one after the other separate neighbouring periods better than one: where the peaks of neighbours fall
     at one time, one may have to be raised and the next lowered. Near the ends of the motion wavelets get shorter.
 
     Args:

@@ -12,8 +12,8 @@ class Sensitivity:
     """Derivative of the log of spectral ordinates with respect to theta of a `FourierFactor`.
 
     While the time t_i of the peak of oscillator i stands still, the peak is linear in the factor: it is the sum over
-    frequencies of transfer function times Fourier spectrum times exp(i omega t_i), and each term goes with the factor
-    at its frequency. The ground itself is the first row: an oscillator of period zero.
+    frequencies of transfer function times Fourier spectrum times exp(i omega t_i), and each term is proportional to the
+    factor at its frequency. The ground itself is the first row: an oscillator of period zero.
     """
 
     def __init__(self, factor: FourierFactor, time_step: float, periods: np.ndarray, damping: float) -> None:

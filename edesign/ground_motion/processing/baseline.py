@@ -21,7 +21,7 @@ def correct_baseline(record: Record, order: int = 1, fit: Literal["acceleration"
     Args:
         order: of the polynomial; 0 is a constant, 1 a straight line.
         fit: what is fitted by least squares: the acceleration itself, or the velocity (by the integral of the
-            polynomial, so that the velocity still begins at zero). The velocity tells small offsets better: their
+            polynomial, so that the velocity still begins at zero). The velocity shows small offsets better: their
             integral grows with time, that of the motion does not.
 
     Returns:

@@ -23,7 +23,7 @@ class SeismicAction(Protocol):
     """
 
     def checks(self) -> Iterator[Check]:
-        """Yield what only the code can check, in the order in which it is told."""
+        """Yield what only the code can check, in the order in which it is reported."""
 
     def elastic(self, level: str | None) -> Spectrum:
         """Return the horizontal elastic spectrum.

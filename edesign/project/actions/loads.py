@@ -16,7 +16,7 @@ from edesign.project.reading.base import Model, refuse
 
 
 def _line_load(value: Any) -> float:
-    """Read a force per length; a force per area is told where it belongs."""
+    """Read a force per length; a force per area is refused with where it belongs."""
     try:
         return parse_quantity(value, LINE_LOAD)
     except PydanticCustomError:

@@ -28,7 +28,7 @@ from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.one_of import OneOf
 
 MOST_BAYS = 100
-"""In one direction, so that letters of lines and names of frames (`XA`, `YA`) are told apart."""
+"""In one direction, so that letters of lines and names of frames (`XA`, `YA`) are distinguished."""
 MOST_STOREYS = 200
 
 

@@ -296,7 +296,7 @@ class Select(Model):
         columns_not_larger_above: whether no column has a larger area than the one below it.
         starts: points from which the search starts, beside the sections of the file.
         evaluations: how many designs the search may ask for.
-        leave_out: clauses of EN 1998-1 that the design need not meet; the run tells them all the same.
+        leave_out: clauses of EN 1998-1 that the design need not meet; the run reports them all the same.
     """
 
     lists: SectionLists = SectionLists()

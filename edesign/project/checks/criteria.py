@@ -94,7 +94,7 @@ def _limits(problems: Problems, at: Keys, criterion: LimitCriterion) -> None:
 
 
 def _measured(problems: Problems, at: Keys, criterion: MeasureCriterion, project: Project) -> bool:
-    """Whether the frame has a measure at all; selections that mean nothing for it are told."""
+    """Whether the frame has a measure at all; selections that mean nothing for it are reported."""
     place = MEASURES[criterion.measure].place
     if place is None or place == "storey":
         if criterion.members:

@@ -76,7 +76,7 @@ def _members(keys: Keys, criterion: QuantityCriterion, frame: Frame, problems: P
     place = QUANTITIES[criterion.quantity].place
     allowed = [name for name, run in frame.members.items() if isinstance(run, _RUNS[place])]
     if not allowed:
-        return  # does not apply, which is told with the verdict
+        return  # does not apply, which is reported with the verdict
     what = "column or beam" if place == "member" else place
     check_members((*keys, "members"), criterion.members, allowed, what, problems)
 

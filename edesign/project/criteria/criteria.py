@@ -121,7 +121,7 @@ class _Criterion(Model):
 
     Attributes:
         name: unique name of the criterion.
-        source: clause of a code, or an agreement, that the limit comes from; the report tells it beside the check.
+        source: clause of a code, or an agreement, that the limit comes from; the report prints it beside the check.
         variants: variants that are judged, each on its own, or `all`.
         levels: hazard levels that are judged, each on its own, or `all`.
         statistic: statistic over the histories; `ec8` and `asce7` take the mean or maximum by the number of motions.

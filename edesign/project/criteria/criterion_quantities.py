@@ -36,13 +36,13 @@ class ArchivedQuantity:
         kind: what its values are.
         place: what it is of.
         meaning: in words.
-        sides: whether tension and compression may be told apart; of a reaction, tension is uplift.
+        sides: whether tension and compression may be distinguished; of a reaction, tension is uplift.
         own: keys of a criterion that it has beside the selection of places.
         kept: the histories that must be kept for it (`outputs: histories`); None: it is always archived.
         over_time: the variable over time that it is computed from, "" if the archive has its extremes.
         isolated: whether only an isolated base has it.
         of_dampers: whether only frames with dampers have it.
-        bends: whether it tells how beams bend.
+        bends: whether it shows how beams bend.
     """
 
     kind: Kind

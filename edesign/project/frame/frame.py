@@ -73,7 +73,7 @@ class Frame(Storeys, Model):
     _met_by_dampers: frozenset[tuple[int, int]] = PrivateAttr(default=frozenset())
 
     def meet_by_dampers(self, beams: Iterable[tuple[int, int]]) -> None:
-        """Tell the frame, once, which beams dampers meet in the middle, by (bay, floor)."""
+        """Set in the frame, once, which beams dampers meet in the middle, by (bay, floor)."""
         self._met_by_dampers = frozenset(beams)
 
     def met_by_dampers(self, beams: Collection[tuple[int, int]]) -> Frame:

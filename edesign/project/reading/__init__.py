@@ -1,1 +1,1 @@
-"""How YAML files become checked models, and what is wrong with them is told to people."""
+"""How YAML files become checked models, and what is wrong with them is reported to people."""

@@ -20,7 +20,7 @@ _VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_
 def explain(error: ValidationError, model: type[BaseModel], problems: Problems) -> None:
     """Turn all errors of a validation into problems.
 
-    A misspelt key is told once: what follows from it, such as the key that is missing, is not.
+    A misspelt key is reported once: what follows from it, such as the key that is missing, is not.
 
     Args:
         error: as raised by `model.model_validate` on the plain data of the file.

@@ -10,15 +10,15 @@ from typing import Annotated, Any, get_args, get_origin
 from pydantic import BaseModel, Discriminator, GetCoreSchemaHandler, Tag
 
 TAG = "?"
-"""First character of the tags of alternatives, so that they are told apart from keys in the path of a problem."""
+"""First character of the tags of alternatives, so that they are distinguished from keys in the path of a problem."""
 MAPPING, LIST, PLAIN = f"{TAG}mapping", f"{TAG}list", f"{TAG}plain"
 
 
 class OneOf:
     """Which alternative of a union a value is: `Annotated[A | B, OneOf("kind")]`.
 
-    Mappings, lists and other values are told apart by themselves. Of several models a mapping is the one of the first
-    of `keys` that it has, else the one whose literal is the value of `key`, else `otherwise`.
+    Mappings, lists and other values are distinguished by themselves. Of several models a mapping is the one of the
+    first of `keys` that it has, else the one whose literal is the value of `key`, else `otherwise`.
     """
 
     def __init__(self, key: str = "", otherwise: Any = None, **keys: Any) -> None:

@@ -1,4 +1,4 @@
-"""Cross checks of a file some parts of which are wrong: those that need no such part are told at once with it."""
+"""Cross checks of a file some parts of which are wrong: those that need no such part are reported at once with it."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def readable_part(model: type[M], problems: Problems) -> M | None:
 def check_independent(part: BaseModel, checks: Iterable[Callable[[], None]]) -> None:
     """Run cross checks, each until it reads a part of the file that is wrong.
 
-    What a check has told before that is true of what it has asked for.
+    What a check has reported before that is true of what it has asked for.
 
     Args:
         part: as `readable_part` returns it.

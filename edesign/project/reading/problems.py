@@ -1,4 +1,4 @@
-"""Problems of a YAML file, each with its place, all told at once."""
+"""Problems of a YAML file, each with its place, all reported at once."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
 
 def _record(rts: RtsFile, test: RecordTest, keys: Keys, problems: Problems) -> None:
     if isinstance(rts.structure, ProjectStructure) and (rts.project is None or _says_analysis(rts, test)):
-        return  # what is wrong with project or analysis is told there
+        return  # what is wrong with project or analysis is reported there
     of_project = rts.project.records if rts.project is not None else {}
     known = {**rts.records, **of_project}
     if test.record is None:

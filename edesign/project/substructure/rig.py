@@ -68,7 +68,7 @@ class _Rig(Model):
 
 
 class IdealRig(_Rig):
-    """A rig that does what it is told, at once.
+    """A rig that follows every command at once.
 
     Attributes:
         kind: displacement equals command.

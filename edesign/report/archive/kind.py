@@ -33,7 +33,7 @@ class ArchiveKind:
         sections: gives the sections of the report that have content, in its order.
         unfinished: says what is missing as long as the run goes on or was interrupted.
         summary: gives the archive as plain data by key, and warnings about the archive that were found on the way; the
-            second argument has the names of analyses, the third tells whether these are all.
+            second argument has the names of analyses, the third says whether these are all.
     """
 
     name: str

@@ -55,7 +55,7 @@ MAIN = (
     "damper_deformation_m",
     "damper_force_N",
 )
-"""Measures of analyses without histories that are told here."""
+"""Measures of analyses without histories that are printed here."""
 
 
 class _Modes(NamedTuple):
@@ -199,7 +199,7 @@ def _warnings(archive: Archive, groups: dict[str, Group]) -> Table:
 
 
 def _add_ends(top: Table, groups: dict[str, Group], damaged: Sequence[str]) -> None:
-    """Tell in the head how many analyses were completed, and below it the first that were not."""
+    """Say in the head how many analyses were completed, and below it the first that were not."""
     if not groups and not damaged:
         return
     ends = {name: ending(group) for name, group in groups.items()}

@@ -28,7 +28,7 @@ from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.results.warnings import warnings_of
 
 SCREEN = 40  # lines
-LAST = 2  # of them for the line that tells where the rest is
+LAST = 2  # of them for the line that says where the rest is
 LEAST = 5  # tables, however long they are
 HEADING = TableSpec[tuple[str, str]](
     "heading",

@@ -17,7 +17,7 @@ USUAL = ("interstorey_drift", "roof_acceleration_m_s2", "base_shear_N", "damper_
 _NUMBER = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*?)\s*")
 _STEP = re.compile(r"[^.\[\]]+(?:\[[0-9]+\])?")
 _OF_NO_NAME = ("parameters",)
-"""Keys that do not tell what a quantity is of."""
+"""Keys that do not say what a quantity is of."""
 
 
 @dataclass(frozen=True)

@@ -53,7 +53,7 @@ def response_in_short(sets: Sequence[HistorySet]) -> Table:
     """Return the means of the main measures, a row for each variant and level.
 
     Args:
-        sets: of histories; those without a completed one are told below the table.
+        sets: of histories; those without a completed one are listed below the table.
     """
     shown = [found for found in sets if found.completed]
     several = any(len(found.completed) > 1 for found in shown)

@@ -66,7 +66,7 @@ def _members(frame: SpaceFrame, name: str) -> list[Member]:
 def _look(
     building: Building, frame: SpaceFrame, along: Direction, number: int, members: Sequence[Member]
 ) -> tuple[object, ...]:
-    """What tells an elevation from another one."""
+    """What distinguishes an elevation from another one."""
     k = DIRECTIONS.index(along)
     found = frozenset(
         (

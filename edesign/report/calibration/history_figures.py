@@ -83,7 +83,7 @@ def _short(label: str) -> str:
 
 
 def loop_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
-    """Loops of the tests that tell most, measured and predicted."""
+    """Loops of the tests that show most, measured and predicted."""
     names = ", ".join(one.name for one in view.telling)
     caption = (
         f"Force over displacement of {names}, the tests with the largest errors as declared; of each the cycles about "

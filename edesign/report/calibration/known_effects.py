@@ -62,7 +62,7 @@ def effects_tables(effects: tuple[KnownEffect, ...]) -> list[Table]:
     kinds = dict.fromkeys(effect.tests for effect in effects)
     tables = [EFFECTS.of((effect for effect in effects if effect.tests == tests), tests=tests) for tests in kinds]
     tables[-1].notes.append("what: of the first form; forms: how many equations are tried for it")
-    tables[-1].notes.append("`edesign effects NAME` tells its forms, their parameters, its signature and its sources.")
+    tables[-1].notes.append("`edesign effects NAME` lists its forms, their parameters, its signature and its sources.")
     return tables
 
 

@@ -1,4 +1,4 @@
-"""What the residual of all tests goes with, before and after a calibration."""
+"""What the residual of all tests depends on, before and after a calibration."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _FULL = 98.0  # percentile of the map's values at the end of the colours
 
 
 def dependence_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
-    """Residual against the six things that explain most of it; nothing where it goes with nothing."""
+    """Residual against the six things that explain most of it; nothing where it depends on nothing."""
     shown = telling_dependences(view)
     if not shown:
         return
@@ -34,7 +34,7 @@ def dependence_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
     caption = (
         "Residual against what explains most of it, means of bins over all tests: a slope or a step is what the law "
         f"lacks, a flat line at zero is nothing. Alone the {first.driver} explains {_share(first)} of the squared "
-        f"residual as declared{after}; the titles tell it of each. As a "
+        f"residual as declared{after}; the titles give it for each. As a "
         "force: in per cent of the rms force of a test; as a factor: of the predicted force."
     )
     yield "dependences", caption, _dependences_figure(view, shown)

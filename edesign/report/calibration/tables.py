@@ -123,7 +123,7 @@ def effect_tables(calibration: Calibration) -> list[Table]:
 
 
 def effects_table(calibration: Calibration) -> Table:
-    """Return each effect with its kind, what it does for the prediction, and what the tests cannot tell from it."""
+    """Return each effect with its kind, what it does for the prediction, and what the tests cannot separate from it."""
     with_it = calibration.errors["corrected"].validate
     found = [_Found(one, with_it + one.delta_validate) for one in calibration.effects]
     notes = [f"{name_of(one.name)} shows as: {one.signature}" for one in calibration.effects]
@@ -135,7 +135,7 @@ def effects_table(calibration: Calibration) -> Table:
             "probability: of the effect among all models that the search compared, whatever stands beside it",
         ]
     if any(one.indistinguishable_from for one in calibration.effects):
-        notes.append("cannot be told from: with the probability of the other one, if it is one of the two")
+        notes.append("cannot be separated from: with the probability of the other one, if it is one of the two")
     return EFFECTS.of(found, notes=notes)
 
 

@@ -19,7 +19,7 @@ _TOLD = 2  # effects confounded with one, in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _WHOLE = 1e3  # from here on numbers in sentences are whole
-_CLOSE = 0.05  # probability beside an effect of another one that is told in a breath with it
+_CLOSE = 0.05  # probability beside an effect of another one that is named in one sentence with it
 _TESTS: dict[Subject, str] = {"damper": "tests", "structure": "tests", "table": "rows"}
 _MEASURED: dict[Subject, str] = {"damper": "force", "structure": "motion", "table": "moduli"}
 
@@ -200,7 +200,7 @@ def _structure_file(calibration: Calibration) -> str:
     if calibration.law_fixed and not calibration.effects:
         text = "structure.yaml has the building as declared"
     if lacking:
-        text += f", but no key of it, or of a law, carries {', '.join(lacking)}: comments tell"
+        text += f", but no key of it, or of a law, carries {', '.join(lacking)}: comments have them"
     if calibration.law_file.measurement_effects:
         text += "; what the instruments did is no part of it"
     return f"{text}."
@@ -229,7 +229,7 @@ def _open(calibration: Calibration) -> list[str]:
     ]
     if calibration.next_test is not None:
         names = " from ".join(map(name_of, calibration.next_test.separates))
-        texts.append(f"The next test, to tell {names}: {calibration.next_test.text}.")
+        texts.append(f"The next test, to separate {names}: {calibration.next_test.text}.")
     elif no_next_test(calibration):
         texts.append(f"{no_next_test(calibration)}.")
     return texts
@@ -241,7 +241,7 @@ def no_next_test(calibration: Calibration) -> str:
     asked = calibration.subject == "damper" and calibration.ending != "interrupted"
     if not confounded or calibration.next_test or not asked or NEXT_TEST in calibration.failed:
         return ""
-    return "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
+    return "No test within the amplitudes and frequencies of these would separate them better: look at the rig"
 
 
 def _conditions(calibration: Calibration) -> list[str]:

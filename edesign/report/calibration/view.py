@@ -1,4 +1,4 @@
-"""What the figures of a calibration share: stages that differ, tests that tell most, windows and thinned curves."""
+"""What the figures of a calibration share: stages that differ, tests that show most, windows and thinned curves."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from edesign.report.calibration.error_tables import MODELS
 from edesign.report.calibration.units import UNKNOWN, percent, plus_minus, value_text
 
 _NAMED = 2  # parameters of an effect in a sentence
-_LEAST = 1e-4  # probability that is told as a number
+_LEAST = 1e-4  # probability that is printed as a number
 
 
 def searched(calibration: Calibration) -> str:

@@ -20,7 +20,7 @@ from edesign.report.tables.unit import ONE, PERCENT, YEARS, Unit
 _FRACTIONS = [f"{100 * fraction:.0f} %" for fraction in FRACTILES]
 _Row = dict[str, Value]
 OUTSIDE = 0.2
-"""Share of a rate that comes from outside of the points of a hazard curve, from which on a note tells it."""
+"""Share of a rate that comes from outside of the points of a hazard curve, from which on a note says so."""
 
 
 def _fit(name: str) -> Callable[[LimitFragility], float | None]:

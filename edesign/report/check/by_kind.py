@@ -37,7 +37,7 @@ from edesign.report.check.tables_of_numbers import record_summary, table_summary
 
 Summary = dict[str, str]
 YAML_ENDINGS = (".yaml", ".yml")
-"""Of files whose faults are told by line and column, whatever a stray character makes of their kind."""
+"""Of files whose faults are reported by line and column, whatever a stray character makes of their kind."""
 _HEAD = 4096  # bytes, in which a file that is no text shows it
 
 SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
@@ -83,6 +83,6 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
 
 
 def _is_recording(path: Path) -> bool:
-    """Whether a file of no known kind is a record by its content, or at least no text, which its reader tells."""
+    """Whether a file of no known kind is a record by its content, or at least no text, which its reader reports."""
     head = (head_of(path) or b"")[:_HEAD]
     return bool(head.strip()) and (b"\0" in head or format_by_marks(path) is not None)

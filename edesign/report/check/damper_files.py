@@ -109,7 +109,7 @@ def _programme_summary(programme: Programme) -> dict[str, str]:
         if isinstance(plan, (SineTest, SweepTest)) and programme.sampling_rate < _FEW_SAMPLES * max(plan.frequency):
             warnings.append(
                 f"{test.name}: {programme.sampling_rate / max(plan.frequency):.3g} samples a cycle at "
-                f"{max(plan.frequency):g} Hz; {_FEW_SAMPLES:g} or more tell moduli well"
+                f"{max(plan.frequency):g} Hz; {_FEW_SAMPLES:g} or more give moduli well"
             )
     kinds = Counter(plan.type for plan, _ in planned_tests(programme, specimen))
     hours = sum(float(test.time[-1]) for test in planned)

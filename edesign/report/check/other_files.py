@@ -32,7 +32,7 @@ def suite_summary(path: Path) -> dict[str, str]:
     peer = sum(entry.peer is not None for entry in suite.records)
     missing = sum(item.origin == "simulated" and item.entry is not None and item.entry.file is None for item in found)
     if missing:
-        where = "; `folders` of the project, or `--folder`, tells where yours are" if peer else ""
+        where = "; `folders` of the project, or `--folder`, says where yours are" if peer else ""
         warnings.append(f"{missing} of {len(found)} recordings are simulated here{where}")
     return {
         "title": suite.title,
@@ -152,7 +152,7 @@ def archive_summary(path: Path) -> dict[str, str]:
         if not archive.complete:
             warnings.insert(0, "the archive is partial: its run was interrupted, and goes on when it is run again")
         if states["failed"]:
-            warnings.insert(0, f"{states['failed']} of {len(names)} analyses failed; `edesign show {path}` tells why")
+            warnings.insert(0, f"{states['failed']} of {len(names)} analyses failed; `edesign show {path}` says why")
         return {
             "title": str(about.get("title", "")),
             "archive": "; ".join(files) or path.name,

@@ -16,7 +16,7 @@ from edesign.report.check.damper_files import force_warnings, table_range
 from edesign.tables.quantities import names_quantity
 from edesign.tables.table import read_table
 
-_PROPERTIES = 3  # headers of a property table that tell it
+_PROPERTIES = 3  # headers of a property table that identify it
 _TEST = 2  # and of a test: time, and displacement or force
 
 

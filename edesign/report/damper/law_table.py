@@ -19,7 +19,7 @@ LAWS_KNOWN = TableSpec[Law](
     "laws",
     "{count} damper laws",
     (text("law", "name"), text("what", "title"), text("parameters", lambda law: ", ".join(_names(law)))),
-    notes=("`edesign laws NAME` tells units, bounds, defaults, equation and source.",),
+    notes=("`edesign laws NAME` prints units, bounds, defaults, equation and source.",),
     keys=3,
     named_by_title=True,
 )

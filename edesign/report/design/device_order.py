@@ -31,7 +31,7 @@ def _size(name: str) -> Callable[[_Device], float]:
 
 
 def _strength(name: str) -> Callable[[_Device], float]:
-    """A size that goes with the bound of a variant, as those to order do not."""
+    """A size that depends on the bound of a variant, as those to order do not."""
     return lambda device: _size(name)(device) * device.factor
 
 

@@ -42,11 +42,11 @@ _BARS = {  # label of the abscissa, and its scale; variables over (storey,), the
         (("storey_shear", "shear", BEFORE), ("yield_force", "yield force", AFTER)),
     ),
 }
-"""What is drawn of the dampers, by the variable that tells their size."""
+"""What is drawn of the dampers, by the variable that has their size."""
 
 
 def size_of(group: Group) -> str | None:
-    """Return the variable that tells the size of the dampers of a design; None: it has none."""
+    """Return the variable that has the size of the dampers of a design; None: it has none."""
     return next((name for name in _BARS if name in group.variables and "storey_stiffness" in group.variables), None)
 
 

@@ -46,9 +46,7 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     have = [_content(table) for _, table in found]
     shown: list[Table] = []
     with optional("the tables of `edesign show`"):
-        shown = [
-            table for table in overview(archive)[1:]
-        ]  # the first tells of the archive itself, as the provenance does
+        shown = [table for table in overview(archive)[1:]]  # the first is of the archive itself, as the provenance does
     found += [(table.title, table) for table in shown if table.rows and _content(table) not in have]
     values: list[ExportTable] = []
     with optional("the tables of the archive's variables"):

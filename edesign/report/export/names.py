@@ -29,7 +29,7 @@ def slug(text: str, longest: int = LONGEST) -> str:
 def table_names(titles: Sequence[str], given: Sequence[str] = ()) -> list[str]:
     """Return a name for each table: its own, or the words of its title up to the first bracket or colon.
 
-    Where these do not tell titles apart, all words are taken; titles that are the same get `_2`, `_3` in their order.
+    Where these do not distinguish titles, all words are taken; titles that are the same get `_2`, `_3` in their order.
 
     Args:
         given: their own names, "" where a table has none; () if none has one.

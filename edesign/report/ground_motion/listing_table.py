@@ -67,7 +67,7 @@ def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusa
         return [table]
     left = LEFT_OUT.of(refused)
     if any("acceleration_unit" in one.reason for one in refused):
-        left.notes.append("here `--unit g` tells the unit of all tables; other units: m/s^2, cm/s^2, mm/s^2")
+        left.notes.append("here `--unit g` gives the unit of all tables; other units: m/s^2, cm/s^2, mm/s^2")
     return [table, left]
 
 

@@ -102,7 +102,7 @@ class PageRenderer(RendererBase):
         return self.width, self.height
 
     def flipy(self) -> bool:
-        """Tell matplotlib that ordinates of the canvas grow downwards, as those of SVG do."""
+        """Let matplotlib know that ordinates of the canvas grow downwards, as those of SVG do."""
         return True
 
     def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:

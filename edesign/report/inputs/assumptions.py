@@ -143,9 +143,9 @@ def _damping(project: Project) -> str:
             "committed": "the stiffness at the end of the last step: it falls where members yield",
             "initial": "the initial stiffness: it does not fall where members yield, so that its forces may grow",
         }
-        return f"Damping goes with {words[damping.stiffness]}."
+        return f"Damping is proportional to {words[damping.stiffness]}."
     if isinstance(damping, MassDamping):
-        return "Damping goes with the mass: it acts against the motion of the floors relative to the ground."
+        return "Damping is proportional to the mass: it acts against the motion of the floors relative to the ground."
     if isinstance(damping, ModalDamping):
         count = damping.count
         modes = "the first mode" if count == 1 else f"the first {count} modes"

@@ -116,7 +116,7 @@ def _in_si(table: Table, places: dict[str, int], units: dict[str, str | None], q
 
 
 def _remarks(table: Table, places: dict[str, int], units: dict[str, str | None], time: np.ndarray | None) -> list[str]:
-    """What is to be told of the beginning of the displacement, and of a load cell that shows nothing."""
+    """What is to be noted of the beginning of the displacement, and of a load cell that shows nothing."""
     found = []
     if "displacement" in places:
         values = table.rows[:, places["displacement"]]

@@ -29,7 +29,7 @@ def table_account(path: Path) -> Account:
     except InputError as error:
         if names_test(path):
             raise
-        detect(path)  # tells what a file is not
+        detect(path)  # says what a file is not
         try:
             return record_account(path)
         except InputError as of_record:

@@ -104,7 +104,7 @@ def _panels(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]
 def _rigid(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
     try:
         found = rigid_ends(project)
-    except InputError:  # told where the frame is built
+    except InputError:  # reported where the frame is built
         return
     frame, parts = project.frame, []
     for name, lengths in found.items():

@@ -21,7 +21,7 @@ from edesign.report.model.words import chosen, short
 G_Q = tuple[float, float]
 BAND, ARROW = 0.1, 0.2  # height of line loads and of forces, inches
 AREA = "#e3ecf6"
-MOST_GIVEN = 4  # masses that the legend lists; of more the sums by floor are told
+MOST_GIVEN = 4  # masses that the legend lists; of more the sums by floor are printed
 
 
 @dataclass

@@ -53,7 +53,7 @@ def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
 
 
 def _dots(sheet: Sheet, place: Elevation, of_node: dict[str, float]) -> None:
-    """Circles whose areas go with the masses."""
+    """Circles with areas proportional to the masses."""
     most = max(of_node.values(), default=0.0)
     sizes: dict[float, list[Point]] = {}
     for name, mass in of_node.items():

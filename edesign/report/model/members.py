@@ -95,7 +95,7 @@ class _Sections:
     """Writes sections.
 
     Args:
-        several: kinds of members whose materials are told.
+        several: kinds of members whose materials are named.
     """
 
     def __init__(self, sheet: Sheet, place: Elevation, several: set[str]) -> None:

@@ -31,7 +31,7 @@ class _Drawn:
         project: of the first of them.
         design: of its dampers, which has found no sizes; "": they are known.
         variants: their names.
-        notes: what tells them apart, a clause each.
+        notes: what distinguishes them, a clause each.
     """
 
     project: Project
@@ -92,7 +92,7 @@ def _dampers(drawn: _Drawn, heading: Sequence[str]) -> Named:
 
 
 def _different(study: Study, designed: Mapping[str, Dampers]) -> list[_Drawn]:
-    """The models of the variants that differ; one that was made of another is told with that one."""
+    """The models of the variants that differ; one that was made of another is named with that one."""
     found: list[_Drawn] = []
     for name, variant in study.variants.items():
         source = study.derived.get(name)
@@ -126,7 +126,7 @@ def _notes(name: str, variant: Variant) -> list[str]:
 
 
 def _alike(one: Project, other: Project) -> bool:
-    """Whether two models look alike, but for temperatures and factors of laws, which are told."""
+    """Whether two models look alike, but for temperatures and factors of laws, which are named."""
     if (one.dampers is None) != (other.dampers is None) or not _same(one, other, (*GEOMETRY, *LOADS)):
         return False
     if one.dampers is None or other.dampers is None:

@@ -148,7 +148,7 @@ def steels_of(members: Iterable[tuple[str, str]]) -> dict[str, str]:
 
 
 def several_steels(members: Iterable[tuple[str, str]]) -> set[str]:
-    """Return the kinds of members of which there are several materials, so that each member has to tell its own."""
+    """Return the kinds of members of which there are several materials, so that each member has to name its own."""
     found: dict[str, set[str]] = {}
     for kind, material in members:
         found.setdefault(kind, set()).add(material)

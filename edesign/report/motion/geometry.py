@@ -43,7 +43,7 @@ class MovingDamper:
     Attributes:
         name: of it.
         braces: lines that hold it.
-        body: the line that it stands on; its color tells the force.
+        body: the line that it stands on; its color shows the force.
         span: the shares of this line between which the damper itself is.
         wide: width of an isolator, whose top moves over its bottom, m; 0: it is a damper.
     """

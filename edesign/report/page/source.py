@@ -216,7 +216,7 @@ def drawn(name: str, figures: Callable[[], Iterable[tuple[str, str, Figure]]]) -
 
 
 def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, list[Picture]]:
-    """Sort pictures by the hazard level that their names tell; those that tell none come under "".
+    """Sort pictures by the hazard level that their names give; those that give none come under "".
 
     Args:
         pictures: figures of the page.
@@ -258,6 +258,6 @@ def made_of(source: Source, makers: Iterable[Callable[[Source], Section]]) -> li
 
     Args:
         source: the archive.
-        makers: a function for each section, whose name is told where it fails.
+        makers: a function for each section, whose name is reported where it fails.
     """
     return [section for make in makers if (section := made(make.__name__, partial(make, source)))]

@@ -31,7 +31,7 @@ CYCLE, DISCRETE = "LIMIT CYCLE", "DISCRETE ONLY"
 ALMOST_NONE = 5e-6
 """Ratio that two digits of a percent do not show."""
 MOST_LOSS = 10.0
-"""Loss factor above which a specimen is told as a dashpot."""
+"""Loss factor above which a specimen is named a dashpot."""
 ROUNDING = 1e-6
 """Of the complex stiffness: a storage stiffness below it is none."""
 

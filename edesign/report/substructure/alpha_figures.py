@@ -122,7 +122,7 @@ def alpha_figure(chosen: Sequence[Adaptive], rows: Sequence[Coefficient]) -> Fig
 
 
 def _near_limits(axis: Axes, limits: Sequence[float]) -> bool:
-    """Draw the limits that lie within the height of the curves, or half of it away; tell whether there are any."""
+    """Draw the limits that lie within the height of the curves, or half of it away; say whether there are any."""
     low, high = axis.get_ylim()
     reach = 0.5 * (high - low)
     near = {limit for limit in limits if low - reach <= limit <= high + reach}

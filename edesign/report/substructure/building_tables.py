@@ -1,4 +1,4 @@
-"""What substructure tests made of the whole building, beside the direct analysis: as histories are told."""
+"""What substructure tests made of the whole building, beside the direct analysis: as histories are reported."""
 
 from __future__ import annotations
 

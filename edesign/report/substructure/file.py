@@ -60,7 +60,7 @@ class ArchivedTests:
         if self.file is None:
             return []
         file = self.file
-        if self.plant is None:  # all else can be told of a file whose rig is not known
+        if self.plant is None:  # all else can be said of a file whose rig is not known
             file = file.model_copy(update={RIG: IdealRig(kind="ideal")})
         said = summary(file)
         if self.plant is None and isinstance(self.file.rig, RigInFile):

@@ -52,7 +52,7 @@ def limits_table(results: SubstructureResults) -> Table:
 
 
 def _unknown(results: SubstructureResults, test: str) -> list[str]:
-    """The adaptive compensators of a test of which nothing tells whether they met a limit."""
+    """The adaptive compensators of a test of which nothing shows whether they met a limit."""
     adaptive = [name for name in results.compensators(test) if results.kind(name) in ADAPTIVE]
     found = {name: results.histories(test, name) for name in adaptive}
     return [name for name, group in found.items() if group is not None and "limited" not in group.variables]

@@ -41,7 +41,7 @@ PART = 0.95
 """Of the velocity fed back: a good one that is not complete, as in docs/how_to/test_methods.md."""
 LEAST = 0.01  # amplitude that is drawn
 DECADE, BELOW = 10.0, 4.0
-"""From the first natural frequency to the ends of a figure; of a table, below it: there it does as it is told."""
+"""From the first natural frequency to the ends of a figure; of a table, below it: there it follows the command."""
 
 
 def method_figures(results: SubstructureResults) -> Iterator[Drawn]:

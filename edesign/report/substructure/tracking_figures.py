@@ -68,7 +68,7 @@ def _tracked(results: SubstructureResults, test: str) -> list[Series]:
 
 
 def _crossings(results: SubstructureResults, test: str, series: Series) -> CrossingDelay | None:
-    """Delays of the zero crossings of a run, None if there are none to be told."""
+    """Delays of the zero crossings of a run, None if there are none to be shown."""
     run, time = results.run(test, series.compensator), series.time
     expected = run.value("crossing_delay_mean") if run is not None else math.nan
     if math.isnan(expected) or time.size < 2:

@@ -113,7 +113,7 @@ class TableSpec(Generic[Item]):
         formulas: whether headers and notes have symbols of formulas; they have if a column is one of formulas.
         headed: whether headers are printed; a table of notes alone has none.
         optional: whether each column is left out where no row has a value.
-        named_by_title: whether files are named by the title, as it tells studies apart.
+        named_by_title: whether files are named by the title, as it distinguishes studies.
         named_as: name of the file of tables that share one; "": `name`.
         names_kept: see `Table`.
         most: rows that are printed; 0: all.

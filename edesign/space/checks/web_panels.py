@@ -127,7 +127,7 @@ def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_pla
 
     Args:
         panels: of this direction.
-        joints: how many joints the direction has; those without a panel here are told.
+        joints: how many joints the direction has; those without a panel here are reported.
         doubler_plates: whether a supplementary web plate may stand where the web alone is too weak.
     """
     text = f"V_wp,Ed / V_wp,Rd of web panels, direction {axis}"

@@ -101,7 +101,7 @@ def study_text(row: FrameRow, names: StudyNames, drift: float | None = None) -> 
     last = f"objectives: [{', '.join(letters)}]                       # the basic safety objective of FEMA 356\n\n"
     percent = f"{100.0 * limit:.6g} %"
     return f"""\
-# Motions: `edesign check` tells which of them are recordings and which are simulated.
+# Motions: `edesign check` says which of them are recordings and which are simulated.
 
 edesign_study: 1
 title: {yaml_text(f"{building.title}, {row.name}, with and without dampers")}
@@ -115,7 +115,7 @@ designs:
     bays: {bays}
     layers: 2
     damping: 10 %                       # of critical, in the first mode; more if the criteria ask for it
-    level: {yaml_text(level)}                          # its spectrum tells what the dampers reach
+    level: {yaml_text(level)}                          # its spectrum gives what the dampers reach
     strain: spectrum                    # of the layers, at which their properties are taken: what they reach
     properties: {{table: thesis_appendix_a}}
     drift: {percent}                        # with the strain limit it gives the thickness of the layers

@@ -52,7 +52,7 @@ def without_dampers_in_modes(project: Project) -> bool:
 
 
 VISCOUS_EFFECTS = ("relaxation_branch", "velocity_exponent")
-"""Effects that add a force of their own which goes with the speed; others change or add what is there at rest."""
+"""Effects that add a force of their own that depends on the speed; others change or add what is there at rest."""
 
 
 def goes_with_speed(device: Device) -> bool:

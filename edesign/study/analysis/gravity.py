@@ -31,7 +31,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     """Apply the gravity combination to a frame in equal steps.
 
     Returns:
-        The results; `status` tells whether equilibrium was found.
+        The results; `status` says whether equilibrium was found.
 
     Raises:
         CoreError: the frame is a mechanism, or a load cannot be applied.

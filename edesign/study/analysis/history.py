@@ -46,7 +46,7 @@ def run_history(
         vertical: likewise the other record of its vertical motion, if it has one.
 
     Returns:
-        The results; `status` tells whether the history was completed.
+        The results; `status` says whether the history was completed.
 
     Raises:
         InputError: the record cannot be read, or a requested output does not exist.

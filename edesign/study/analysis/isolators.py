@@ -44,7 +44,7 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
 def _held_down(
     frame: Frame, isolation: Isolation, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
-    """Isolators that are pulled and as stiff then as under pressure; pendulums that slide on are told of elsewhere."""
+    """Isolators that are pulled and as stiff then as under pressure; pendulums that slide on are reported elsewhere."""
     pulled = []
     for device in isolated.isolators:
         line = next(line for line in frame.lines if names.node_name(line, 0) == device.column_base)

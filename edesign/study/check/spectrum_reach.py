@@ -1,4 +1,4 @@
-"""Whether the spectra of the user reach the periods at which a run takes them, told before the first analysis.
+"""Whether the spectra of the user reach the periods at which a run takes them, reported before the first analysis.
 
 Spectra of codes reach any period. Designs are left out: the period that theirs is taken at follows from the design.
 """

@@ -212,7 +212,7 @@ def _mass(project: Project) -> dict[str, str]:
 
 
 def _standing(project: Project) -> str:
-    """How the frame stands whose period is told."""
+    """How the frame stands whose period is printed."""
     isolation = project.isolation
     braced = with_restrained_braces(project, laws_that_stand(project))
     braces = ", with its buckling-restrained braces" if braced else ""

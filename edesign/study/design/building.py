@@ -57,7 +57,7 @@ class Building:
     def attachment(self, power: float = 2.0) -> np.ndarray:
         """Return the sum of a power of the cosines of the dampers' slopes in each storey with dampers, (s,).
 
-        What a storey feels of a stiffness goes with the square of the cosine, of a dashpot with its power 1 + alpha.
+        A storey feels a stiffness in proportion to the square of the cosine, a dashpot to its power 1 + alpha.
 
         Args:
             power: 2 for stiffness, 1 + alpha for dashpots, 1 for yield forces.

@@ -56,7 +56,7 @@ def run_design(
         respond: runs the histories of a round; None: the design is not verified.
         judge: judges the histories of a round; None: the design is not verified.
         resume: what an earlier run kept; its rounds are not computed again.
-        progress: told what goes on.
+        progress: called with what goes on.
         keep: given the group after each verified round, for `resume`.
 
     Returns:

@@ -67,7 +67,7 @@ def search_fully_stressed(
     """Find the dampers of least sum whose histories meet all criteria, whatever an estimate says of the first ones.
 
     A storey that drifts further than it may gets more, one that does not gets less, down to the least. The criteria say
-    by how much the largest drift is too large, the histories how those of the other storeys go with it. With which
+    by how much the largest drift is too large, the histories how those of the other storeys depend on it. With which
     power of the drift dampers must grow is learnt from the last two rounds. Where a round would change the sum by less
     than the precision, all dampers grow by it until the criteria are met.
 

@@ -33,7 +33,7 @@ class Problem:
 
     Attributes:
         used: drift over its limit of each storey of the frame for dampers of a size, (s,).
-        unit: sizes of which a storey has x, (s,), those that go with its stiffness.
+        unit: sizes of which a storey has x, (s,), those proportional to its stiffness.
         weight: of each x in the sum, (s,).
         drift: the limit, for messages.
         most: largest x.

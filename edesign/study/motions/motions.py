@@ -187,7 +187,7 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
     Raises:
         InputError: the hazard of the project is wrong, or its code has no vertical spectrum here.
     """
-    assert project.hazard is not None, "match_options tells"
+    assert project.hazard is not None, "match_options reports it"
     name = record_of(reference)
     match, level = project.records[name].match, project.fitted_level(name)
     if match is not None and match.component == "vertical":

@@ -1,4 +1,4 @@
-"""What histories have told so far, and what it says of layouts that were not analysed."""
+"""What histories have shown so far, and what it says of layouts that were not analysed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from edesign.study.placement.space import Layout, LayoutSpace
 Estimates = Callable[[Layout], np.ndarray]
 """Estimated responses of a layout, all positive; a fixed number of them."""
 
-_FEWEST = 3  # layouts from which the spread of ratios tells which response a criterion follows
+_FEWEST = 3  # layouts from which the spread of ratios shows which response a criterion follows
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ class Knowledge:
     def predicted(self, layouts: Sequence[Layout]) -> np.ndarray:
         """Return the predicted worst ratio of demand to limit of layouts, (layouts,), from the nearest analysed ones.
 
-        The ratio of a verdict goes with the estimated response that its ratios followed best so far, from where it was
+        The ratio of a verdict follows the estimated response that its ratios followed best so far, from where it was
         in the analysed layouts with the fewest other positions (their geometric mean).
         """
         rows = np.array([one.layout for one in self.analysed], dtype=np.int8)

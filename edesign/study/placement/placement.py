@@ -49,7 +49,7 @@ def run_placement(
         per_layout: histories that judge one layout.
         respond: runs the histories of layouts, one after the other.
         resume: what an earlier run kept; its layouts are not analysed again.
-        progress: told what goes on.
+        progress: called with what goes on.
         keep: given the group after each layout, for `resume`.
 
     Returns:

@@ -131,7 +131,7 @@ class LayoutSpace:
                 for count, layouts in standing.items():
                     more = count + self._dampers_at(i, option)
                     if self.most_dampers is None:
-                        more = 0  # numbers of dampers need not be told apart
+                        more = 0  # numbers of dampers need not be distinguished
                     elif more > self.most_dampers:
                         continue
                     with_damper[more] = with_damper.get(more, 0) + layouts

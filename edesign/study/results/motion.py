@@ -16,7 +16,7 @@ from edesign.study.results.recording import SINGLE, Quantity, coordinate
 MOST_PICTURES = 600
 """Of a history: 15 a second of a motion of 40 s. All its samples would make the archive many times larger."""
 SHORTEST = 1.0 / 30.0
-"""Time between two pictures, s: more of them the eye does not tell apart."""
+"""Time between two pictures, s: more of them the eye does not separate."""
 MOTION_TIME = "motion_time"
 NODES = "node_displacement"
 FINENESS = 2000

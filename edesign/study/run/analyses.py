@@ -92,7 +92,7 @@ def analyse(
         stop: asked now and then; True ends the analysis.
 
     Returns:
-        The results, which also tell how the analysis ended.
+        The results, which also say how the analysis ended.
     """
     return run_analysis(project, spec, progress=progress, stop=stop, motion=motion, vertical=vertical)
 

@@ -42,7 +42,7 @@ class RunSummary:
     Attributes:
         archive: the finished archive.
         outcomes: one for each analysis, in the order of the plan.
-        notes: what the user was told, such as what became of an interrupted run.
+        notes: what was reported to the user, such as what became of an interrupted run.
         seconds: time of the whole run (s).
     """
 

@@ -1,4 +1,4 @@
-"""What a run tells while it goes on, and how much of it is left; who listens decides how to show it."""
+"""What a run reports while it goes on, and how much of it is left; who listens decides how to show it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-RECENT = 8  # analyses whose time tells that of the next: a plan begins with quick ones, and has its kinds in turn
+RECENT = 8  # analyses whose time predicts that of the next: a plan begins with quick ones, and has its kinds in turn
 FORESEEN = 0.05  # part of an analysis that must be done before its time is foreseen
 
 
@@ -71,7 +71,7 @@ class Tally:
         elif report.event in ("end", "reuse"):
             self._running.pop(report.analysis, None)
             self.done += 1
-            if report.event == "end" and report.seconds > 0.0:  # what was skipped tells nothing
+            if report.event == "end" and report.seconds > 0.0:  # what was skipped says nothing
                 self._seconds.append(report.seconds)
 
     @property

@@ -125,7 +125,7 @@ def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> 
             made = opened.group_attributes("provenance") if opened.has("provenance") else {}
             ends = {task.path: opened.group_attributes(task.path) for task in job.tasks if opened.has(task.path)}
             complete = opened.complete and not opened.damage
-    except (EdesignError, OSError):  # who writes the archive tells why it cannot
+    except (EdesignError, OSError):  # who writes the archive reports why it cannot
         return None
     alike = all(old.get(name) == root.attributes.get(name) for name in (*IDENTITY, "planned"))
     whole = complete and old.get("status") == COMPLETED and len(ends) == len(job.tasks)
@@ -198,7 +198,7 @@ def _archive(run: RunState, task: Task, result: Result) -> None:
 
 
 def _keep(run: RunState) -> bool:
-    """Leave the partial file if there is something in it that the next run can use; tell whether there is."""
+    """Leave the partial file if there is something in it that the next run can use; say whether there is."""
     if run.outcomes or run.resumable:
         return True
     run.writer.discard()

@@ -100,7 +100,7 @@ def _need(laboratory: VirtualLaboratory, name: str, drive: Drive, direct: Direct
 def _velocity_use(velocity: np.ndarray, force: np.ndarray, limits: RigLimits, servo: bool) -> float:
     """Largest velocity over what the rig gives; a valve gives v_max sqrt(1 - F/F_max) against the force, as in runs.
 
-    Source: Merritt (1967), Hydraulic Control Systems, 5.2: the flow goes with the root of the drop of pressure.
+    Source: Merritt (1967), Hydraulic Control Systems, 5.2: the flow is proportional to the root of the pressure drop.
     """
     if not servo or math.isinf(limits.velocity):
         return _peak(velocity) / limits.velocity

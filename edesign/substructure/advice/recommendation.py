@@ -10,7 +10,7 @@ from edesign.project.reading.words import percent
 
 ROUNDING = 0.1
 """Of the accepted response error: expected errors that differ by less decide nothing. Of 5 % it is half a percent of
-the response, and a law that is linearised does not tell it more closely."""
+the response, and a law that is linearised does not give it more closely."""
 _FEEDBACK = ("smith", "pi_phase_lead")
 ADAPTIVE = ("live_delay", "ats", "modified_ats")
 """Compensators that learn from what they have measured: their coefficients have limits."""

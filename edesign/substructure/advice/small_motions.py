@@ -1,7 +1,7 @@
 """Whether small motions grow in a loop that is stable at the amplitude of a test.
 
 Near rest many laws are stiffer: the equivalent dashpot of F = c |v|^alpha sign v, alpha < 1, grows without bound. The
-loop then ends in a limit cycle, of which a law that is linearised at one amplitude tells nothing.
+loop then ends in a limit cycle, of which a law that is linearised at one amplitude shows nothing.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SMALLEST = 1e-3
 """Of the largest deformation; what is smaller is not looked at."""
 A_DECADE = 2
 """Amplitudes a decade. The force of no law falls as the motion grows, so its equivalent stiffness falls no faster than
-the amplitude rises: by a factor of 3.2 at most from one to the next. An amplitude is told within that factor."""
+the amplitude rises: by a factor of 3.2 at most from one to the next. An amplitude is found within that factor."""
 LINEAR = 1e-3
 """Relative change of the stiffness below which a law counts as linear."""
 

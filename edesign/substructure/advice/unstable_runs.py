@@ -2,7 +2,7 @@
 
 A run ends as unstable when it has grown by a factor. A loop that grows ends in a limit cycle where the rig is at its
 limits, or where a law softens; a record can end before; and a law that is linearised at one amplitude may not grow at
-another. Only the linearised loop tells such runs from those that an earthquake drove there.
+another. Only the linearised loop separates such runs from those that an earthquake drove there.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ def fitted_alpha(command: np.ndarray, displacement: np.ndarray, step: float) -> 
     """Return alpha_0 (-), alpha_1 (s), alpha_2 (s2) of command = alpha_0 x + alpha_1 x' + alpha_2 x''.
 
     Both channels go through the same filter; derivatives are backward differences (Eq. 6.17), and all samples count
-    alike (Eq. 6.13). A record sampled too slowly for the filter goes without it.
+    alike (Eq. 6.13). A record sampled too slowly for the filter is not filtered.
 
     With a step T and a_j of the series of the inverse rig, alpha_1 = a_1 - (a_3 + T alpha_2) m_4/m_2 and alpha_2 = a_2
     + alpha_1 T/2. The moments m_j are the integrals of omega^j S(omega) of the displacement. So differences make

@@ -32,7 +32,7 @@ def _indicator(long_name: str, unit: str) -> Any:
 class Tracking:
     """Quality of a rig's tracking; delays are above zero where the measured channel is late.
 
-    `definitions` tells meaning, unit and source of each indicator. One that cannot be told is NaN.
+    `definitions` has meaning, unit and source of each indicator. One that cannot be determined is NaN.
 
     Attributes:
         undetermined: why an indicator is NaN, by its name.

@@ -85,7 +85,7 @@ def threshold_of(target: np.ndarray, threshold: float | None) -> float:
 def quarter_period(target: np.ndarray) -> float:
     """Return a quarter of the period at the rms frequency of a target (rms velocity over rms displacement), in samples.
 
-    A sine of that frequency goes within it from threshold to threshold if its amplitude is 1.4 thresholds or more.
+    A sine of that frequency passes within it from threshold to threshold if its amplitude is 1.4 thresholds or more.
 
     Args:
         target: (n,) m.

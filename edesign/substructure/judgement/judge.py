@@ -97,7 +97,7 @@ class QualityCriterion:
 
     @property
     def determined(self) -> bool:
-        """True if the test tells the value."""
+        """True if the test has the value."""
         return not math.isnan(self.value)
 
     @property
@@ -253,7 +253,7 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
 def _delay_of_applied_force(
     laboratory: VirtualLaboratory, time: np.ndarray, target: np.ndarray, applied: np.ndarray
 ) -> float:
-    """Of a corrected force behind that of the law under the target, s, and half a step if it is held; NaN: not told."""
+    """Of a corrected force behind that of the law under the target, s, and half a step if it is held; NaN: unknown."""
     over_step = force_delay(laboratory) - laboratory.laboratory.sensors.force_delay
     try:
         law = _law_force(laboratory.damper, time, target)

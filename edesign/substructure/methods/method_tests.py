@@ -46,7 +46,7 @@ class MethodResults:
         record: None if the test failed.
         figures: what the method is known for: name, value, unit, meaning.
         notes: sentences for people.
-        outcome: `done`, `unstable` or `failed`; the reason is told.
+        outcome: `done`, `unstable` or `failed`; the reason is in `notes`.
     """
 
     name: str

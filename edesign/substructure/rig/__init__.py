@@ -1,1 +1,1 @@
-"""The rig: transfer functions, and what a record tells of it."""
+"""The rig: transfer functions, and what a record shows of it."""

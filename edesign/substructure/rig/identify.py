@@ -20,7 +20,7 @@ from edesign.substructure.rig.rig_fit import ORDERS, STIFFEST, RigFit, fit_rig
 from edesign.substructure.rig.rig_response import rig_response
 
 PERIODS = 5.0
-"""Of the command's mean frequency that a record needs: fewer do not tell delay from damping."""
+"""Of the command's mean frequency that a record needs: fewer do not separate delay from damping."""
 CLEARLY = 10.0
 """By which the criterion must fall for a higher order: "very strong" of Kass & Raftery (1995)."""
 SURE = 4.0
@@ -36,7 +36,7 @@ correlate by 0.58 and others by its powers, 1/(sum of squared autocorrelation)."
 UNIT_SLIP = 2.54**0.5
 """Halfway, as a factor, from a gain of 1 to the least mistake of units: an inch for a centimetre."""
 _AT_BOUND = 0.99
-"""Of the highest frequency: from here on it is not told. A search ends within a hundredth of a bound it runs into."""
+"""Of the highest frequency: from here on it is undetermined. A search ends within a hundredth of a bound it meets."""
 
 
 @dataclass(frozen=True)
@@ -237,7 +237,7 @@ def _notes(record: MeasuredRecord, chosen: RigFit) -> tuple[str, ...]:
         )
     own = chosen.parameters.get("frequency")
     if own is not None and own.value > _AT_BOUND * STIFFEST / record.step:
-        notes.append("the own frequency is not told: it is beyond half the sampling rate; take a lower order")
+        notes.append("the natural frequency is not determined: it is beyond half the sampling rate; take a lower order")
     if record.unread:
         notes.append(f"not read: {', '.join(f'`{header}`' for header in record.unread)}")
     return tuple(notes)

@@ -102,7 +102,7 @@ class RigTransfer:
 
 
 def ideal() -> RigTransfer:
-    """Return a rig that does what it is told."""
+    """Return a rig that follows every command."""
     return RigTransfer()
 
 

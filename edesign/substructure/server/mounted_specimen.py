@@ -14,8 +14,8 @@ not seen here: the peak of thesis 6.2.5 becomes 5 % too large.
 """
 
 STEP_AT_REST = 1e-3
-"""s: duration of the step whose stiffness is told before the first motion, as in usual tests. Laws that relax have a
-stiffness for each duration."""
+"""s: duration of the step whose stiffness is returned before the first motion, as in usual tests. Laws that relax have
+a stiffness for each duration."""
 
 
 class RefusedMotion(AnalysisError):

@@ -161,7 +161,7 @@ def delay_factor(critical: float, late: float, step: float) -> float:
 
     Args:
         critical: delay at which the test grows, that which it has included, s.
-        late: delay that the test has, s; NaN: it is not told, and the factor is not.
+        late: delay that the test has, s; NaN: neither it nor the factor is determined.
         step: main step, s.
     """
     return critical / max(late, step) if math.isfinite(late) else math.nan

@@ -70,7 +70,7 @@ class LinearBuilding:
             displacements: (nt, n) of the degrees, m.
             accelerations: (nt, floors) relative to the ground, m/s2.
             ground: (nt,) its acceleration, m/s2.
-            histories: whether what is told is kept over time.
+            histories: whether `quantities` are kept over time.
             failed: why the history did not come to its end.
         """
         drifts = self.drifts(displacements)

@@ -27,7 +27,7 @@ MOST_IN_SERIES = 0.01
 share of the deformation: a fifth of the error of the response that criteria accept by default."""
 
 WORTH_TELLING = 1e-4
-"""Such a share that is told: a force is not measured better."""
+"""Such a share that is reported: a force is not measured better."""
 
 SMALL, SLOW = 1e-4, 1.0
 """Amplitude (m) and frequency (Hz) at which other dampers are linearised for an estimate."""

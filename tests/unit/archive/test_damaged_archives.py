@@ -103,7 +103,7 @@ def use(path: Path) -> tuple[str, str]:
 def outcomes(
     sample: Path, folder: Path, spoil: Callable[[Path, Random], None], seeds: range
 ) -> list[tuple[int | str, str]]:
-    """Return the exit code and what was told for each mutant, from a fork; ("hung", "") if it does not end."""
+    """Return the exit code and what was printed for each mutant, from a fork; ("hung", "") if it does not end."""
     (folder / "reference.yaml").write_text(REFERENCE, encoding="utf-8")
 
     def work() -> str:
@@ -133,10 +133,10 @@ def without_path(text: str, path: Path) -> str:
     "layout", ["whole", "partial", *(pytest.param(of, marks=pytest.mark.slow) for of in ("killed", "old"))]
 )
 def test_damage_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str, damage: Damage) -> None:
-    """A complete archive: always. Otherwise what is told is what it was, as nothing reads the place.
+    """A complete archive: always. Otherwise what is printed is what it was, as nothing reads the place.
 
-    At the end of a partial archive nothing tells damage from what a kill left, and a group less is told there. Layout
-    1 has no checksum of numbers and texts, so that other ones may be told there.
+    At the end of a partial archive nothing separates damage from what a kill left, and a group less is listed there.
+    Layout 1 has no checksum of numbers and texts, so that other ones may be printed there.
     """
     sample = samples[layout]
     right = without_path(use(sample)[0], sample)
@@ -195,7 +195,7 @@ def test_a_page_of_zeros_is_noticed(samples: dict[str, Path], tmp_path: Path) ->
 
 
 def test_intact_groups_of_a_damaged_archive_are_shown(samples: dict[str, Path], tmp_path: Path) -> None:
-    """A bit of a history in chunks flips: the other analyses are told, and every table says which one is not."""
+    """A bit of a history in chunks flips: the other analyses are printed, and every table says which one is not."""
     path = tmp_path / "a.h5"
     content = bytearray(samples["whole"].read_bytes())
     with h5py.File(samples["whole"]) as file:

@@ -314,7 +314,7 @@ def test_a_file_of_another_kind_is_left_as_it_is(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_partial_archive_is_read_while_its_run_writes(tmp_path: Path) -> None:
-    """Every group that is told is whole, and none counts as damaged, however the readings fall between the writes."""
+    """Every group that is listed is whole, and none counts as damaged, however the readings fall between the writes."""
     path = tmp_path / "a.h5"
     process = python(KILLED.replace("print", "time.sleep(0.05); print").replace("sys", "sys, time", 1), str(path))
     assert process.stdout is not None

@@ -79,7 +79,7 @@ def test_another_file_in_its_place_is_left_as_it_is(tmp_path: Path, at_the_end: 
     assert partial_path(path).read_bytes() == b"other"
 
 
-@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="this system does not tell where an open file is")
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="this system does not say where an open file is")
 def test_a_folder_that_was_renamed_keeps_the_file(tmp_path: Path) -> None:
     path = tmp_path / "results" / "a.h5"
     writer = begun(path)

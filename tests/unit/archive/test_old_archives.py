@@ -28,7 +28,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def kept(old: Any, new: Any, place: str = "") -> list[str]:
-    """Places where a value of the old summary is not in the new one; the new one may tell more."""
+    """Places where a value of the old summary is not in the new one; the new one may say more."""
     if isinstance(old, dict):
         lost = [f"{place}/{key}" for key in old if key not in new]
         return lost + [found for key in old if key in new for found in kept(old[key], new[key], f"{place}/{key}")]

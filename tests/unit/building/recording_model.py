@@ -71,6 +71,6 @@ def project(*changes: tuple[str, str]) -> Project:
 
 
 def built(*changes: tuple[str, str]) -> tuple[FrameModel, RecordingModel]:
-    """The small project's frame, and what the model was told."""
+    """The small project's frame, and the calls of the model."""
     model = RecordingModel()
     return build_frame(project(*changes), model), model  # type: ignore[arg-type]

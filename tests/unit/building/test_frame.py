@@ -1,4 +1,4 @@
-"""What the core's model is told of a project's frame; the names follow the grid."""
+"""What a project's frame becomes in the core's model; the names follow the grid."""
 
 from __future__ import annotations
 

@@ -195,7 +195,7 @@ BRANCHES: dict[str, tuple[str, Taken]] = {
     "shear of a column along y": ("COLUMN_V", says(USE, "V_y,Ed")),
     "shear of a column along z": ("COLUMN_V", says(USE, "V_z,Ed")),
 }
-"""Each branch of the clauses: the check that takes it, and how its steps tell."""
+"""Each branch of the clauses: the check that takes it, and how its steps show it."""
 
 
 def test_the_core_takes_each_branch_as_the_clauses_do() -> None:

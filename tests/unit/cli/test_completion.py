@@ -14,7 +14,7 @@ from edesign.project.template import new_project
 
 
 def bash(line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> list[str]:
-    """What bash is told for the last word of a line."""
+    """What bash receives for the last word of a line."""
     monkeypatch.setenv("COMP_WORDS", line)
     monkeypatch.setenv("COMP_CWORD", str(len(line.split(" ")) - 1))
     monkeypatch.setenv(COMPLETE, "complete_bash")

@@ -1,4 +1,4 @@
-"""What a message tells to write is taken: its advice is followed, the message is gone, and nothing else is said."""
+"""What a message advises to write is taken: its advice is followed, the message is gone, and nothing else is said."""
 
 from __future__ import annotations
 
@@ -179,7 +179,7 @@ FOLDERS = ("project", "building", "damper", "study/check", "codes")
 
 
 def texts_with_advice(folder: Path) -> list[tuple[str, list[str]]]:
-    """Texts of a folder of the program that tell what to write: place, and what stands between their values."""
+    """Texts of a folder of the program that say what to write: place, and what stands between their values."""
     found = []
     for path in sorted(folder.rglob("*.py")):
         tree = ast.parse(path.read_text(encoding="utf-8"))

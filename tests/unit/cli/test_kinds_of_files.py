@@ -111,7 +111,7 @@ def test_a_kind_is_recognised_by_content(files: Path, kind: str) -> None:
 
 @pytest.mark.parametrize("kind", [*YAML_KINDS, *CHECKED_KINDS], ids=lambda kind: kind.schema or kind.name)
 def test_no_kind_of_file_is_forgotten(kind: FileKind) -> None:
-    """Each has a model and a guide, and `check` tells of it what is in it; a structure alone is no file of its own."""
+    """Each has a model and a guide, and `check` prints what is in it; a structure alone is no file of its own."""
     run = (PROJECT, STUDY, BUILDING, SUBSTRUCTURE_TESTS)
     reported = kind_of_keys(kind.keys)
     assert reported is not None and (reported == kind or kind.entries is not None)

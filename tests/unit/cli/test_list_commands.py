@@ -60,7 +60,7 @@ def test_records_of_a_folder(folder: Path, tmp_path: Path, capsys: pytest.Captur
     shown = output(capsys, "records", str(folder), "--csv", str(tmp_path / "list.csv"))
     assert "2 horizontal components" in shown and "notes.md" not in shown
     assert re.search(r"\nsimulated_2 +at2 +0\.01 +40\.4 +0\.346 ", shown)
-    assert "`--unit g` tells the unit of all tables" in shown[shown.index("Left out") :]
+    assert "`--unit g` gives the unit of all tables" in shown[shown.index("Left out") :]
     reasons = {
         one["name"]: one["reason"] for one in json.loads(output(capsys, "records", str(folder), "--json"))["left_out"]
     }

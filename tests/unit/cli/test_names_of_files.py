@@ -79,7 +79,7 @@ def test_archives_that_cannot_be_read(
 def test_pages_that_cannot_be_written(
     whole: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    """Told before the archive is read."""
+    """Reported before the archive is read."""
     monkeypatch.setattr(
         "edesign.report.archive.document.read_archive", lambda *_: pytest.fail("made before it was refused")
     )

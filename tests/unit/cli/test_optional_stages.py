@@ -1,4 +1,4 @@
-"""A stage that follows the results of a command fails, or is interrupted: the results stand, and the stage is told."""
+"""A stage that follows the results of a command fails, or is interrupted: the results stand, the stage is reported."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ TABLE = """specimen: {name: made, layers: 2, layer_area_mm2: 41400, layer_thickn
 law: {type: kelvin_voigt, parameters: {k: 4 kN/mm, c: 0.2 kN*s/mm}}
 properties: {table: table.csv, hold_out: {strains: [20 %]}}
 """
-CAUSE = "nothing goes with it"
+CAUSE = "nothing belongs to it"
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Case:
         broken: function of the stage.
         stage: what the message calls it.
         results: files that must be whole.
-        alone: whether what an interrupt leaves is told: it is not where the stage is a part of another one.
+        alone: whether what an interrupt leaves is reported: it is not where the stage is a part of another one.
     """
 
     words: Callable[[], list[str]]
@@ -308,7 +308,11 @@ def test_debug_shows_the_traceback(monkeypatch: pytest.MonkeyPatch, capsys: pyte
 @pytest.mark.parametrize(
     ("broken", "stage", "left"),
     [
-        ("edesign.calibration.results.outcome.next_test", "asking which further test would tell more", "next_test"),
+        (
+            "edesign.calibration.results.outcome.next_test",
+            "asking which further test would separate the models",
+            "next_test",
+        ),
         ("edesign.calibration.results.models.Posterior.compared", "comparing the models of the search", "models"),
         ("edesign.calibration.results.fit._estimates", "the intervals of", ""),
     ],

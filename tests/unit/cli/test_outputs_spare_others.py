@@ -1,4 +1,4 @@
-"""No command writes over its inputs, and none replaces results of something else unless it is told to."""
+"""No command writes over its inputs, and none replaces results of something else unless asked to."""
 
 from __future__ import annotations
 

@@ -157,7 +157,7 @@ def test_an_interrupted_run_goes_on_under_another_title(
     with pytest.raises(Interrupted):
         run_project(project(tmp_path))
     core = use(monkeypatch, Core())
-    run_project(project(tmp_path, text=text), overwrite=True)  # without `source_file` the title tells whose it is
+    run_project(project(tmp_path, text=text), overwrite=True)  # without `source_file` the title says whose it is
     assert core.ran == list("cd")
 
 
@@ -283,7 +283,7 @@ def test_a_partial_file_that_is_deleted_meanwhile(tmp_path: Path, monkeypatch: p
 
 
 def test_another_partial_file_in_its_place_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The message tells where the analyses of this run are."""
+    """The message says where the analyses of this run are."""
     partial = partial_path(tmp_path / "small.h5")
 
     def replaced() -> None:

@@ -1,4 +1,4 @@
-"""Conditions of EN 1998-1:2004, 10.9.2(5) and 10.9.3(3), for isolated buildings that are told one by one."""
+"""Conditions of EN 1998-1:2004, 10.9.2(5) and 10.9.3(3), for isolated buildings that are reported one by one."""
 
 from __future__ import annotations
 

@@ -48,11 +48,11 @@ def test_nothing_is_said_unless_it_is(tmp_path: Path) -> None:
     [
         ("start: at rest\n", "", r"campaign.yaml:2:\d+: start: .*at_rest.*in_motion.*unknown"),
         ("", ", start: moving", r"campaign.yaml:3:\d+: tests\[0\].start: .*in_motion"),
-        ("start_ramp: 5 ms\n", "", r"campaign.yaml:2:\d+: start_ramp: it goes with `start: at_rest`"),
+        ("start_ramp: 5 ms\n", "", r"campaign.yaml:2:\d+: start_ramp: it belongs to `start: at_rest`"),
         (
             "start: at_rest\n",
             ", start: in_motion, start_ramp: 5 ms",
-            r"tests\[0\].start_ramp: it goes with `start: at_rest`",
+            r"tests\[0\].start_ramp: it belongs to `start: at_rest`",
         ),
         ("start: at_rest\nstart_ramp: 5\n", "", r"campaign.yaml:3:\d+: start_ramp: .*unit"),
         ("start: at_rest\nstart_ramp: 0 s\n", "", r"campaign.yaml:3:\d+: start_ramp: .*"),

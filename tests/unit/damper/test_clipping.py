@@ -1,4 +1,4 @@
-"""Forces at the end of a load cell's range are told from peaks, steps of a converter, and devices that yield."""
+"""Forces at the end of a load cell's range are distinguished from peaks, converter steps, and devices that yield."""
 
 from __future__ import annotations
 

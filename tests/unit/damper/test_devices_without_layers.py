@@ -54,7 +54,7 @@ def test_fit_recovers_the_dashpot(tmp_path: Path) -> None:
     data = yaml.safe_load((out / "law.yaml").read_text(encoding="utf-8"))
     errors = json.loads((out / "fit.json").read_text(encoding="utf-8"))["standard_error"]
     values = read_parameters(LAWS[data["type"]], data["parameters"])
-    # 100 N of some 200 kN on 2000 samples: 1e-5 of the force; three standard errors, told and expected
+    # 100 N of some 200 kN on 2000 samples: 1e-5 of the force; three standard errors, reported and expected
     assert values == pytest.approx({"c": C, "alpha": ALPHA}, rel=3e-4)
     assert abs(values["alpha"] - ALPHA) < 3.0 * errors["alpha"]
     assert "prototype" not in data and data["tested"]["deformation"] == "20 to 40 mm"
@@ -95,7 +95,7 @@ def test_moduli_name_the_keys_that_they_need(
 
 
 def test_the_size_of_a_layer_asks_for_their_number(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"specimen\.layers: this key is missing; it goes with the size of a layer"):
+    with pytest.raises(InputError, match=r"specimen\.layers: this key is missing; it belongs to the size of a layer"):
         load_campaign(campaign(tmp_path, "specimen: {layer_area: 41400 mm^2}\n"))
 
 

@@ -92,7 +92,7 @@ def test_a_power_law_is_recovered_by_a_callable() -> None:
 def test_robust_errors_cover_correlated_noise_and_white_ones_do_not() -> None:
     """AR(1) noise of correlation 0.95 a sample: over many seeds the spread of the estimate is the standard error.
 
-    60 seeds tell a standard deviation to 1 / sqrt(120) = 9 %; three of these, and 10 % for blocks of finite length.
+    60 seeds give a standard deviation to 1 / sqrt(120) = 9 %; three of these, and 10 % for blocks of finite length.
     """
     spread, robust, white = [], [], []
     base = histories_with(0.0)
@@ -136,7 +136,7 @@ def test_fixed_parameters_stay() -> None:
 
 
 def test_what_cannot_be_separated_is_named() -> None:
-    """Friction: with N free beside mu only the product is told."""
+    """Friction: with N free beside mu only the product is determined."""
     tests = measured("friction", {"mu": 0.3, "N": 330e3, "k": 100e6})
     fit = fit_forces(LAWS["friction"], tests, fit_also=["N"], starts=1)
     assert any(warning.startswith("mu and N: the data tell only combinations") for warning in fit.warnings)

@@ -128,7 +128,7 @@ def test_a_device_that_is_not_as_designed() -> None:
 
 
 def test_parts_of_a_narrow_acceptance_table_have_one_numbering() -> None:
-    """Standard and quantity stand in one part, the verdict in another; the number tells which belong together."""
+    """Standard and quantity stand in one part, the verdict in another; the number says which belong together."""
     one = replace(run(C * V), test="001_sine_of_a_long_name")
     judged = judge([one], [one], Acceptance(device="viscous", standards=("asce_7", "en_15129", "ntc_2018")))
     first, second = fitted(acceptance_table(judged, [one]), 80)

@@ -120,7 +120,7 @@ def test_what_a_step_before_the_first_sample_softened_is_found(fast: float) -> N
     assert left["at rest"] > 3.0
     assert left["found"] == pytest.approx(1.0, abs=0.1)  # 4000 samples: 0.022 one standard deviation
     # the cubic to the first sample, 12.5 mm/s, is faster than its mean; one way. Of much more than the 13.5 mm/s of
-    # v_ref nothing is left to tell how much it was
+    # v_ref nothing is left to show how much it was
     assert prior[2] == pytest.approx(0.0358, rel=0.02) if fast < 0.1 else 0.1 < prior[2] <= 1.05 * fast
     assert prior[:2] == (0.0, 0.0) and prior[3] == 0.0
 
@@ -146,7 +146,7 @@ def test_a_larger_motion_before_is_found_where_it_is_said_to_have_been() -> None
     assert found is not None and not found.known
     prior = extremes_before(test, found.first(T), np.ones(T.size), force_after(test))
     assert prior[0] == pytest.approx(9e-3, rel=0.05)
-    assert prior[2] == pytest.approx(2.0 * np.pi * 9e-3, rel=0.2)  # beyond 4 v_ref little softening is left to tell it
+    assert prior[2] == pytest.approx(2.0 * np.pi * 9e-3, rel=0.2)  # beyond 4 v_ref little softening is left to show it
 
 
 def test_nothing_is_found_where_the_record_goes_beyond_what_was_before() -> None:

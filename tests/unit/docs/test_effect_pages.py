@@ -40,7 +40,7 @@ def test_every_parameter_has_its_meaning(name: str) -> None:
         ("mullins.path", "recovery", "N(0.5, 0.5)", "0 to 1"),
         ("self_heating.rate", "beta", "N(0, 0.5 N/W)", "0 to 20 N/W"),
         ("inertia.mass", "mass", "N(0, 0.1 F/a)", "0 to 10 F/a"),
-        # 0.3 over the seven steps between eight tests goes with no size alone
+        # 0.3 over the seven steps between eight tests depends on no size alone
         ("ageing.linear", "rate", "N(0, 0.0429)", "-0.129 to 1.29"),
     ],
 )

@@ -1,4 +1,4 @@
-"""What the tutorials tell to write and to run is done as it stands there, and prints what they show."""
+"""What the tutorials say to write and to run is done as it stands there, and prints what they show."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ def test_blocks_stand_for_tests_where_there_is_one() -> None:
 
 
 def test_a_product_is_known_and_its_factors_only_together() -> None:
-    """Friction mu N: the product is told to a percent, mu and N to a decade by their priors alone."""
+    """Friction mu N: the product is determined to a percent, mu and N to a decade by their priors alone."""
     generator, v = np.random.default_rng(4), np.sign(np.sin(np.arange(300) / 7.0))
     parameters = (
         Parameter("mu", "", 0.0, np.inf, 0.3, 1.5, logarithmic=True),

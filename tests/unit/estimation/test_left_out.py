@@ -64,7 +64,7 @@ def test_a_fit_that_has_not_ended_has_the_score_of_its_end() -> None:
 
 
 def test_the_score_of_a_nonlinear_model_is_near() -> None:
-    """Relaxation in four tests; one step of Gauss-Newton from the fit to all: differences of models of 1 are told."""
+    """Relaxation in four tests; one step of Gauss-Newton from the fit to all: models that differ by 1 are resolved."""
     generator, times = np.random.default_rng(3), [np.linspace(0.0, 1.0 + i, 40) for i in range(4)]
     formula = lambda v: [np.exp(v[0]) * np.exp(-np.exp(v[1]) * t) + v[2] for t in times]  # noqa: E731
     measured = tuple(f + 0.05 * generator.standard_normal(40) for f in formula(np.array([0.3, 0.5, 0.2])))
@@ -74,7 +74,7 @@ def test_the_score_of_a_nonlinear_model_is_near() -> None:
 
 
 def test_nuisance_amplitudes_count_as_parameters_of_a_test() -> None:
-    """A share that no other test tells predicts with its prior alone."""
+    """A share that no other test determines predicts with its prior alone."""
     matrices, measured = campaign(p=2)
     columns = [2.0 * np.ones((len(x), 1)) for x in matrices]
     noise = Noise.white([0.5] * 4)
@@ -99,7 +99,7 @@ def test_what_equations_may_be_wrong_by_counts_as_shared_parameters() -> None:
 
 
 def test_refits_follow_what_one_step_does_not() -> None:
-    """One test tells another rate than the others: without it they lead far, along a curve."""
+    """One test shows another rate than the others: without it they lead far, along a curve."""
     generator = np.random.default_rng(9)
     times = [np.linspace(0.0, 0.3, 30), np.linspace(0.0, 0.4, 30), np.linspace(0.0, 8.0, 30)]
     formula = lambda v: [np.exp(2.0 * v[0]) * np.exp(-np.exp(3.0 * v[1]) * t) for t in times]  # noqa: E731
@@ -132,7 +132,7 @@ def by_refits_of_one(model: FormulaModel, deviation: float) -> list[float]:
 
 
 def test_nearly_collinear_columns_do_not_spoil_the_score() -> None:
-    """Two columns alike but for 1e-7, told to 1e4 of the prior: the same model with their sum has almost its score."""
+    """Two columns alike but for 1e-7, determined to 1e4 of the prior: with their sum the score is almost the same."""
     generator = np.random.default_rng(8)
     x = [generator.standard_normal((n, 1)) for n in SIZES]
     measured = [1e4 * one[:, 0] + generator.standard_normal(len(one)) for one in x]

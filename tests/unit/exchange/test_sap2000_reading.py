@@ -317,7 +317,7 @@ def without_table(name: str) -> str:
 
 
 def test_missing_tables(tmp_path: Path) -> None:
-    """Without supports nothing is written that `edesign check` would refuse; masses that nobody asked for are told."""
+    """Without supports nothing is written that `edesign check` would refuse; masses nobody asked for are reported."""
     file = tmp_path / "model.s2k"
     file.write_text(without_table("JOINT RESTRAINT ASSIGNMENTS"))
     with pytest.raises(InputError, match="E-SAP-07"):

@@ -77,7 +77,7 @@ def test_silence() -> None:
 
 
 def test_scaling() -> None:
-    """Peaks and CAV go with the factor, Arias with its square, durations not at all."""
+    """Peaks and CAV are proportional to the factor, Arias to its square; durations do not change."""
     record = Record("noise", np.random.default_rng(5).standard_normal(500), 0.01, "test")
     one, two = measures(record), measures(record.scaled(-2.0))
     assert (two.pga, two.pgv, two.pgd, two.cav) == (2 * one.pga, 2 * one.pgv, 2 * one.pgd, 2 * one.cav)

@@ -44,7 +44,7 @@ def test_reading_names(text: str, name: PeerName | None) -> None:
         (EL_CENTRO, "RSN6_IMPVALLxI_I-ELC180.AT2", False, True),  # the point is a point
         (EL_CENTRO, "RSN6_IMPVALL.I_I-ELC180.VT2", False, False),
         (EL_CENTRO, "RSN6_IMPVALL.I_I-ELC180-hor1.AT2", False, False),
-        (EL_CENTRO, "I-ELC180.time_acc.csv", False, False),  # has no title that tells the earthquake
+        (EL_CENTRO, "I-ELC180.time_acc.csv", False, False),  # has no title that names the earthquake
         (EL_ALAMO, "RSN22_ELALAMO_ELC180.AT2", True, False),  # number not known
         (EL_ALAMO, "RSN6_IMPVALL.I_I-ELC180.AT2", False, False),
         (EL_ALAMO, "A-ELC180.AT2", False, False),

@@ -52,7 +52,7 @@ def test_it_never_lowers_a_suite_and_has_a_limit(matches: list[Match]) -> None:
 
 
 def test_all_that_is_said_of_a_raised_record_is_that_of_the_product(matches: list[Match]) -> None:
-    """Accelerations, velocities and spectra go with the factor, Arias intensity with its square, durations stay."""
+    """Accelerations, velocities and spectra follow the factor, Arias intensity its square, durations stay."""
     match = matches[0]
     twice = raised(match, 2.0)
     assert np.array_equal(twice.matched.acceleration, 2.0 * match.matched.acceleration)

@@ -17,7 +17,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
-    [  # `@` marks the place that is told, the rest of the line is the message
+    [  # `@` marks the place that is named, the rest of the line is the message
         (
             "edesign_building: 1",
             "edesign_building: @2",

@@ -18,7 +18,7 @@ GIVEN = SMALL.replace("{from_loads: {}}", "{given: [{floors: 1-2, mass: 9 t}]}")
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
-    [  # `@` marks the place that is told
+    [  # `@` marks the place that is named
         ("fy: 275 MPa", "fy: @275 Pa", "materials.S275.fy: `275 Pa` is no yield strength of structural steel: 150 to"),
         ("fy: 275 MPa", "fy: @275 Pa", "did you mean `275 MPa`?"),
         ("fy: 275 MPa", "fy: @27.5 kN/cm^2 ", ""),

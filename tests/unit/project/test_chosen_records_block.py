@@ -1,4 +1,4 @@
-"""Records that are chosen: what the keys mean, and that whatever is wrong in them is told with its place."""
+"""Records that are chosen: what the keys mean, and that whatever is wrong in them is reported with its place."""
 
 from __future__ import annotations
 

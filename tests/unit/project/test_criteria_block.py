@@ -1,4 +1,4 @@
-"""The blocks `criteria` and `objectives`: what they mean, and that whatever is wrong in them is told with its place."""
+"""The blocks `criteria` and `objectives`: what they mean, and that what is wrong in them is reported with its place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`vary`, `values` and `bounds` of a study: the variants that they make, and what is wrong, told with its place."""
+"""`vary`, `values` and `bounds` of a study: the variants that they make, and what is wrong, reported with its place."""
 
 from __future__ import annotations
 

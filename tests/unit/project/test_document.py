@@ -67,7 +67,7 @@ def test_files_say_whose_the_document_is(load: Callable[[Path], Any], file: str,
 
 @pytest.mark.parametrize("load", [load_campaign, load_structure_campaign, load_property_campaign])
 def test_campaigns_know_the_block(load: Callable[[Path], Any], tmp_path: Path) -> None:
-    """Their readers tell the key that is misspelt, and nothing of the block itself."""
+    """Their readers name the key that is misspelt, and nothing of the block itself."""
     path = tmp_path / "campaign.yaml"
     path.write_text("document: {clients: A}\n", encoding="utf-8")
     with pytest.raises(InputError, match="document.clients: unknown key; did you mean `client`") as caught:

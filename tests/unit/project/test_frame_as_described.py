@@ -1,4 +1,4 @@
-"""Frames as engineers describe them: wrong loads, rigid ends and dampings are told with their place, marked by `«`."""
+"""Frames as engineers describe them: wrong loads, rigid ends and dampings are reported with place, marked by `«`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The block `hazard` of a project file: what it means, and that whatever is wrong in it is told with its place."""
+"""The block `hazard` of a project file: what it means, and that whatever is wrong in it is reported with its place."""
 
 from __future__ import annotations
 

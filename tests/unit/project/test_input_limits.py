@@ -111,7 +111,7 @@ def test_compressed_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     bomb.write_bytes(gzip.compress(bytes(40_000_000)))  # 40 kB
     with refused_at_once(f"{bomb}: the record file has 40 MB; at most 1 MB are read"):
         read_table(bomb)
-    bomb.write_bytes(gzip.compress(bytes(40_000_000)) + gzip.compress(b"1"))  # whose end tells one byte
+    bomb.write_bytes(gzip.compress(bytes(40_000_000)) + gzip.compress(b"1"))  # whose end says one byte
     with refused_at_once(f"{bomb}: the record file has more than 1 MB; at most 1 MB are read"):
         read_table(bomb)
     bomb.write_bytes(b"no compressed file, whose last bytes say nothing")

@@ -1,4 +1,4 @@
-"""Files with the parameters of a country: those of the package are such files, and what is wrong in one is told."""
+"""Files with the parameters of a country: those of the package are such files, and what is wrong in one is reported."""
 
 from __future__ import annotations
 

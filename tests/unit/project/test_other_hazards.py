@@ -1,4 +1,4 @@
-"""The block `hazard` by NTC 2018, ASCE 7 and tables of the user: what is wrong is told with its place."""
+"""The block `hazard` by NTC 2018, ASCE 7 and tables of the user: what is wrong is reported with its place."""
 
 from __future__ import annotations
 

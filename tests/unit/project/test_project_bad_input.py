@@ -1,4 +1,4 @@
-"""Whatever is wrong in a project file is told with line, column and key; `«` marks the place that must be named."""
+"""Whatever is wrong in a project file is reported with line, column and key; `«` marks the place that must be named."""
 
 from __future__ import annotations
 

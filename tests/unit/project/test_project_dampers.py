@@ -1,4 +1,4 @@
-"""Whatever is wrong with dampers is told with its place, key and value, what is allowed, and the nearest name.
+"""Whatever is wrong with dampers is reported with its place, key and value, what is allowed, and the nearest name.
 
 Both `edesign check` and `edesign run` refuse it before anything runs. `«` marks the place that must be named.
 """

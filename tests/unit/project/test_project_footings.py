@@ -1,4 +1,4 @@
-"""Whatever is wrong with soils and footings is told with line, column and key."""
+"""Whatever is wrong with soils and footings is reported with line, column and key."""
 
 from __future__ import annotations
 

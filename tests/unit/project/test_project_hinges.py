@@ -1,4 +1,4 @@
-"""Whatever is wrong with hinges, joints and springs at supports is told with line, column and key."""
+"""Whatever is wrong with hinges, joints and springs at supports is reported with line, column and key."""
 
 from __future__ import annotations
 

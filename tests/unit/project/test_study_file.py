@@ -57,7 +57,7 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
-    [  # `@` marks the place that is told, the rest of the line is the message
+    [  # `@` marks the place that is named, the rest of the line is the message
         ("edesign_study: 1", "edesign_study: @2", "edesign_study: "),
         ("objectives: [h]", "@objektives: [h]", "objektives: unknown key; did you mean `objectives`?"),
         ("project: project.yaml", "project: @projects.yaml", "project: there is no file `{folder}/projects.yaml`"),
@@ -303,7 +303,7 @@ def test_dampers_of_a_project_that_has_laws_alone(tmp_path: Path) -> None:
 
 
 def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
-    """The place told is the design; the devices that stand for it are in no file."""
+    """The place named is the design; the devices that stand for it are in no file."""
     gone = ("frame:\n", "frame:\n  missing: {columns: [{lines: A, storeys: 2}], beams: [{bays: 1, floors: 2}]}\n")
     ((place, message),) = faults(write(tmp_path, project=(gone,)))
     assert place == place_of(tmp_path / "study.yaml", "method: strain_energy")

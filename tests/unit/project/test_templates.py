@@ -46,7 +46,7 @@ def test_each_file_of_a_template_is_right_as_it_is(
         assert main(["check", str(path)]) == 0
         shown = capsys.readouterr()
         assert shown.err == "" and shown.out.splitlines()[-1].startswith("ok")
-        assert name == "substructure" or shown.out.endswith("ok\n")  # a test is told that its frame is linear
+        assert name == "substructure" or shown.out.endswith("ok\n")  # a test warns that its frame is linear
         if path == main_file:
             assert shown.out.startswith('title:      A "first" \\ test')
 

@@ -86,7 +86,7 @@ def test_comments_and_lines_stay(project: Project) -> None:
         {"damping.ratio": "3 %", "frame.columns": [{"storeys": "all", "section": "HEB240", "material": "S275"}]}
     )
     assert "# as measured" in changed.text and "# a fifth" in changed.text and "# two runs" in changed.text
-    # a problem is told at the line where it stands in the file too
+    # a problem is reported at the line where it stands in the file too
     with pytest.raises(ProjectError) as caught:
         changed.with_values("analyses[1].pga", "0.2 m")
     line = next(i for i, line in enumerate(text.splitlines(), 1) if "pga" in line)

@@ -38,7 +38,7 @@ def row(table: Table, name: str) -> list[str]:
 
 
 def test_single_histories_have_no_statistics() -> None:
-    """All statistics of one value are that value: it is told once."""
+    """All statistics of one value are that value: it is printed once."""
     one = {name: HISTORIES[name] for name in ("bare.DBE.one", "damped.DBE.one")}
     (table,) = statistics_tables(history_sets(one))
     assert table.title == "Response"

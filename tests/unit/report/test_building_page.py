@@ -68,7 +68,7 @@ def test_a_building_without_rigid_floors_has_its_modes_drawn(tmp_path: Path) -> 
 
 
 def test_loads_of_the_floors_are_those_of_the_file(results: BuildingResults) -> None:
-    """G of 4 kN/m2 on 100 m2 and the steel; Q of 2 kN/m2: what `edesign check` tells of this building."""
+    """G of 4 kN/m2 on 100 m2 and the steel; Q of 2 kN/m2: what `edesign check` says of this building."""
     table = floors_table(results)
     row = dict(zip(table.headers, table.texts[0], strict=True))
     assert (row["floor"], row["Q [kN]"]) == ("2", "200.0") and float(row["G [kN]"]) == pytest.approx(430.9, abs=0.1)

@@ -104,7 +104,7 @@ def test_numbers_are_shown_in_units_of_a_laboratory(estimate: Estimate, text: st
 
 
 def test_stages_of_a_parameter_stand_in_the_unit_of_the_declared_one() -> None:
-    times = {"declared": 0.12, "refit": 0.08, "corrected": 0.05}  # s; alone the last two would be told in ms
+    times = {"declared": 0.12, "refit": 0.08, "corrected": 0.05}  # s; alone the last two would be printed in ms
     stages = {stage: {"tau": estimate(value, 1e-3, "s")} for stage, value in times.items()}
     cells = row(law_table(replace(example.calibration(), parameters=stages)), "tau")  # type: ignore[arg-type]
     assert cells[1:4] == ["s", "0.12", "0.0800"] and cells[5] == "0.0500"
@@ -267,14 +267,14 @@ def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
     assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
 
 
-def test_an_effect_as_probable_is_reported_in_a_breath_with_the_one_found() -> None:
+def test_an_effect_as_probable_is_named_in_one_sentence_with_the_one_found() -> None:
     titles = {"offset": "zero of the force channel, the same in all tests (instrument)"}
     confounded = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02}, titles=titles)
     found = replace(example.calibration((confounded,)), next_test=None)
     text = verdict_text(found)
     assert text.startswith("Explained: the tests show gain of the force channel (instrument, g = ")
     assert f"), or {titles['offset']} in its place. Only noise is left." in text
-    none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
+    none = "No test within the amplitudes and frequencies of these would separate them better: look at the rig"
     assert f"{none}." in text and none in text_of(page_text_of(found))
     assert "the tests cannot tell gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
     many = replace(
@@ -339,7 +339,7 @@ def test_a_thinned_history_keeps_its_extremes() -> None:
 )
 def test_every_case_has_its_figures(found: Calibration, curves: bool) -> None:
     figures = {name: (caption, figure) for name, caption, figure in calibration_figures(found)}
-    # where nothing but noise is left, the residual goes with nothing
+    # where nothing but noise is left, the residual depends on nothing
     assert ("dependences" in figures) == curves
     assert set(figures) - {"dependences"} == {"errors", "loops", "residuals", "map"}
     (loop, *_) = figures["loops"][1].axes
@@ -367,7 +367,7 @@ def test_the_page_tells_all_numbers_without_script_or_links() -> None:
     for reported in (
         "0.231 → 0.00427 %",
         "2.60 to 3.40",
-        "cannot be told from mullins or self heating",
+        "cannot be separated from mullins or self heating",
         "would differ by an NRMS of 2.00 %, against 0.0100 % at most in the tests so far",
         "12 cycles of 2 mm at 5 Hz, 35 °C",
         "inertia.mass 0.00810 31.0 ± 4.0",

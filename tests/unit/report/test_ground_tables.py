@@ -1,4 +1,4 @@
-"""Tables of footings: those of every variant are told, and a history has the work of its own."""
+"""Tables of footings: those of every variant are printed, and a history has the work of its own."""
 
 from __future__ import annotations
 

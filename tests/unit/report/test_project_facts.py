@@ -27,7 +27,7 @@ def test_hinges_joints_panel_zones_and_braces_that_buckle_are_named() -> None:
 
 
 def test_every_storey_bay_and_floor_of_loads_is_said(tmp_path: Path) -> None:
-    """Storeys of 4, 3.5 and 3.5 m were told as 3 of 4 m, 3.5 m."""
+    """Storeys of 4, 3.5 and 3.5 m were printed as 3 of 4 m, 3.5 m."""
     rows = dict(project_rows(load_project(new_project(tmp_path / "frame"))))
     assert rows["Storeys"] == "3: 4 m, 2 × 3.5 m; 11 m in all"
     assert rows["Bays"] == "3 of 6 m; 18 m in all"

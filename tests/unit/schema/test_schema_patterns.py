@@ -81,7 +81,7 @@ def test_other_texts_are_taken_as_they_are_read(name: str) -> None:
             read = False
         if read:
             assert schema.is_valid(value), value
-        elif schema.is_valid(value):  # only what no expression can tell
+        elif schema.is_valid(value):  # only what no expression can decide
             assert value in ("30 %", "3", "20"), value
 
 

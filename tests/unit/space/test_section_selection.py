@@ -1,4 +1,4 @@
-"""Sections chosen for small buildings: beside enumeration, and what is told where none does."""
+"""Sections chosen for small buildings: beside enumeration, and what is reported where none does."""
 
 from __future__ import annotations
 
@@ -233,7 +233,7 @@ def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
     assert frame <= 54.441e3  # a kg for the last digit
 
 
-# --- what is told
+# --- what is reported
 
 
 def test_a_member_without_resistance_is_reported_in_words() -> None:

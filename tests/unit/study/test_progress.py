@@ -8,7 +8,7 @@ from edesign.study.run.progress import Progress, Tally
 
 
 class Run:
-    """Tells a tally about analyses at times that a test chooses."""
+    """Reports analyses to a tally at times that a test chooses."""
 
     def __init__(self, count: int) -> None:
         self.now = 0.0

@@ -106,7 +106,7 @@ def test_a_law_that_no_device_has_says_nothing_of_the_frame() -> None:
 
 
 def test_neither_layers_nor_their_size() -> None:
-    """Who gives a prototype and a scale is told of the prototype, which the brace cannot have."""
+    """Who gives a prototype and a scale is warned of the prototype, which the brace cannot have."""
     prototype = "    brb:\n      prototype: {layers: 2, layer_area: 100 cm^2, layer_thickness: 10 mm}\n"
     with pytest.raises(
         InputError, match=r"laws\.brb\.prototype: a buckling-restrained brace has no layers; leave this"

@@ -257,7 +257,7 @@ DEVICES = {
     ("laws", "damping", "said"),
     [
         ("metal", "", ""),
-        ("metal stop", "", ""),  # contact without loss goes with the deformation alone
+        ("metal stop", "", ""),  # contact without loss depends on the deformation alone
         ("metal", ", damping: 3 %", ""),
         ("metal stop", ", damping: 20 %", "`damping` of 20 % is more than the inherent 5 %"),
         ("rubber", "", "the spectrum does not have the damping of the velocity-dependent dampers; `damping`"),

@@ -1,4 +1,4 @@
-"""Warnings of analyses: kept with the result, told once for analyses that are alike."""
+"""Warnings of analyses: kept with the result, printed once for analyses that are alike."""
 
 from __future__ import annotations
 

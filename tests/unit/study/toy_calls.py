@@ -1,4 +1,4 @@
-"""Calls that do what a test wants, as functions that other processes find; what they tell lies in a folder."""
+"""Calls that do what a test wants, as functions that other processes find; what they report lies in a folder."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def unsendable(**_: Any) -> Any:
 
 
 def until_stopped(folder: Path, name: str, *, progress: Callable[[int, int], None], stop: Callable[[], bool]) -> Group:
-    """Call on until it is told to stop, then say so."""
+    """Call on until asked to stop, then say so."""
     (folder / f"{name}.began").touch()
     end = time.monotonic() + WAIT
     step = 0
@@ -79,14 +79,14 @@ def dies(folder: Path, name: str, times: int, **_: Any) -> str:
 
 
 def process(folder: Path, name: str, mark: Path, **_: Any) -> int:
-    """Tell the process id in a file, wait for another, return the id."""
+    """Write the process id into a file, wait for another, return the id."""
     (folder / f"{name}.{os.getpid()}").touch()
     await_file(mark)
     return os.getpid()
 
 
 def process_of(folder: Path, name: str) -> int:
-    """Wait for what `process` tells."""
+    """Wait for what `process` writes."""
     end = time.monotonic() + WAIT
     while not (found := list(folder.glob(f"{name}.*"))):
         assert time.monotonic() < end, f"{name} never began"
@@ -115,7 +115,7 @@ def analysis(project: Project, spec: Analysis, motion: Motion | None, **control:
 
 
 class Listener:
-    """A control that remembers what it was told, and stops when a test says so."""
+    """A control that keeps the progress reported to it, and stops when a test says so."""
 
     def __init__(self) -> None:
         self.reported: list[tuple[str, int, int]] = []
@@ -136,7 +136,7 @@ class Listener:
 
 
 def run_all(backend: Backend, calls: Sequence[Call]) -> dict[str, Result]:
-    """Results by key, each asked to have been told as begun before."""
+    """Results by key, each asked to have been reported as begun before."""
     listener = Listener()
     found: dict[str, Result] = {}
     for result in backend.results(calls, listener, listener.started):

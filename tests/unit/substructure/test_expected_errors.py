@@ -18,10 +18,10 @@ from edesign.substructure.virtual_tests import Direct, VirtualLaboratory
 
 LINEAR = 0.03
 """Relative, of a linear damper. Left out: the ramps of the rig, and the acceleration by differences that a compensator
-gets here; both go with the square of the frequency times the step of 1 ms, 1e-3 at 5 Hz."""
+gets here; both are proportional to the square of the frequency times the step of 1 ms, 1e-3 at 5 Hz."""
 ELASTOMER = 1.33
 """Factor. Beside its motion of 4.45 mm the thesis' damper has a loss stiffness k'' + A/2 dk''/dA of 1.65 kN/mm, 0.756
-of that of the motion itself, 2.18 kN/mm; and an error at resonance goes with the inverse of the damping, 1/0.756."""
+of that of the motion itself, 2.18 kN/mm; and an error at resonance follows the inverse of the damping, 1/0.756."""
 FAST = ("Kelvin-Voigt", "MGMM", "viscous, power 0.3", "friction")
 SLOW = [pytest.param(law, marks=pytest.mark.slow) for law in LAWS if law not in FAST]
 

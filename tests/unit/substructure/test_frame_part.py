@@ -182,7 +182,7 @@ def test_a_frame_that_yields_with_an_ideal_rig(tmp_path: Path, force: str, order
 
 
 def test_buildings_are_archived_as_histories(tmp_path: Path) -> None:
-    """What `edesign run` archives of the history is there of the direct analysis and of the test, told by one code."""
+    """What `edesign run` archives of the history is there of direct analysis and test, written by one code."""
     path = yielding(tmp_path, 0.01)
     project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
     group = run_analysis(project, project.analyses[0])
@@ -315,7 +315,7 @@ def test_a_dashpot_too_strong_for_the_step_is_reported(tmp_path: Path) -> None:
 
 
 def test_a_specimen_too_stiff_for_the_step(tmp_path: Path) -> None:
-    """It is told before, and the run ends as unstable or with what the frame says."""
+    """It is reported before, and the run ends as unstable or with what the frame says."""
     lab = laboratory(yielding(tmp_path, 0.01, "spring", 4000.0), 10.0, "extrapolated", more="title: stiff\n")
     (warning,) = lab.laboratory.warnings
     assert "main steps of 10 ms small vibrations grow even with an ideal rig" in warning

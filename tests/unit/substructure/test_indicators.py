@@ -1,4 +1,4 @@
-"""Tracking indicators: closed forms of sines, noise, springs and dashpots; what cannot be told; bad channels.
+"""Tracking indicators: closed forms of sines, noise, springs and dashpots; what cannot be determined; bad channels.
 
 Sampled at the main step of the thesis, 1 ms, unless a test says otherwise.
 """

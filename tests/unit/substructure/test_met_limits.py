@@ -1,4 +1,4 @@
-"""Limits that virtual tests met: what the rig could not do is told, and never a result."""
+"""Limits that virtual tests met: what the rig could not do is reported, and never a result."""
 
 from __future__ import annotations
 

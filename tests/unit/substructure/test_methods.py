@@ -390,7 +390,7 @@ def test_damper_with_kinks_comes_into_balance(law, values):
     ground = 2.0 * noise(2000, step, 5.0)
     states, force = respond(fixed_base(part), ground, step, CoreDamper(law, values))
     x, v = states.T
-    if law == "viscous_power":  # its slope at rest is vertical: the velocity tells by the force, not the other way
+    if law == "viscous_power":  # its slope at rest is vertical: the velocity follows from the force, not the other way
         c, exponent = values
         rate = np.sign(force) * (np.abs(force) / c) ** (1.0 / exponent)
         np.testing.assert_allclose(rate, v, atol=1e-9)  # m/s, below which the core takes the law as linear

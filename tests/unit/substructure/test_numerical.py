@@ -232,7 +232,7 @@ def test_frequencies_of_a_frame_with_turning_joints(tmp_path: Path) -> None:
 def test_a_chevron_on_columns_without_vertical_mass(area: float, share: float | None, tmp_path: Path) -> None:
     """Its force strains the columns below, which have no mass: in series 2 (h/b)^2 h/(E A).
 
-    Of 1000 m2 that is nothing, of 0.1 m2 left out and told, of 0.001 m2 refused.
+    Of 1000 m2 that is nothing, of 0.1 m2 left out and reported, of 0.001 m2 refused.
     """
     made = soft_frame("{kind: chevron, bays: 1, storeys: 2, law: tested}", "{kind: none}", tmp_path)
     made = project(made.text.replace("area: 1000 m^2", f"area: {area} m^2"), made.path)

@@ -466,7 +466,7 @@ def test_a_stop_within_a_message_loses_none_of_it() -> None:
 
 
 def test_an_error_of_the_server_lets_the_client_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    """OpenSeesPy would wait for ever; its questions are answered with NaN, and the error is told."""
+    """OpenSeesPy would wait for ever; its questions are answered with NaN, and the error is reported."""
     monkeypatch.setattr(MountedSpecimen, "move", lambda self, motion: 1 / 0)
     with laboratory() as lab:
         client = Client(lab.port)

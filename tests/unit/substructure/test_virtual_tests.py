@@ -132,7 +132,7 @@ def test_noise_follows_its_seed(tmp_path: Path) -> None:
 
 
 def test_commands_archive_csv_and_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The archive has what the tables say, the CSV is one of a damper test, and --check tells what is too wrong."""
+    """The archive has what the tables say, the CSV is one of a damper test, and --check says what is too wrong."""
     file = tmp_path / "rts.yaml"
     text = INLINE.replace("rig: {kind: ideal}", "rig: {kind: delay, delay: 10 ms}")
     compensated = "compensators: {none: {kind: none}, cubic: {kind: polynomial, delay: 10 ms}}"

@@ -155,7 +155,7 @@ def test_nothing_to_test() -> None:
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
-    [  # `@` marks the place that is told
+    [  # `@` marks the place that is named
         ("edesign_rts: 1", "edesign_rts: @2", "format `2` is unknown to this version of edesign, which reads 1"),
         ("title: ", "@titel: ", "unknown key; did you mean `title`?"),
         # structure
@@ -221,7 +221,7 @@ def test_nothing_to_test() -> None:
         ),
         ("order: 3, delay: 10.2 ms", "order: 3, delay: @-10.2 ms", "must not be negative"),
         ("none: {kind: none}", "none: {kind: none, @delay: 1 ms}", "unknown key (allowed here: `kind`)"),
-        ("points: 16", "points: @2", "2 points do not tell a polynomial of order 2; at least 3 are needed"),
+        ("points: 16", "points: @2", "2 points do not determine a polynomial of order 2; at least 3 are needed"),
         (
             "kind: linear_acceleration, delay: 10.2 ms",
             "kind: linear_acceleration, delay: @0 ms",

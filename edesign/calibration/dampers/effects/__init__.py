@@ -37,7 +37,7 @@ def forms(sizes: Sizes, parameters: Sequence[str] = ("parameter",)) -> tuple[Eff
     """Return all forms that a campaign can show, of whatever law.
 
     Args:
-        parameters: names of those of the law that may go with a condition of the tests; any one stands for all.
+        parameters: names of those of the law that may depend on a condition of the tests; any one stands for all.
     """
     listed = (form for table in TABLES for form in table.FORMS)
     every = (*listed, *condition.of_conditions(sizes, parameters), *gain.from_test(sizes))

@@ -1,4 +1,4 @@
-"""Declared conditions of the tests, as gas pressure, voltage or axial load, and what of the damper goes with them."""
+"""Declared conditions of the tests, as gas pressure, voltage or axial load, and what of the damper depends on them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from edesign.damper.law import Law
 CONDITION = "condition"
 """Name of the effect."""
 
-_FEWEST = 3  # tests fitted to: one for the law, one for the slope, one that tells how tests scatter
+_FEWEST = 3  # tests fitted to: one for the law, one for the slope, one that shows how tests scatter
 _LEAST = 0.1  # of a factor, which it keeps in every test of the campaign
 _LINEAR = (
     "phenomenological: first order in the condition; Spencer, Dyke, Sain & Carlson (1997), J. Eng. Mech. ASCE 123, "
@@ -73,7 +73,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
             CONDITION,
             f"{what}_of_{one.name}",
             "damper",
-            f"{title} that goes with {named}",
+            f"{title} that depends on {named}",
             signature,
             _LINEAR,
             (mechanism,),
@@ -93,7 +93,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         CONDITION,
         f"force_of_{one.name}",
         "damper",
-        f"constant force that goes with {named}",
+        f"constant force that depends on {named}",
         "a constant force in each test, in proportion to the condition",
         _PUSHED,
         (ForceChannel(push, of="carriage"),),

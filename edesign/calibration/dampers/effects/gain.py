@@ -76,7 +76,7 @@ def _changed(form: EffectForm, earliest: int, latest: int) -> EffectForm:
         return at(latest, f"{latest}", f"test {latest}")
     tests = f"one of tests {earliest} to {latest}"
     ranges = [
-        at(k, f"{k}", f"test {k}, as validation tests tell; the fitted ones say before {tests}")
+        at(k, f"{k}", f"test {k}, as validation tests show; the fitted ones say before {tests}")
         for k in range(earliest, latest + 1)
     ]
     return replace(at(latest, f"{earliest}_to_{latest}", tests), confounded=tuple(told))

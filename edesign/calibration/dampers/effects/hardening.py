@@ -14,12 +14,12 @@ _SIGNATURE = "too little force at the tips of large loops alone, odd in the defo
 
 
 def _at_zero(p: Values) -> Values:
-    """Return k of an exponential spring that is told by its secant stiffness at r."""
+    """Return k of an exponential spring that is given by its secant stiffness at r."""
     return {"k": p["k_r"] / math.expm1((p["r"] / p["u0"]) ** 2)}
 
 
 def _at_rest(p: Values) -> Values:
-    """Return k of a spring that is told by the force at which it saturates."""
+    """Return k of a spring that is given by the force at which it saturates."""
     return {"k": p["F_s"] / p["u0"]}
 
 

@@ -27,7 +27,7 @@ def _play(s: Sizes) -> Parameter:
 
 
 def _stiffness(s: Sizes, centre: float = 20.0, least: float = 1.5) -> Parameter:
-    # its force goes with 1 / stiffness: searches from too flexible are short, from too stiff they jump
+    # its force is proportional to 1 / stiffness: searches from too flexible are short, from too stiff they jump
     return shape("stiffness", "N/m", centre * s.stiffness, least * s.stiffness, 1e4 * s.stiffness)
 
 

@@ -15,7 +15,7 @@ from edesign.damper.law import Law
 from edesign.damper.temperature import REFERENCE_C, at_one_rate, passed
 from edesign.estimation.parameters import Parameter
 
-_LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
+_LEAST_SPAN = 2.0  # K: tests at one temperature say nothing of it, and readings of one, 0.2 K off, span up to 1 K
 _SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by 0.2 K
 _WIDTH = 0.25  # of the temperatures' span: of a transition whose width they do not show
 _TELL_WIDTH = 4  # temperatures at least: depth, middle and width beside a reference
@@ -23,9 +23,9 @@ _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
 _STEEPEST = 0.8  # 1/K: ln 10 C1/C2 with 17.44 and 51.6 K, at the glass transition (Williams, Landel & Ferry)
 _USUAL = 0.1  # 1/K, at most: standard deviation of a fall
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
-_FACTOR = "a factor of the force that goes with the temperature of the tests, stiffness and damping alike"
+_FACTOR = "a factor of the force that depends on the temperature of the tests, stiffness and damping alike"
 _FASTER = "warm tests look like slower ones: damping falls with temperature, the static stiffness does not"
-_SOFTER = "a factor of the force that goes with temperature; warmer tests soften the more with amplitude"
+_SOFTER = "a factor of the force that depends on temperature; warmer tests soften the more with amplitude"
 _WLF = "Williams, Landel & Ferry (1955), J. Am. Chem. Soc. 77, 3701-3707"
 _CHANG = (
     "Chang, Soong, Oh & Lai (1992), Struct. Des. Tall Build. 1; Kasai, Munshi, Lai & Maison (1993), ATC-17-1; thesis "
@@ -62,7 +62,7 @@ def lost(p: Values, temperature_C: float) -> float:
 
 
 def _shifted(p: Values, test: Experiment, law: Law, values: dict[str, float]) -> dict[str, float]:
-    # a second becomes a_T seconds: units tell which power of a_T a parameter takes
+    # a second becomes a_T seconds: units show which power of a_T a parameter takes
     slower = Scales(1.0, 1.0, math.exp(lost(p, test.temperature)))
     return {one.name: values[one.name] * slower.of(one.unit, values) for one in law.all_parameters(values)}
 

@@ -25,7 +25,7 @@ def _branch_starts(s: Sizes) -> Rows:
 
 
 def _coefficient(p: Values) -> Values:
-    """Return c of a dashpot that is told by its force at a velocity V: c alone has a unit that goes with alpha."""
+    """Return c of a dashpot given by its force at a velocity V: c alone has a unit that depends on alpha."""
     return {"c": p["F_V"] / p["V"] ** p["alpha"]}
 
 

@@ -90,7 +90,7 @@ _LINEAR = EffectForm(
     "linear",
     "damper",
     "ageing by as much from test to test",
-    "a factor of the force, constant within a test, that goes with the order of the tests",
+    "a factor of the force, constant within a test, that depends on the order of the tests",
     "phenomenological: first order in the number of tests; ISO 22762-1:2018, 6.6 (ageing)",
     (CoreEffect("constant", factor=lambda p, test: 1.0 + p["rate"] * test.order),),
     lambda s: _rate(s, s.tests - 1.0),

@@ -146,7 +146,7 @@ _WARMING = replace(
 def _hum(form: str, title: str, signature: str, number: int, orders: tuple[int, ...] = (1,)) -> EffectForm:
     """Return hum of so many of the tones that tests have in common, each with multiples of its frequency.
 
-    Their frequencies are no parameters: spectra tell them to a small share of what a fit would find.
+    Their frequencies are no parameters: spectra show them to a small share of what a fit would find.
     """
 
     def frequencies(s: Sizes) -> dict[str, float]:

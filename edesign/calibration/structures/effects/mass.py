@@ -50,7 +50,7 @@ def of(sizes: StructureSizes) -> tuple[StructureForm, ...]:
             name,
             "structure",
             title,
-            "all frequencies are wrong by one factor: base motion cannot tell it from the stiffness, only a known "
+            "all frequencies are wrong by one factor: base motion cannot separate it from the stiffness, only a known "
             "force can; the mass of one floor changes the modes in the share of its movement, and their shapes",
             "Friswell & Mottershead (1995), Finite Element Model Updating in Structural Dynamics",
             _heavier(floors),

@@ -150,7 +150,7 @@ def open_questions(view: View) -> Section:
     rows = [
         ("Left", found.unexplained_shape or f"only noise, an NRMS of {percent(found.noise_floor)} %"),
         *(
-            (name_of(one.name), "cannot be told from " + " or ".join(map(name_of, one.indistinguishable_from)))
+            (name_of(one.name), "cannot be separated from " + " or ".join(map(name_of, one.indistinguishable_from)))
             for one in found.effects
             if one.indistinguishable_from
         ),
@@ -161,7 +161,7 @@ def open_questions(view: View) -> Section:
         rows += [
             ("Next test", f"{further.text}: no larger, faster or warmer than the tests have shown the rig can make"),
             (
-                "What it would tell",
+                "What it would decide",
                 f"{names} would differ by an NRMS of {percent(further.difference)} %, against "
                 f"{percent(further.largest)} % at most in the tests so far",
             ),
@@ -224,7 +224,7 @@ def provenance(view: View) -> Section:
         ),
         (
             "Probability",
-            "of a model of the search: goes with the exponential of its log density of tests left out",
+            "of a model of the search: proportional to the exponential of its log density of tests left out",
         ),
     )
     return Section("provenance", "Provenance and definitions", (), (Facts(rows),))

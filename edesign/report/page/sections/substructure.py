@@ -167,7 +167,7 @@ def _sentences(results: SubstructureResults) -> Iterator[str]:
         good = [run for run in judged if run.text("outcome") == "done" and run.value("response_error") <= most]
         yield f"{test}: {_judgement(good, judged)}; {allowed}."
     if not found and results.runs:
-        yield "Targets are given in all tests: they tell how the rig follows, and nothing of a response."
+        yield "Targets are given in all tests: they show how the rig follows, and nothing of a response."
 
 
 def _judgement(good: list[Run], judged: list[Run]) -> str:

@@ -219,7 +219,7 @@ def effective_strain(stiffness: np.ndarray, strain: np.ndarray) -> float:
     """Return the one strain whose properties stand for dampers that strain differently.
 
     The mean of the strains, each weighted with the energy of its damper. With it the sums of stored and of lost energy
-    are right to first order: both go with G(gamma) V gamma^2, and the terms in the slope of G cancel.
+    are right to first order: both are proportional to G(gamma) V gamma^2, and the terms in the slope of G cancel.
 
     Args:
         stiffness: storage stiffness of each damper, (d,) N/m, in proportion to the volume V of its elastomer.

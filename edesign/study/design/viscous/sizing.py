@@ -25,7 +25,7 @@ _FIRST = 0.25
 most twice as much as there is (behind a brace, towards the brace's limit), so a quarter is below every optimum."""
 
 MOST = 2.0
-"""Of omega c / k_S, with which a storey by itself is critically damped: no spectrum tells what more would do."""
+"""Of omega c / k_S, with which a storey by itself is critically damped: no spectrum says what more would do."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -84,7 +84,7 @@ class Backend(Protocol):
 
         Args:
             calls: each with its own key.
-            control: asked for a stop, told the progress.
+            control: asked for a stop, receives the progress.
             started: called with the key when a call begins, before its progress.
         """
 
@@ -108,7 +108,7 @@ def perform(call: Call, control: Control) -> Result:
 
     Args:
         call: the function and its arguments.
-        control: is told the progress and asked whether to stop.
+        control: receives the progress and is asked whether to stop.
     """
     began = time.monotonic()
     if control.stopped():

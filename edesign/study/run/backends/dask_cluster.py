@@ -66,7 +66,7 @@ class DaskBackend:
 
         Args:
             calls: with unique keys.
-            control: is told the progress and asked whether to stop.
+            control: receives the progress and is asked whether to stop.
             started: called with the key of each call that starts.
 
         Raises:
@@ -156,7 +156,7 @@ def _silence() -> Iterator[None]:
     if logging.getLogger("edesign").isEnabledFor(logging.INFO):  # --debug
         yield
         return
-    logging.getLogger("distributed.http.proxy")  # of a module that is imported later, and tells what it has not
+    logging.getLogger("distributed.http.proxy")  # of a module that is imported later, and reports what it has not
     loggers = [
         logger
         for name, logger in logging.root.manager.loggerDict.items()

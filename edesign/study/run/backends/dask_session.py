@@ -156,7 +156,7 @@ class Session:
         self._events.put(event[1])
 
     def _tell(self, key: str, done: int, total: int) -> None:
-        """Pass on what a worker told; a call that is computed anew does not begin again."""
+        """Pass on what a worker reported; a call that is computed anew does not begin again."""
         if key in self._ended:
             return
         if key not in self._begun:

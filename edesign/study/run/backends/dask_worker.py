@@ -27,7 +27,7 @@ class Share(WorkerPlugin):  # type: ignore[misc, unused-ignore]
         name: of this share, unique.
         state: of the program that wants the results.
         pickles: the arguments that several calls have.
-        level: of edesign's log, so that a worker tells as much as the client would.
+        level: of edesign's log, so that a worker reports as much as the client would.
     """
 
     def __init__(self, name: str, state: Mapping[str, str], pickles: list[bytes]) -> None:

@@ -18,7 +18,7 @@ class SerialBackend(LocalBackend):
 
         Args:
             calls: with unique keys.
-            control: is told the progress and asked whether to stop.
+            control: receives the progress and is asked whether to stop.
             started: called with the key of each call that starts.
         """
         check_keys(calls)

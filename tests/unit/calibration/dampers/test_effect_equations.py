@@ -187,7 +187,7 @@ def elapsed(p: P) -> Forces:
     return beside(lambda m, i: p["rate"] * (3.0 - 1 / 250.0) * i + p["rate"] * m.time)
 
 
-# the law is linear, so that what a channel of the motion does is told of displacement and velocity
+# the law is linear, so that what a channel of the motion does is defined for displacement and velocity
 EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "payne.whole": payne,
     "payne.elastic": payne_elastic,

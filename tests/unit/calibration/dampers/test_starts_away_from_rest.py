@@ -99,7 +99,7 @@ def test_the_law_that_made_the_tests_leaves_noise_of_each(tmp_path: Path) -> Non
 
 
 def test_starts_are_read_beside_the_law_that_suits_the_tests(tmp_path: Path) -> None:
-    """The declared one is a fifth too stiff: what softened a specimen before is then told by nothing but the tests."""
+    """The declared one is a fifth too stiff: what softened a specimen before is then known from the tests alone."""
     too_stiff = {name: value * (1.2 if name != "alpha" else 1.0) for name, value in TABLE_4_2.items()}
     choice = LawChoice("mgmm", write_parameters(MGMM, too_stiff), extremes="fresh")
     written = write_campaign(tmp_path, Specimen("s", 2, 0.0414, 0.012), stepped(), choice)

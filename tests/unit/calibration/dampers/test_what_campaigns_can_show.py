@@ -45,7 +45,7 @@ def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_separa
 
 
 def test_three_tests_show_nothing_that_changes_between_them_alone() -> None:
-    """A line through three levels has one more to tell how tests scatter; two that agree may do so by chance."""
+    """A line through three levels has one more to show how tests scatter; two that agree may do so by chance."""
     tests = problem(tests=4)
     uses: tuple[Use, ...] = ("fit", "fit", "fit", "validate")
     three = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])

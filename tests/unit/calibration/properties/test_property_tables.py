@@ -232,7 +232,7 @@ def test_the_next_test_is_where_models_differ_more_than_in_the_table(thesis: Pro
     payne = (_effect(thesis, "payne.whole"),)
     centres = [one.centre for one in thesis.inner.base]
     plain, softer = _at(thesis, (), np.array(centres)), _at(thesis, payne, np.array([*centres, 0.3, 2e-4, 1.0, 5.0]))
-    # what the search says of the two, in place of scores: that it cannot tell them apart
+    # what the search says of the two, in place of scores: that it cannot separate them
     searched = {(): Difference(0.0, 0.0), ("payne.whole",): Difference(-1.0, 2.0)}
     fitter = unbounded(thesis, SETTINGS)
     found = next_test(thesis, Posterior(fitter, plain, plain, (plain, softer), searched))

@@ -1,4 +1,4 @@
-"""An effect whose size may be nothing, as all samples tell it, is a hypothesis and no part of the model."""
+"""An effect whose size may be nothing, as all samples show it, is a hypothesis and no part of the model."""
 
 from __future__ import annotations
 
@@ -74,6 +74,6 @@ def test_an_effect_that_misleads_goes_and_the_others_stay() -> None:
     (one,) = found.dropped
     assert one.model is model and model.effects[one.index].name == "inertia"
     assert why_dropped(one) == "with it the validation tests are predicted worse (11 %) than without it (1 %)"
-    # no better than none: all are withheld, which is told elsewhere
+    # no better than none: all are withheld, which is reported elsewhere
     assert validated(fitter, sure, 0.001, error) is sure
     assert validated(fitter, sure, 0.2, error).model is model

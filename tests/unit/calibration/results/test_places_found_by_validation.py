@@ -1,4 +1,4 @@
-"""Where effects begin that validation tests alone can tell: a gain that changed between two fitted tests."""
+"""Where effects begin that validation tests alone can show: a gain that changed between two fitted tests."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ USES: tuple[Use, ...] = ("fit", "fit", "validate", "validate", "fit", "fit")
 
 @pytest.mark.parametrize("first", [3, 4, 5])
 def test_a_gain_that_changed_begins_where_validation_tests_say(first: int) -> None:
-    """The fitted tests cannot tell these three from each other; the validation tests would refuse a wrong one."""
+    """The fitted tests cannot separate these three; the validation tests would refuse a wrong one."""
     tests = problem(tests=len(USES))
     made = [
         replace(one, use=use, force=one.force * (1.0 + GAIN * (one.order + 1 >= first)))

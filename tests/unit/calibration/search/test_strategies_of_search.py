@@ -188,7 +188,7 @@ def test_what_is_less_than_instruments_see_is_no_effect() -> None:
 
 
 def test_an_effect_that_swallows_noise_of_the_motion_is_none() -> None:
-    """It explains 1 % of the rms, and noise of the motion is told to make half or twice as much."""
+    """It explains 1 % of the rms, and noise of the motion is set to make half or twice as much."""
     shape = columns(7)
     one = linear("clearance", shape)
     problem = CurveProblem(effects=(one,), noise=1e-3)
@@ -276,7 +276,7 @@ def test_what_is_each_tests_own_is_screened_in_pairs() -> None:
 
 
 def test_models_are_fitted_again_without_a_test_that_moves_them_far() -> None:
-    """One test alone goes far enough to tell size and exponent."""
+    """One test alone goes far enough to determine size and exponent."""
     power = effect(
         "hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (4.0,))], spread=0.1
     )

@@ -23,7 +23,7 @@ def test_what_a_law_that_is_right_leaves_of_a_force_is_noise(seed: int) -> None:
 def test_noise_of_a_rest_does_not_make_a_law_creep(seed: int) -> None:
     """A specimen is pulled in a tenth of a second and held. Noise makes it unload steeper than it loads.
 
-    The path of noise is 2 / sqrt(pi) = 1.1 deviations a sample. Beside the corners, which no frequency tells from
+    The path of noise is 2 / sqrt(pi) = 1.1 deviations a sample. Beside the corners, which no frequency separates from
     noise, deviations of it are left: 2 % of the elastic displacement at the force that is held.
     """
     noise, held = 6e-6, 10e-3

@@ -1,4 +1,4 @@
-"""A campaign of a structure through the command: what is written, what is told, what is refused."""
+"""A campaign of a structure through the command: what is written, printed and refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Viscous dampers that an engineer would not build: what is told of them, against closed forms of one storey."""
+"""Viscous dampers that an engineer would not build: what is reported of them, against closed forms of one storey."""
 
 from __future__ import annotations
 
