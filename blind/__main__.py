@@ -35,11 +35,11 @@ def main(arguments: list[str] | None = None) -> None:
         for each in planned:
             generate(each, chosen.seed, chosen.folder)
         return
-    scores = score(planned, chosen.seed, chosen.folder, chosen.jobs, chosen.again, _tell)
+    scores = score(planned, chosen.seed, chosen.folder, chosen.jobs, chosen.again, _print_score)
     print(f"\n{summary(scores)}")
 
 
-def _tell(judged: dict[str, Any]) -> None:
+def _print_score(judged: dict[str, Any]) -> None:
     hidden = " + ".join(" ".join(effect) for effect in judged["effects"]) or "nothing"
     found = judged["failure"] or ", ".join(str(effect[0]) for effect in judged["found"]) or "none"
     print(f"c{judged['number']:03d}  {judged['seconds']:5.0f} s  {hidden}: {found}", flush=True)

@@ -18,7 +18,7 @@ EQUAL: dict[tuple[str, str], tuple[str, ...]] = {
 load cell."""
 
 ORDER = ("right", "confounded", "equal", "late", "wrong", "nothing")
-"""How an effect is named: right; as one its own result says cannot be told apart from it; by another name of the same
+"""How an effect is named: right; as one its own result says cannot be separated from it; by another name of the same
 equation, though it does not say so; right but not first; otherwise; not at all."""
 
 

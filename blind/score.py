@@ -24,7 +24,7 @@ def score(
     folder: Path,
     jobs: int = 1,
     again: bool = False,
-    tell: Callable[[dict[str, Any]], None] = lambda score: None,
+    progress: Callable[[dict[str, Any]], None] = lambda score: None,
     *,
     write_new: Callable[[Planned, int, Path], None] = write_new,
     judge: Judge = judge,
@@ -38,7 +38,7 @@ def score(
         folder: for all files.
         jobs: calibrations at a time.
         again: also run those that have been run.
-        tell: is given each score when it is there.
+        progress: is given each score when it is there.
         write_new: makes and writes a campaign.
         judge: makes a score of truth, result and outcome.
         options: more of the command.
@@ -52,7 +52,7 @@ def score(
         outcome = calibrate(campaign, again, options)
         truth = json.loads(truth_path(campaign).read_text(encoding="ascii"))
         judged = judge(truth, None if outcome["failure"] else result(campaign), outcome)
-        tell(judged)
+        progress(judged)
         return judged
 
     with ThreadPoolExecutor(jobs) as pool:

@@ -33,7 +33,7 @@ const char *ed_status_text(int status);
 const char *ed_version(void);
 
 /* The versions of SuiteSparse and SUNDIALS as loaded, "5.12.0", each into room for `size` characters; "" where a library does not
- * tell. Longer texts are cut. ED_E_ARGUMENT: no room. */
+ * say it. Longer texts are cut. ED_E_ARGUMENT: no room. */
 int ed_library_versions(int size, char *suitesparse, char *sundials);
 
 /* Whether a long call shall end. `asked` is called with `data` in the thread of the call, about five times a second, and never by

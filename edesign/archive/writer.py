@@ -54,7 +54,7 @@ class ArchiveWriter:
         kept: paths of the groups that were found in the partial file and are reused.
         note: one line on what happened to an earlier partial file, "" if there was none.
         partial: where the archive lies while it is not complete.
-        tell: called with a line when the partial file was deleted and has been written again.
+        on_rewrite: called with a line when the partial file was deleted and has been written again.
 
     Raises:
         ArchiveError: the folder is missing or unwritable, the disk is full, another run writes the same archive, or
@@ -73,7 +73,7 @@ class ArchiveWriter:
         self.path = Path(path)
         self.kept: tuple[str, ...] = ()
         self.note = ""
-        self.tell: Callable[[str], None] = lambda line: None
+        self.on_rewrite: Callable[[str], None] = lambda line: None
         self.partial = partial_path(self.path)
         self._root = Group(root.coords, root.variables, {**root.attributes, "edesign_archive": FORMAT, "complete": 0})
         self._open = True
@@ -226,7 +226,7 @@ class ArchiveWriter:
                 ) from None
             folder.mkdir(parents=True, exist_ok=True)
             self._disk.write_again(place)
-            self.tell(f"{place.name} was deleted during the run, and was written again")
+            self.on_rewrite(f"{place.name} was deleted during the run, and was written again")
             return
         self.partial = self._free_name()
         self._disk.write_again(self.partial)

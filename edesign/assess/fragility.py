@@ -135,7 +135,7 @@ def fit_capacities(capacity: ArrayLike, last: ArrayLike = math.inf) -> Fragility
         )
     if np.ptp(x) <= 1e-12 * max(1.0, float(np.max(np.abs(x)))):
         raise AnalysisError(
-            "no fragility: all records pass the limit at the same intensity, so that beta cannot be told [E-FRAG-01]"
+            "no fragility: all records pass the limit at the same intensity, which leaves beta undetermined [E-FRAG-01]"
         )
     beyond = np.log(np.broadcast_to(np.asarray(last, dtype=float), capacities.shape)[~there])
     if not np.all(np.isfinite(beyond)):

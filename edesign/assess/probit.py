@@ -73,7 +73,9 @@ def check_overlap(n: np.ndarray, k: np.ndarray) -> None:
         where = f"none passes the limit up to intensity {last} of {count}, all from {first} on; theta lies between"
         if last == first:
             where = f"only at intensity {first} of {count} do some pass the limit and some not"
-        raise AnalysisError(f"no fragility: {where}; beta cannot be told without more intensities there [E-FRAG-01]")
+        raise AnalysisError(
+            f"no fragility: {where}; beta cannot be determined without more intensities there [E-FRAG-01]"
+        )
     if yes.max() <= no.min():
         raise AnalysisError(NOT_RISING)
 

@@ -224,7 +224,7 @@ def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
         raise InputError(f"{where}: the law `{item.law}` has no `prototype` whose size could be changed [E-DEVICE-01]")
     if isinstance(item, Isolator) and item.weight is not None and law.law.law != WEIGHED:
         raise InputError(
-            f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) do not go with a weight [E-DEVICE-03]"
+            f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) need no weight [E-DEVICE-03]"
         )
     if isinstance(item, Isolator) and item.weight == "varying" and item.vertical == "fixed":
         raise InputError(f"{where}.weight: {NEEDS_STIFFNESS}")

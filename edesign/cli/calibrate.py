@@ -73,22 +73,22 @@ def calibrate(
         check_pdf_engine()
     begin = time.monotonic()
 
-    def tell(what: str) -> None:
+    def progress(what: str) -> None:
         if not quiet:
             progress_line(progress_text(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr))
 
-    tell("reading the tests")
+    progress("reading the tests")
     loaded = load(campaign)
     for note in notes_of(loaded):
-        tell(note)
+        progress(note)
     check_files(loaded, folder, overwrite)
     settings = SETTINGS if effort is None else replace(SETTINGS, effort=effort)
-    found = run(loaded, settings, workers, tell)
+    found = run(loaded, settings, workers, progress)
     written = write_files(found, folder)
     kept = f"what was found is in {folder}"
     pages = [name for name, asked in (("calibration.html", page), ("calibration.pdf", pdf)) if asked]
     if pages:
-        tell("drawing the report")
+        progress("drawing the report")
         with optional("the report", kept + earlier(*(folder / name for name in pages))):
             written += _reports(calibration_page(found), folder, page, options if pdf else None)
     if json_output:

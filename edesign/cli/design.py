@@ -41,7 +41,7 @@ def design(
     The lists of sections are those of `design: select` in the file.
     """
 
-    def tell(line: str) -> None:
+    def progress(line: str) -> None:
         if not quiet:
             progress_line(visible_line(line))
 
@@ -52,7 +52,7 @@ def design(
         raise InputError(f"{path}: this is the name of an archive; a building file ends in .yaml [E-FILE-08]")
     check_own_yaml(path, building, overwrite)
     check_building_archive(read, path, archive, overwrite)
-    found = in_stages(lambda stage: select_sections(read, tell, workers), quiet)
+    found = in_stages(lambda stage: select_sections(read, progress, workers), quiet)
     said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
     write_yaml(said + found.building.text, path, building)
     write_building(load_building(path), found.design, archive, selection_group(found))

@@ -238,7 +238,7 @@ def _write(result: _Result, given: FitInput, folder: Path, source: Path) -> None
 def _progress(name: str) -> Progress:
     """Print on standard error which start of which law is done."""
 
-    def tell(what: str, done: int, of: int) -> None:
+    def report(what: str, done: int, of: int) -> None:
         progress_line(f"{name}: {what} {done}/{of}")
 
-    return tell
+    return report

@@ -19,7 +19,7 @@ from edesign.cli.shared.stages import end_with
 from edesign.cli.shared.streams import progress_line, visible_streams
 from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted, StageFailed
 from edesign.input_files import noting_inputs
-from edesign.optional_stages import noting_failures, told, words_of_mistake
+from edesign.optional_stages import failure_text, noting_failures, words_of_mistake
 from edesign.renamed_names import current_option, noting_renamed
 
 EPILOG = (
@@ -191,7 +191,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(words: list[str], debug: bool) -> int:
-    """Return the exit code of a command, and tell of stages that failed after its results."""
+    """Return the exit code of a command, and report stages that failed after its results."""
     with noting_failures() as failures, noting_renamed() as renamed:
         code = _called([current_option(word) for word in words], debug)
     for note in renamed:

@@ -32,13 +32,13 @@ def report(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
     """Write the report of an archive as one HTML page that opens offline and can be mailed, or as a PDF."""
-    tell = (lambda line: None) if quiet else PageProgress()
+    progress = (lambda line: None) if quiet else PageProgress()
     pdf = pdf or (output is not None and output.suffix.lower() == ".pdf")
     options = print_options(pdf, paper, appendix)
     if pdf:
-        written = write_pdf(archive, output, tell, options)
+        written = write_pdf(archive, output, progress, options)
     else:
-        written = write_page(archive, output, tell)
+        written = write_page(archive, output, progress)
     print(f"report: {written} ({written.stat().st_size / 1e6:.1f} MB)")
 
 

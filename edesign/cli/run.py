@@ -14,7 +14,7 @@ from edesign.building.project_file import load_project, load_study
 from edesign.cli.report import PageProgress
 from edesign.cli.shared.complete import analysis_names
 from edesign.cli.shared.progress import listener
-from edesign.cli.shared.stages import Tell, in_stages
+from edesign.cli.shared.stages import ProgressLine, in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
 from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS
@@ -115,9 +115,9 @@ class _End:
 
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, check: bool) -> None:
-    def work(tell: Tell) -> tuple[Path, ElasticDesign]:
-        tell(f"reading {file}")
-        return run_building(load_building(file), archive, overwrite, tell)
+    def work(progress: ProgressLine) -> tuple[Path, ElasticDesign]:
+        progress(f"reading {file}")
+        return run_building(load_building(file), archive, overwrite, progress)
 
     path, design = in_stages(work, end.quiet)
     _end(path, "", end)

@@ -86,8 +86,8 @@ def show(
         read_archive(archive, lambda opened: write_verdicts(opened, csv))
     if figures is not None:
         check_folder(figures)
-    tell, damage = read_archive(archive, read)
-    tell()
+    print_found, damage = read_archive(archive, read)
+    print_found()
     if figures is not None:
         drawn: tuple[Path, ...] | None = None
         with optional("the figures", "what the archive holds is printed above"):

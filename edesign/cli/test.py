@@ -74,7 +74,7 @@ def _reporter(listen: Listener) -> Callable[[int, int, str], None]:
     """
     began = time.monotonic()
 
-    def tell(index: int, count: int, test_name: str) -> None:
+    def report(index: int, count: int, test_name: str) -> None:
         name = f"{count} virtual tests"
         if index == 1:
             listen(Progress("start", name))
@@ -83,7 +83,7 @@ def _reporter(listen: Listener) -> Callable[[int, int, str], None]:
             seconds = time.monotonic() - began
             listen(Progress("end", name, fraction=1.0, message=f"last: {test_name}", seconds=seconds))
 
-    return tell
+    return report
 
 
 test.__test__ = False  # type: ignore[attr-defined]  # no test of pytest

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from edesign.archive.files import check_file
-from edesign.cli.shared.stages import Tell, in_stages
+from edesign.cli.shared.stages import ProgressLine, in_stages
 from edesign.errors import InputError
 from edesign.exchange import formats
 from edesign.report.tables.visible import visible_line
@@ -42,21 +42,21 @@ def translate(
         raise InputError(f"{'--to: ' if to is not None else ''}{_without_target(source)}")
     if source.suffix.lower() in formats.TAKEN:
         taken = formats.take(source, target, overwrite)
-        _tell(f"{target} written, a {taken.kind} file. Next: edesign check {target}", taken.left_out)
+        _print_result(f"{target} written, a {taken.kind} file. Next: edesign check {target}", taken.left_out)
         return
     form = formats.find_format(target)
     check_file(target)  # rather than after the records are fitted
 
-    def work(tell: Tell) -> formats.Translation:
-        tell(f"reading {source}")
-        return form.translate(formats.read_source(source), target, without_dampers, tell)
+    def work(progress: ProgressLine) -> formats.Translation:
+        progress(f"reading {source}")
+        return form.translate(formats.read_source(source), target, without_dampers, progress)
 
     found = in_stages(work, quiet)
     formats.check_own_files(found, overwrite)
     formats.write_translation(found)
     others = len(found.files) - 1
     beside = f", and {others} file{'s' * (others > 1)} beside it" if others else ""
-    _tell(
+    _print_result(
         f"{target} written for {form.program}{beside}. Next: {form.use.format(target)}",
         found.left_out,
         found.differences,
@@ -72,7 +72,7 @@ def _without_target(source: Path) -> str:
     return f"name the file to write after the source; its ending says for which program [E-CLI-03]:{examples}"
 
 
-def _tell(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:
+def _print_result(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:
     print(visible_line(first))
     for sentence in left_out:
         print(visible_line(f"left out: {sentence}"))

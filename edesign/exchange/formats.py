@@ -42,8 +42,8 @@ class Translation:
     differences: tuple[str, ...] = ()
 
 
-Tell = Callable[[str], None]
-Translator = Callable[[Project | Building, Path, bool, Tell], Translation]
+ProgressLine = Callable[[str], None]
+Translator = Callable[[Project | Building, Path, bool, ProgressLine], Translation]
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class Format:
         source: Project | Building,
         path: Path,
         without_dampers: bool = False,
-        tell: Tell = lambda stage: None,
+        progress: ProgressLine = lambda stage: None,
     ) -> Translation:
         """Return the files that describe a project or building to the program; nothing is written.
 
@@ -79,7 +79,7 @@ class Format:
             source: the validated project or building.
             path: of the model.
             without_dampers: whether dampers, isolators and tuned masses are left out.
-            tell: takes the name of each stage of the work at its beginning.
+            progress: takes the name of each stage of the work at its beginning.
 
         Raises:
             InputError: the program lacks something that the project has, or takes no buildings.
@@ -93,7 +93,7 @@ class Format:
                     "frame from it, which it does write [E-OPS-06]"
                 )
         make = cast("Translator", getattr(import_module(module), function))
-        return make(source, path, without_dampers, tell)
+        return make(source, path, without_dampers, progress)
 
 
 FORMATS = (
@@ -114,7 +114,7 @@ def translate(
     target: Path | str,
     without_dampers: bool = False,
     overwrite: bool = False,
-    tell: Tell = lambda stage: None,
+    progress: ProgressLine = lambda stage: None,
 ) -> Translation:
     """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign.
 
@@ -124,7 +124,7 @@ def translate(
             for edesign, from .s2k.
         without_dampers: whether dampers, isolators and tuned masses are left out.
         overwrite: whether files that edesign did not write are replaced.
-        tell: takes the name of each stage of the work at its beginning.
+        progress: takes the name of each stage of the work at its beginning.
 
     Returns:
         The files, and sentences on what they lack and what the program does in another way.
@@ -147,7 +147,7 @@ def translate(
         source = read_source(source)
     form = find_format(target)
     check_file(target)  # rather than after the records are fitted
-    found = form.translate(source, target, without_dampers, tell)
+    found = form.translate(source, target, without_dampers, progress)
     check_own_files(found, overwrite)
     write_translation(found)
     return found

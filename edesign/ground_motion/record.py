@@ -25,7 +25,7 @@ class Record:
         source: where the samples come from, and what was done to them.
         checksum: SHA-256 of time step and samples as read (little-endian doubles), hexadecimal; kept by all methods.
         band_limited: whether it runs between its samples as the motion through them that has no content above their
-            Nyquist frequency, the one whose response spectrum is told; if not, in straight lines.
+            Nyquist frequency, the one whose response spectrum is reported; if not, in straight lines.
         remarks: warnings about the file that it was read from, sentences.
     """
 

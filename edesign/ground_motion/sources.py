@@ -142,7 +142,7 @@ def _own_file(entry: SuiteEntry, suite: Suite) -> Found | None:
 
 
 def origin_of_file(path: Path) -> Literal["file", "simulated"]:
-    """Say whether a file that was read has a motion that edesign simulated, as its first line tells."""
+    """Say whether a file that was read has a motion that edesign simulated, as its first line says."""
     return "simulated" if (head_of(path) or b"").startswith(SIMULATED.encode()) else "file"
 
 
@@ -192,7 +192,7 @@ def _short_named(entry: SuiteEntry, name: PeerName, files: Sequence[_File], trie
         header = read_peer_header(file.path)
         if header.year is None:
             raise InputError(
-                f"{file.path}: neither name nor second line of the file tell the earthquake; if it is the one of "
+                f"{file.path}: neither name nor second line of the file identify the earthquake; if it is the one of "
                 f"{entry.year}, rename the file to {name.file}, otherwise move it elsewhere [E-SUITE-06]"
             )
         if same_year(header, entry.year):

@@ -119,18 +119,18 @@ class ElasticDesign:
         )
 
 
-def elastic_design(building: Building, tell: Callable[[str], None] = lambda stage: None) -> ElasticDesign:
+def elastic_design(building: Building, progress: Callable[[str], None] = lambda stage: None) -> ElasticDesign:
     """Analyse a building and check it.
 
     Args:
         building: from `load_building`, with the blocks `hazard`, `masses` and `design`.
-        tell: called with the name of each stage at its beginning.
+        progress: called with the name of each stage at its beginning.
 
     Raises:
         InputError: a block is missing, a behaviour factor or a mode is out of its range, a section is of class 4 under
             its forces, or the structure is a mechanism.
     """
-    found = ElasticAnalysis(building, tell).design()
+    found = ElasticAnalysis(building, progress).design()
     if found.members.slender:
         member = found.frame.members[found.members.slender[0]]
         place = building.where(*keys_of_member(building, member.name), "section")
@@ -150,7 +150,7 @@ class ElasticAnalysis:
 
     Args:
         building: from `load_building`, with the blocks `hazard`, `masses` and `design`.
-        tell: called with the name of each stage at its beginning.
+        progress: called with the name of each stage at its beginning.
 
     Attributes:
         frame: with the sections of the file; load cases as `space_frame` gives them.
@@ -169,8 +169,8 @@ class ElasticAnalysis:
             energy, a steel has no values by thickness, or the structure is a mechanism.
     """
 
-    def __init__(self, building: Building, tell: Callable[[str], None] = lambda stage: None) -> None:
-        self.building, self._tell = building, tell
+    def __init__(self, building: Building, progress: Callable[[str], None] = lambda stage: None) -> None:
+        self.building, self._progress = building, progress
         self._material = {run.group: run.material for run in building.columns}
         self._material |= {run.group: run.material for run in building.beams}
         self._material |= {run.group: run.material for run in building.braces}
@@ -178,14 +178,14 @@ class ElasticAnalysis:
         self._design = design_of(building)
         hazard = _hazard(building)
         self._national = national_of(hazard)
-        tell("members, loads and masses")
+        progress("members, loads and masses")
         self.frame = space_frame(building)
         if not self.frame.node_mass.any():
             raise InputError(
                 f"{building.where('masses')}: masses: the seismic action needs masses; "
                 "docs/reference/building_file.md explains them [E-KEY-02]"
             )
-        tell(f"stiffness of {len(self.frame.members)} members")
+        progress(f"stiffness of {len(self.frame.members)} members")
         with telling_member(self.building):
             self._models = [space_model(self.frame, building.materials, gravity) for gravity in (False, True)]
         self._properties = [member_properties(self.frame, building.materials, gravity) for gravity in (False, True)]
@@ -310,11 +310,11 @@ class ElasticAnalysis:
         frame = with_joined_cases(frame)
         regular, of_regularity = regularity(building, frame, model, self._shape)
         q, q_limit = self._behaviour_factors(regular)
-        self._tell("natural modes")
+        self._progress("natural modes")
         modes = every = model.modes(frame.node_mass)
         if design.modes != "auto":
             modes = _first(modes, design.modes, building)
-        self._tell("effects of the actions")
+        self._progress("effects of the actions")
         static = static_response(gravity_model, frame)
         analysis = ResponseSpectrumAnalysis(model, frame, self._elastic, design, self.bracing, self.supports)
         with telling_place(building, "design", "combination"):
@@ -337,7 +337,7 @@ class ElasticAnalysis:
             axis: overstrength(frame, steel, in_earthquakes, self.dissipative[axis], axis, kind[axis], gamma_M0)
             for axis in AXES
         }
-        self._tell("checks of the members")
+        self._progress("checks of the members")
         combinations = persistent, self.seismic, Omega, q, self.yielded, self.vertical
         checked = self.members.results(frame, acting, *combinations)
         of_joints = {

@@ -39,7 +39,7 @@ def run_tests(
     file: RtsFile,
     archive_path: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
-    tell: Callable[[str], None] = lambda line: None,
+    progress: Callable[[str], None] = lambda line: None,
     csv_folder: Path | None = None,
 ) -> tuple[Path, tuple[TestResults, ...], tuple[MethodResults, ...]]:
     """Run all virtual tests of a file, and archive them.
@@ -48,7 +48,7 @@ def run_tests(
         file: from `load_rts_file`.
         archive_path: the archive; by default what the file says.
         overwrite: True replaces the archive of something else too.
-        tell: called with the name of each run at its beginning.
+        progress: called with the name of each run at its beginning.
         csv_folder: where each run is written as CSV as well; made if it does not exist.
 
     Returns:
@@ -70,7 +70,7 @@ def run_tests(
     root = _root(file, path)
     gone = check_owner(path, root, overwrite)
     if gone:
-        tell(f"replacing {path}, which has {listed(gone, 5)} that {file.path.name} no longer asks for")
+        progress(f"replacing {path}, which has {listed(gone, 5)} that {file.path.name} no longer asks for")
     laboratory = VirtualLaboratory(file)
     names = _csv_names(laboratory) if csv_folder is not None else {}
     _ = laboratory.drives  # what is wrong with records and commands is reported before anything is written
@@ -85,7 +85,7 @@ def run_tests(
         def begin(line: str) -> None:
             if stop.is_set():
                 raise Stopped
-            tell(line)
+            progress(line)
 
         try:
             for results in (_asked(laboratory, one) for one in laboratory.run(begin, stop.is_set)):

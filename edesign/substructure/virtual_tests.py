@@ -70,12 +70,12 @@ class VirtualLaboratory:
         return {test.name: self.drive(test) for test in self.file.tests}
 
     def run(
-        self, tell: Callable[[str], None] = lambda line: None, stop: StopRequest | None = None
+        self, progress: Callable[[str], None] = lambda line: None, stop: StopRequest | None = None
     ) -> Iterator[TestResults]:
         """Yield the results test by test.
 
         Args:
-            tell: called with the name of each run at its beginning.
+            progress: called with the name of each run at its beginning.
             stop: whether a run shall end early, by `Stopped`.
 
         Raises:
@@ -87,21 +87,21 @@ class VirtualLaboratory:
             with stoppable(stop):
                 direct = self.direct(drive) if drive.ground is not None else None
                 for name in self.compensators:
-                    tell(f"{test.name}, {name}")
+                    progress(f"{test.name}, {name}")
                     runs.append(self._run(test, name, drive, direct))
             yield TestResults(test.name, test.kind, drive, direct, tuple(runs))
 
     def run_others(
-        self, tell: Callable[[str], None] = lambda line: None, stop: StopRequest | None = None
+        self, progress: Callable[[str], None] = lambda line: None, stop: StopRequest | None = None
     ) -> Iterator[MethodResults]:
         """Yield the results of the tests by other methods; errors as `run`.
 
         Args:
-            tell: see `run`.
+            progress: see `run`.
             stop: see `run`.
         """
         for test in self.others:
-            tell(test.name)
+            progress(test.name)
             drive = self.drives[test.name]
             assert drive.ground is not None
             with stoppable(stop):

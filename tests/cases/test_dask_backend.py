@@ -287,10 +287,10 @@ def _environment(code: Path) -> dict[str, str]:
 
 def _stop_at_progress(listener: Listener, keys: set[str]) -> Listener:
     """A listener that stops after the progress of some calls."""
-    tell = listener.progress
+    before = listener.progress
 
     def progress(key: str, done: int, total: int) -> None:
-        tell(key, done, total)
+        before(key, done, total)
         if keys <= {reported for reported, *_ in listener.reported}:
             listener.stop.set()
 

@@ -1077,7 +1077,7 @@ OTHER_PARTS = (
                 "    lead: {type: elastic_plastic, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0.03}}\n    moat: {",
             ),
         ),
-        "do not depend on a weight; leave it out",
+        "need no weight; leave it out",
         (", weight: law", ""),
     ),
     _row(

@@ -126,4 +126,4 @@ def test_check_reports_before_the_run(tmp_path: Path) -> None:
         file = tmp_path / f"{kind}.yaml"
         file.write_text(PROJECT.format(kind=kind, k=15.0, c=1000.0, motion=MOTION), encoding="utf-8")
         warnings = check_project(load_project(file)).get("warnings", "")
-        assert ("dampers.devices[0]: dampers of the kind `storey`" in warnings) == told
+        assert ("dampers.devices[0]: dampers of the kind `storey`" in warnings) == reported

@@ -21,7 +21,9 @@ NOISE = 0.01
 
 def recovered(name: str, noise: float = NOISE, starts: int = 2, seed: int = 7) -> Fit:
     truth = EXAMPLES[name]
-    fixed = {key: truth[key] for key in FIXED.get(name, {})}  # what no data tell is given, all else comes from the data
+    fixed = {
+        key: truth[key] for key in FIXED.get(name, {})
+    }  # what no data determine is given, all else comes from the data
     branches = sum(key.startswith("c") for key in truth) if LAWS[name].branch else 1
     return fit_forces(LAWS[name], measured(name, truth, noise, seed), fixed=fixed, starts=starts, branches=branches)
 
@@ -46,7 +48,7 @@ def test_parameters_come_back(name: str) -> None:
         assert fit.nrms[test.name] == pytest.approx(expected, rel=0.05)
 
 
-def test_the_parameters_fixed_by_default_are_those_that_no_data_tell() -> None:
+def test_the_parameters_fixed_by_default_are_those_that_no_data_determine() -> None:
     """Eq. 4.29 as printed: k0 and k_b, and c1, k1 and c_b, change together without any change of the force."""
     truth = EXAMPLES["mgmm"]
     tau, shift, factor = truth["c1"] / truth["k1"], 0.1e6, 3.0

@@ -28,7 +28,7 @@ class Effect:
         nuisance: whether it acts through nuisance amplitudes of each test.
         data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
         cost: of a prediction, in those of the base model.
-        confounded: what it may be by the tests that are fitted, which others tell apart; (): one thing alone.
+        confounded: what it may be by the tests that are fitted, which others separate; (): one thing alone.
     """
 
     name: str

@@ -34,11 +34,11 @@ def run(
     """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
     tests = load_tests(file)
 
-    def tell(line: str) -> None:
+    def progress(line: str) -> None:
         if not quiet:
             progress_line(f"{visible_line(line)} ...")
 
-    path, found, others = run_tests(tests, archive, overwrite, tell, csv)
+    path, found, others = run_tests(tests, archive, overwrite, progress, csv)
     if not quiet:
         with optional("the tables", f"the results are in {path}"):
             print_tables(overview(path))

@@ -18,7 +18,7 @@ from edesign.study.run.progress import Listener, Progress, Tally, silent
 
 LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
 LINE_AFTER = 2.0  # s: quicker analyses have lines at their start and end only
-REPORTED_FROM = 1.0  # s: less that is left is not worth telling
+REPORTED_FROM = 1.0  # s: less that is left is not worth a line
 
 
 @contextmanager

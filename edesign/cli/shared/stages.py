@@ -16,12 +16,12 @@ from edesign.report.tables.visible import visible_line
 from edesign.stopping import Stopped, end_uninterrupted
 
 R = TypeVar("R")
-Tell = Callable[[str], None]
+ProgressLine = Callable[[str], None]
 LOOK = 0.1  # s between looks at the work
 LINE_AFTER = 1.0  # s: on a terminal quicker stages have no line
 
 
-def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
+def in_stages(work: Callable[[ProgressLine], R], quiet: bool = False) -> R:
     """Run a function in a thread, with lines on standard error for its stages, and return its result.
 
     On a terminal stages that last have a line. In a file or a pipe each stage has one at its beginning, so that the
@@ -41,16 +41,16 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
     results: list[R] = []
     errors: list[BaseException] = []
 
-    def tell(stage: str) -> None:
+    def progress(stage: str) -> None:
         if ended.is_set():
             raise Stopped
         stages.append((stage, time.monotonic()))
         if not by_time and not quiet:
-            _tell(stage)
+            _print_stage(stage)
 
     def run() -> None:
         try:
-            results.append(work(tell))
+            results.append(work(progress))
         except BaseException as error:
             errors.append(error)
         done.set()
@@ -66,7 +66,7 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
             lasts = time.monotonic() - since >= LINE_AFTER
             if by_time and not quiet and stage != reported and thread.is_alive() and lasts:
                 reported = stage
-                _tell(stage)
+                _print_stage(stage)
     except KeyboardInterrupt:
         ended.set()
         end_uninterrupted()
@@ -98,5 +98,5 @@ _left: list[threading.Event] = []
 """Set when work that Ctrl-C did not wait for has ended; a `join` that it interrupts may take a thread for ended."""
 
 
-def _tell(stage: str) -> None:
+def _print_stage(stage: str) -> None:
     progress_line(f"{visible_line(stage)} ...")

@@ -1,4 +1,4 @@
-"""Parameters that force and deformation cannot tell, and the values they are fixed at by default."""
+"""Parameters that force and deformation cannot determine, and the values they are fixed at by default."""
 
 from __future__ import annotations
 

@@ -113,7 +113,7 @@ def prepare(tests: Sequence[DamperTest], weights: Mapping[str, float] | None = N
     names = [test.name for test in tests]
     for name in names:
         if names.count(name) > 1:
-            raise InputError(f"two tests are called `{name}`; a fit tells tests by their names [E-NAME-02]")
+            raise InputError(f"two tests are called `{name}`; a fit distinguishes tests by their names [E-NAME-02]")
     given = dict(weights or {})
     for name, weight in given.items():
         if name not in names:

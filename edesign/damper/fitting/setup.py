@@ -119,7 +119,9 @@ def set_up(
     constants = fixed_by_default(law, begin, observed.scales, observed.largest_force)
     for name in fit_also:
         if name not in FIXED.get(law.name, {}) and name in constants:
-            raise InputError(f"fit: `{name}` of law {law.name} is a choice, not a number that data can tell [E-FIT-02]")
+            raise InputError(
+                f"fit: `{name}` of law {law.name} is a choice, not a number that data can determine [E-FIT-02]"
+            )
         constants.pop(name, None)
     own = {name: value for name, value in begin.items() if name not in {p.name for p in heat.parameters}}
     values = start_values(law, observed, {**own, **constants}, branches)

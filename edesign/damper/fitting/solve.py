@@ -147,7 +147,7 @@ def solve(
     Raises:
         AnalysisError: the law gives no force for any candidate.
     """
-    tell = progress or (lambda what, done, of: None)
+    report = progress or (lambda what, done, of: None)
     stop, done = Event(), 0
 
     def unless_stopped(x: np.ndarray) -> Sequence[np.ndarray]:
@@ -166,16 +166,16 @@ def solve(
         nonlocal done
         found = fit(search, search.noise, x, settings=_SEARCH)
         done += 1
-        tell("starts", done, len(chosen))
+        report("starts", done, len(chosen))
         return found
 
     descents = sorted(in_threads(one, chosen, workers, stop), key=_cost)
-    tell("polish", 0, 1)
+    report("polish", 0, 1)
     best = descents[0]
     if full.loss != "linear":
         full = replace(full, f_scale=_loss_scale(np.concatenate(full.errors(best.z))))
     last = fit(full, full.noise, canonical(best.z), settings=_POLISH)
-    tell("polish", 1, 1)
+    report("polish", 1, 1)
     costs = tuple(map(_cost, descents))
     return Outcome(
         last,

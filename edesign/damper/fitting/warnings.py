@@ -25,7 +25,7 @@ def identifiability_warnings(
     loose: Sequence[str],
     condition: float,
 ) -> list[str]:
-    """List warnings about what the data can tell.
+    """List warnings about what the data can determine.
 
     Args:
         names: of the fitted parameters.

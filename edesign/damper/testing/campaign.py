@@ -390,7 +390,7 @@ def _ramp(entry: TestEntry, file: CampaignFile) -> float | None:
 
 def _check_starts(file: CampaignFile, problems: Problems) -> None:
     """Refuse a ramp where no test starts at rest, which alone has one."""
-    needs = "it goes with `start: at_rest`: the way from rest to the first sample [E-KEY-03]"
+    needs = "it belongs to `start: at_rest`: the way from rest to the first sample [E-KEY-03]"
     if file.start_ramp is not None and all((entry.start or file.start) != "at_rest" for entry in file.tests):
         problems.at_key(("start_ramp",), needs)
     for i, entry in enumerate(file.tests):

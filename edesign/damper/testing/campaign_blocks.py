@@ -191,7 +191,7 @@ def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
     sizes = ("layer_area", "layer_area_mm2", "layer_thickness", "layer_thickness_mm")
     if block.layers is None:
         if any(getattr(block, key) is not None for key in sizes):
-            problems.under(("specimen",), "layers", "this key is missing; it goes with the size of a layer [E-KEY-02]")
+            problems.under(("specimen",), "layers", "this key is missing; it belongs to the size of a layer [E-KEY-02]")
         return
     for key, suffix in (("layer_area", "mm2"), ("layer_thickness", "mm")):
         check_one(block, key, f"{key}_{suffix}", ("specimen",), problems)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from edesign.exchange.formats import Tell
+from edesign.exchange.formats import ProgressLine
 from edesign.exchange.opensees.commands import Block, Command, File, Name, Value, command
 from edesign.exchange.opensees.dynamics import damping_values
 from edesign.exchange.opensees.structure import Structure
@@ -100,7 +100,7 @@ class Parts:
 
 
 def programme(
-    project: Project, structure: Structure, parts: Parts, stem: str, without_dampers: bool, tell: Tell
+    project: Project, structure: Structure, parts: Parts, stem: str, without_dampers: bool, progress: ProgressLine
 ) -> Programme:
     """Return the analyses of a project as data of a script.
 
@@ -108,7 +108,7 @@ def programme(
         structure: of the frame.
         stem: of the script's name, with which those of the records begin.
         without_dampers: whether the script is to have no dampers.
-        tell: takes the name of each stage at its beginning.
+        progress: takes the name of each stage at its beginning.
 
     Raises:
         InputError: a record cannot be read, or is wrong.
@@ -116,8 +116,8 @@ def programme(
     """
     found = Programme()
     tasks = [task.spec for task in make_plan(project)]
-    motions = _motions(project, tasks, tell)
-    tell("translating the analyses")
+    motions = _motions(project, tasks, progress)
+    progress("translating the analyses")
     histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]
     if histories:
         found.damping = damping_values(project, not without_dampers)
@@ -207,7 +207,7 @@ def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, struct
     }
 
 
-def _motions(project: Project, tasks: Iterable[PlannedAnalysis], tell: Tell) -> dict[str, Motion]:
+def _motions(project: Project, tasks: Iterable[PlannedAnalysis], progress: ProgressLine) -> dict[str, Motion]:
     """All records of the histories, made ready."""
     wanted: list[str] = []
     for spec in tasks:
@@ -218,18 +218,18 @@ def _motions(project: Project, tasks: Iterable[PlannedAnalysis], tell: Tell) -> 
     if not wanted:
         return {}
     wanted = list(dict.fromkeys(wanted))
-    tell(f"reading {counted(len(wanted), 'record')}")
+    progress(f"reading {counted(len(wanted), 'record')}")
     recordings = find_recordings(project, wanted)
     ready: list[str] = []
 
     def each(motion: Motion) -> None:
         ready.append(motion.name)
         if fits and len(ready) % REPORTED_EVERY == 0:
-            tell(f"fitting records to the spectrum: {len(ready)} of {len(wanted)} done")
+            progress(f"fitting records to the spectrum: {len(ready)} of {len(wanted)} done")
 
     fits = any(match_options(project, name) is not None for name in wanted)
     if fits:
-        tell(f"fitting records to the spectrum: 0 of {len(wanted)} done")
+        progress(f"fitting records to the spectrum: 0 of {len(wanted)} done")
     return project_motions(project, recordings, lambda: fundamental_period(project), each=each)
 
 

@@ -14,7 +14,7 @@ from edesign.building.devices import Attached, DeviceLaw
 from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
 from edesign.errors import InputError
-from edesign.exchange.formats import MARK, Tell, Translation
+from edesign.exchange.formats import MARK, ProgressLine, Translation
 from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, programme
 from edesign.exchange.opensees.commands import Block, Command, Name, Value, command
 from edesign.exchange.opensees.dampers import DamperBuilder
@@ -38,18 +38,18 @@ from edesign.study.analysis.structure import GRAVITY_STEPS
 from edesign.study.plan.choosing import with_choices
 
 
-def translate_python(project: Project, path: Path, without_dampers: bool, tell: Tell) -> Translation:
+def translate_python(project: Project, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
     """Return a script for OpenSeesPy and its records; errors as `Format.translate`."""
-    return _translate(project, path, without_dampers, tell, python_text)
+    return _translate(project, path, without_dampers, progress, python_text)
 
 
-def translate_tcl(project: Project, path: Path, without_dampers: bool, tell: Tell) -> Translation:
+def translate_tcl(project: Project, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
     """Return a script for OpenSees and its records; errors as `Format.translate`."""
-    return _translate(project, path, without_dampers, tell, tcl_text)
+    return _translate(project, path, without_dampers, progress, tcl_text)
 
 
 def _translate(
-    project: Project, path: Path, without_dampers: bool, tell: Tell, text: Callable[[Script, Path], str]
+    project: Project, path: Path, without_dampers: bool, progress: ProgressLine, text: Callable[[Script, Path], str]
 ) -> Translation:
     if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
         raise InputError(
@@ -57,26 +57,26 @@ def _translate(
         )
     refuse(project, without_dampers)
     if any(isinstance(spec, ChosenRecords) for spec in project.records.values()):
-        tell("choosing the records")
+        progress("choosing the records")
     project = with_choices(project)
-    script, beside = opensees_script(project, path, without_dampers, tell)
+    script, beside = opensees_script(project, path, without_dampers, progress)
     return replace(beside, files={path: text(script, path), **beside.files})
 
 
 def opensees_script(
-    project: Project, path: Path, without_dampers: bool = False, tell: Tell = lambda stage: None
+    project: Project, path: Path, without_dampers: bool = False, progress: ProgressLine = lambda stage: None
 ) -> tuple[Script, Translation]:
     """Return a project as blocks of commands and data, and beside it its records, with what is left out or differs.
 
     Args:
         without_dampers: whether dampers and tuned masses are left out.
-        tell: takes the name of each stage at its beginning.
+        progress: takes the name of each stage at its beginning.
 
     Raises:
         InputError: OpenSees lacks something that the project has, or a record is wrong.
         AnalysisError: an analysis that the script takes numbers from failed.
     """
-    tell("building the frame")
+    progress("building the frame")
     left_out = []
     has_dampers = project.dampers is not None and not without_dampers and any(s.dampers for s in project.analyses)
     plain = RecordedModel()
@@ -140,7 +140,7 @@ def opensees_script(
         added_bases,
         equations,
     )
-    found = programme(project, structure, parts, path.stem, without_dampers, tell)
+    found = programme(project, structure, parts, path.stem, without_dampers, progress)
     left_out += found.left_out
     constants: dict[str, Value | dict[str, Value]] = {
         **SETTINGS,

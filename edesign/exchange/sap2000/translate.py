@@ -8,7 +8,7 @@ from typing import Literal
 
 from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
-from edesign.exchange.formats import MARK, Tell, Translation
+from edesign.exchange.formats import MARK, ProgressLine, Translation
 from edesign.exchange.sap2000.from_building import from_building
 from edesign.exchange.sap2000.from_project import from_project
 from edesign.exchange.sap2000.grid import Grid
@@ -23,20 +23,20 @@ from edesign.project.loader import parse_project
 from edesign.project.project import Project
 
 
-def translate_project(project: Project, path: Path, without_dampers: bool, tell: Tell) -> Translation:
+def translate_project(project: Project, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
     """Return a project's frame as SAP2000's text.
 
     Raises:
         InputError: the frame has what the tables of SAP2000 do not have.
     """
-    tell("writing the model for SAP2000")
+    progress("writing the model for SAP2000")
     model, left_out = from_project(project, without_dampers)
     return Translation({path: model_text(model, path.name, MARK)}, tuple(left_out))
 
 
-def translate_building(building: Building, path: Path, without_dampers: bool, tell: Tell) -> Translation:
+def translate_building(building: Building, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
     """Return a building as SAP2000's text; buildings have no dampers."""
-    tell("writing the model for SAP2000")
+    progress("writing the model for SAP2000")
     model, left_out = from_building(building)
     return Translation({path: model_text(model, path.name, MARK)}, tuple(left_out))
 

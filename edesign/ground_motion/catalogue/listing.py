@@ -108,7 +108,7 @@ def source_of(where: str, tables: FolderSource | None = None, folders: tuple[str
         return SuiteSource(suite=where, folders=folders, simulated_records=True)
     if Path(where).exists():
         raise InputError(
-            f"{where}: a folder, a package or a suite is needed; `edesign check {where}` tells of one file [E-FILE-05]"
+            f"{where}: a folder, a package or a suite is needed; `edesign check {where}` describes one file [E-FILE-05]"
         )
     names = (*PACKAGES, *suite_names())
     hint = did_you_mean(where, names) if is_suite_name(where) else ""

@@ -89,7 +89,7 @@ class RecordTable:
                 rows = [[cell.replace(",", ".") for cell in row] for row in rows]
         elif given.decimal == "comma":
             raise InputError(
-                f"{path}:{places[0]}: decimal commas and commas between columns cannot be told apart [E-TABLE-09]"
+                f"{path}:{places[0]}: decimal commas and commas between columns cannot be distinguished [E-TABLE-09]"
             )
         return cls(path, headers, split[top - 1] if top and units else [], _clocks(path, rows, places), places, form)
 

@@ -219,7 +219,7 @@ def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> 
             keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `10 %` [E-KEY-02]"
         )
     if spec.target_in == "storeys" and spec.distribution != "storey_stiffness":
-        message = "Eq. 5.9 storey by storey goes with `distribution: storey_stiffness` alone [E-DESIGN-06]"
+        message = "Eq. 5.9 storey by storey belongs to `distribution: storey_stiffness` alone [E-DESIGN-06]"
         problems.at_value((*keys, "target_in"), message)
     if spec.braces_in_target and spec.brace == "rigid":
         problems.at_value((*keys, "braces_in_target"), "the braces are rigid; give `brace: {ratio: ...}` [E-DAMPER-02]")

@@ -97,9 +97,7 @@ def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator
         return
     if law.type != WEIGHED:
         if isolator.weight is not None:
-            message = (
-                f"the forces of the law `{isolator.law}` ({law.type}) do not go with a weight; leave it out [E-KEY-03]"
-            )
+            message = f"the forces of the law `{isolator.law}` ({law.type}) need no weight; leave it out [E-KEY-03]"
             problems.at_key((*keys, "weight"), message)
     elif isolator.weight == "varying" and isolator.vertical == "fixed":
         problems.at_value((*keys, "weight"), NEEDS_STIFFNESS)

@@ -55,5 +55,5 @@ class OneOf:
 
 
 def with_tags(annotation: Any, metadata: Iterable[Any]) -> Any:
-    """Return an annotation whose alternatives have their tags, if its metadata tell them apart."""
+    """Return an annotation whose alternatives have their tags, if its metadata distinguish them."""
     return next((one.tagged(annotation) for one in metadata if isinstance(one, OneOf)), annotation)

@@ -41,7 +41,7 @@ def readable_part(model: type[M], problems: Problems) -> M | None:
     part = create_model("Part", __base__=Model, **right)
     try:
         values = part.model_validate({key: value for key, value in given.items() if names[key] in right})
-    except ValidationError:  # of a problem that was not worth telling
+    except ValidationError:  # of a problem that was not worth a report
         return None
     found = model.model_construct(**{name: getattr(values, name) for name in right})
     for name in wrong:

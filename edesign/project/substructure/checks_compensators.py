@@ -78,7 +78,9 @@ def _polynomial(
 ) -> None:
     if isinstance(compensator, LeastSquaresPolynomialCompensator):
         if compensator.points <= compensator.order:
-            message = f"{compensator.points} points do not tell a polynomial of order {compensator.order}; at least"
+            message = (
+                f"{compensator.points} points do not determine a polynomial of order {compensator.order}; at least"
+            )
             problems.at_value((*keys, "points"), f"{message} {compensator.order + 1} are needed [E-RTS-04]")
     elif compensator.spacing == "delay" and compensator.order > 0:
         _at_least_a_step(rts, compensator.delay, keys, "takes targets a delay apart (`spacing: delay`)", problems)

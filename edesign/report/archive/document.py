@@ -27,14 +27,14 @@ def default_page_path(archive: str | os.PathLike[str]) -> Path:
 
 
 def write_page(
-    archive: str | os.PathLike[str], path: Path | None = None, tell: Callable[[str], None] = lambda line: None
+    archive: str | os.PathLike[str], path: Path | None = None, progress: Callable[[str], None] = lambda line: None
 ) -> Path:
     """Write the report of an archive as one HTML page without other files.
 
     Args:
         archive: complete or partial, of `edesign run` or `edesign match`.
         path: the page, whole or not at all; by default beside the archive.
-        tell: called with a line for each section and figure.
+        progress: called with a line for each section and figure.
 
     Returns:
         The page.
@@ -46,7 +46,7 @@ def write_page(
     """
     path = default_page_path(archive) if path is None else path
     check_page_path(path)
-    page, damage = read_archive(archive, lambda opened: page_of(opened, tell))
+    page, damage = read_archive(archive, lambda opened: page_of(opened, progress))
     write_html(page, path)
     if damage:
         raise DamagedArchive(f"{damage}\n  {path} shows what can be read [E-ARCH-03]")
@@ -89,30 +89,30 @@ def check_page_path(path: Path, suffixes: Sequence[str] = PAGE_SUFFIXES, what: s
     check_file(path)
 
 
-def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], None] = lambda line: None) -> str:
+def page_text(archive: str | os.PathLike[str] | Archive, progress: Callable[[str], None] = lambda line: None) -> str:
     """Return the report of an archive as HTML.
 
     Args:
         archive: path or open, complete or partial, of `edesign run` or `edesign match`.
-        tell: called with a line for each section and figure.
+        progress: called with a line for each section and figure.
 
     Raises:
         ArchiveError: the archive cannot be read.
     """
-    page = page_of(archive, tell)
+    page = page_of(archive, progress)
     return render(page.cover, page.sections)
 
 
 def page_of(
     archive: str | os.PathLike[str] | Archive,
-    tell: Callable[[str], None] = lambda line: None,
+    progress: Callable[[str], None] = lambda line: None,
     tables_only: bool = False,
 ) -> Page:
     """Return the report of an archive, path or open, as data.
 
     Args:
         archive: complete or partial, of `edesign run` or `edesign match`.
-        tell: called with a line for each section and figure.
+        progress: called with a line for each section and figure.
         tables_only: draw no figures, which takes a fraction of the time, and leave names of the archive as they are.
 
     Raises:
@@ -120,10 +120,10 @@ def page_of(
     """
     if not isinstance(archive, Archive):
         with open_archive(archive) as opened:
-            return page_of(opened, tell, tables_only)
+            return page_of(opened, progress, tables_only)
     if not tables_only:
         refuse_calibration(archive)  # its own report has the name that this one would take
-    source = Source(archive, tell, figures=not tables_only)
+    source = Source(archive, progress, figures=not tables_only)
     shown = kind_of(archive).sections(source)
     if not tables_only:
         shown = [in_words(section, source.words) for section in shown]

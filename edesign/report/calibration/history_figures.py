@@ -84,7 +84,7 @@ def _short(label: str) -> str:
 
 def loop_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
     """Loops of the tests that show most, measured and predicted."""
-    names = ", ".join(one.name for one in view.telling)
+    names = ", ".join(one.name for one in view.most_different)
     caption = (
         f"Force over displacement of {names}, the tests with the largest errors as declared; of each the cycles about "
         "the largest error. What the law lacks shows as the distance between the measured loop (wide, "
@@ -95,7 +95,7 @@ def loop_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
 
 @styled
 def _loops_figure(view: View) -> Figure:
-    tests = view.telling
+    tests = view.most_different
     figure, cells = grid_figure(len(tests), 2, 3.6, 2.6)
     for axis, series in zip(cells, tests, strict=True):
         part = view.window(series)
@@ -115,7 +115,7 @@ def residual_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
     """Residuals of the same tests over time and over displacement."""
     left = [
         f"{one.name}: {' to '.join(_kN(float(np.sqrt(np.mean(residual(one, stage) ** 2)))) for stage in view.stages)}"
-        for one in view.telling
+        for one in view.most_different
     ]
     way = "before to after" if len(view.stages) > 1 else "as declared"
     caption = (
@@ -132,7 +132,7 @@ def _kN(force: float) -> str:
 
 @styled
 def _residuals_figure(view: View) -> Figure:
-    tests = view.telling
+    tests = view.most_different
     figure, rows = new_figure(len(tests), 2, 8.4, 0.7 + 1.65 * len(tests))
     grid = rows[0][0].get_gridspec()
     assert grid is not None

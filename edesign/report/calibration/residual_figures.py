@@ -41,7 +41,7 @@ def dependence_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
 
 
 def telling_dependences(view: View) -> list[dict[Stage, Dependence]]:
-    """The same dependence at each stage, most telling first; of each driver the action that explains more."""
+    """The same dependence at each stage, strongest first; of each driver the action that explains more."""
     every = view.dependences
     by_driver: dict[str, int] = {}
     for i, one in enumerate(every["declared"]):

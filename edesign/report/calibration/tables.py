@@ -53,7 +53,7 @@ EFFECTS = TableSpec[_Found](
         col("without it", PERCENT, bounded("without"), 3),
         col("gain", ONE, _gain),
         col("probability", ONE, lambda one: probability_text(one.effect.probability)),
-        text("cannot be told from", _confounded, broken=2),
+        text("cannot be separated from", _confounded, broken=2),
     ),
     keys=3,
 )
@@ -196,7 +196,7 @@ def law_table(calibration: Calibration) -> Table:
     if "storey_stiffness" in stages["declared"]:
         notes.append("storey_stiffness, storey_damping: factors of what is declared")
     for stage, label in (("refit", "refitted"), ("corrected", "corrected")):
-        notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
+        notes += _undetermined(stages[stage], f"{label}: ")  # type: ignore[index]
     if calibration.law_fixed:
         notes.append("the campaign keeps the declared parameters fixed (`refit: false`)")
     notes += [f"{name} is fixed as declared: {why}" for name, why in calibration.fixed.items()]

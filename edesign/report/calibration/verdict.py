@@ -15,8 +15,8 @@ from edesign.report.calibration.error_tables import LAW_FILES, MODELS
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.words import effect_text, name_of, probability_text, searched
 
-_TOLD = 2  # effects confounded with one, in a sentence
-_CHANGED = 1.05  # ratio of errors that is worth telling
+_NAMED = 2  # effects confounded with one, in a sentence
+_CHANGED = 1.05  # ratio of errors that is worth a word
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _WHOLE = 1e3  # from here on numbers in sentences are whole
 _CLOSE = 0.05  # probability beside an effect of another one that is named in one sentence with it
@@ -219,7 +219,9 @@ def _open(calibration: Calibration) -> list[str]:
                 f"{name_of(name)} ({probability_text(p)}, if it is one of the two)"
                 for name, p in effect.indistinguishable_from.items()
             )
-            texts.append(f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} from {confounded}.")
+            texts.append(
+                f"These {_TESTS[calibration.subject]} cannot separate {name_of(effect.name)} from {confounded}."
+            )
     with_it = calibration.errors["corrected"].validate
     texts += [
         f"Without {name_of(effect.name)} the validation tests are predicted better "

@@ -46,7 +46,7 @@ class View:
         return {"declared": "as declared", "corrected": "fitted again"}
 
     @cached_property
-    def telling(self) -> tuple[Series, ...]:
+    def most_different(self) -> tuple[Series, ...]:
         """Tests with the largest errors of the declared law, half of them for validation, in their order."""
         errors = self.calibration.errors["declared"].tests
         ranked = sorted(self.calibration.series, key=lambda one: -errors[one.name])

@@ -175,7 +175,7 @@
       });
       this.drawOthers(k, scale, share, at, moved, hung);
       const hinges = this.hinges(k, curves);
-      this.tell(k, hinges);
+      this.print(k, hinges);
     }
 
     /* Ends of a cubic through both ends with the slopes of the nodes, and the two points between that steer it. */
@@ -211,7 +211,7 @@
       return count;
     }
 
-    tell(k, hinges) {
+    print(k, hinges) {
       let worst = 0;
       for (let i = 1; i < this.storeys; i++) {
         if (Math.abs(this.drift(k, i)) > Math.abs(this.drift(k, worst))) worst = i;

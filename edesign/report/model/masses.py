@@ -79,7 +79,7 @@ def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float],
             if values[floor]:
                 text = short(values[floor] / unit)
                 if not sheet.place([Spot(left + 0.45, place.up * frame.levels[floor], "right")], text):
-                    untold.setdefault(floor, []).append(f"{words} {text} {label[1:-1]}")
+                    unlabelled.setdefault(floor, []).append(f"{words} {text} {label[1:-1]}")
         sheet.line((left, below + 0.1), (left + 0.45, below + 0.1), color=SOFT, width=0.5)
         sheet.text(Spot(left + 0.45, below, "right"), short(sum(values) / unit))
         left += 0.72

@@ -39,7 +39,7 @@ class Source:
 
     Args:
         archive: open, complete or partial.
-        tell: called with a line whenever something that takes long is done.
+        progress: called with a line whenever something that takes long is done.
         figures: whether figures are drawn.
 
     Attributes:
@@ -48,11 +48,13 @@ class Source:
         left_out: what could not be drawn, and why.
     """
 
-    def __init__(self, archive: Archive, tell: Callable[[str], None] = lambda line: None, figures: bool = True) -> None:
+    def __init__(
+        self, archive: Archive, progress: Callable[[str], None] = lambda line: None, figures: bool = True
+    ) -> None:
         self.archive = archive
         self.attributes = archive.attributes
         self.left_out: list[str] = []
-        self._tell = tell
+        self._progress = progress
         self._figures = figures
         self._unique = UniqueNames()
 
@@ -182,7 +184,7 @@ class Source:
             for maker in makers:
                 with self.or_left_out(maker.__name__.replace("_", " ")):
                     for name, caption, figure in maker(self.archive):
-                        self._tell(f"figure {name}")
+                        self._progress(f"figure {name}")
                         with self.or_left_out(f"figure {name}"):
                             found.append(picture_of(self._unique(name), caption, figure))
                         del figure

@@ -37,7 +37,7 @@ DEFAULTS = PrintOptions()
 def write_pdf(
     archive: str | os.PathLike[str],
     path: Path | None = None,
-    tell: Callable[[str], None] = lambda line: None,
+    progress: Callable[[str], None] = lambda line: None,
     options: PrintOptions = DEFAULTS,
 ) -> Path:
     """Write the report of an archive as a PDF.
@@ -45,7 +45,7 @@ def write_pdf(
     Args:
         archive: complete or partial, of `edesign run` or `edesign match`.
         path: the PDF, whole or not at all; by default beside the archive.
-        tell: called with a line for each section and figure.
+        progress: called with a line for each section and figure.
         options: the sheet, and whether appendices are printed.
 
     Returns:
@@ -58,19 +58,19 @@ def write_pdf(
     """
     path = default_page_path(archive).with_suffix(".pdf") if path is None else path
     check_pdf(path)
-    page, damage = read_archive(archive, lambda opened: page_of(opened, tell))
-    write_page_as_pdf(page, path, tell, options)
+    page, damage = read_archive(archive, lambda opened: page_of(opened, progress))
+    write_page_as_pdf(page, path, progress, options)
     if damage:
         raise DamagedArchive(f"{damage}\n  {path} shows what can be read [E-ARCH-03]")
     return path
 
 
 def write_page_as_pdf(
-    page: Page, path: Path, tell: Callable[[str], None] = lambda line: None, options: PrintOptions = DEFAULTS
+    page: Page, path: Path, progress: Callable[[str], None] = lambda line: None, options: PrintOptions = DEFAULTS
 ) -> Path:
     """Write a page of any report as a PDF; arguments and errors as `write_pdf`."""
     check_pdf(path)
-    tell("laying out the sheets of the PDF")
+    progress("laying out the sheets of the PDF")
     content = _laid_out(print_text(page, options))
     write_whole(path, lambda part: part.write_bytes(content))
     return path

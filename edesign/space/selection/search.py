@@ -53,17 +53,17 @@ class Search:
         evaluate: of choices.
         order: pairs of groups (upper, lower) of which the upper one must not be larger.
         budget: largest number of evaluations.
-        tell: takes a line of progress.
+        progress: takes a line of progress.
     """
 
     def __init__(
-        self, evaluate: Evaluator, order: Sequence[tuple[int, int]], budget: int, tell: Listener = lambda line: None
+        self, evaluate: Evaluator, order: Sequence[tuple[int, int]], budget: int, progress: Listener = lambda line: None
     ) -> None:
         self._evaluate = evaluate
         self._groups = evaluate.groups
         self._order = tuple(order)
         self._budget = budget
-        self._tell = tell
+        self._progress = progress
 
     def run(self, starts: int, given: Choice | None = None) -> Found:
         """Search from some starts.
@@ -79,18 +79,18 @@ class Search:
             for number, point in enumerate(self._points(starts, given), 1):
                 climbed = self._climbed(point)
                 if not climbed.met:
-                    self._tell(f"start {number}: no choice found that meets all checks{self._counted()}")
+                    self._progress(f"start {number}: no choice found that meets all checks{self._counted()}")
                     continue
                 fruitful += 1
-                self._tell(f"start {number}: all checks met with {climbed.mass / 1e3:.2f} t{self._counted()}")
+                self._progress(f"start {number}: all checks met with {climbed.mass / 1e3:.2f} t{self._counted()}")
                 lightest = self._descended(climbed)
-                self._tell(f"start {number}: {lightest.mass / 1e3:.2f} t{self._counted()}")
+                self._progress(f"start {number}: {lightest.mass / 1e3:.2f} t{self._counted()}")
                 if best is None or _less(lightest.cost, best.cost):
                     best, certified = lightest, True
             while (lighter := self._met(best)) is not None:  # that a start met on its way
                 best = self._descended(lighter)
         except OutOfEvaluations:
-            self._tell(f"the {self._budget} evaluations of design.select are used up")
+            self._progress(f"the {self._budget} evaluations of design.select are used up")
             if (lighter := self._met(best)) is not None:
                 best, certified = lighter, False
         finally:

@@ -97,12 +97,12 @@ class Selection:
     not_met: tuple[RuleCheck, ...]
 
 
-def select_sections(building: Building, tell: Listener = lambda line: None, workers: int = 1) -> Selection:
+def select_sections(building: Building, progress: Listener = lambda line: None, workers: int = 1) -> Selection:
     """Choose sections from the lists of `design.select` that meet all checks with the least mass of steel, or price.
 
     Args:
         building: from `load_building`, with the blocks that `elastic_design` needs.
-        tell: takes lines of progress.
+        progress: takes lines of progress.
         workers: processes that analyse at the same time, this one among them; the choice does not depend on them.
 
     Raises:
@@ -114,12 +114,12 @@ def select_sections(building: Building, tell: Listener = lambda line: None, work
         analysis = ElasticAnalysis(building)
         groups = groups_of(analysis)
         for line in _left_out(groups):
-            tell(line)
+            progress(line)
         select = design_of(building).select
         evaluate = Evaluator(analysis, groups, workers)
         order = column_order(analysis.frame, groups) if select.columns_not_larger_above else []
         before = _sections(analysis, groups)
-        search = Search(evaluate, order, select.evaluations, tell)
+        search = Search(evaluate, order, select.evaluations, progress)
         try:
             search.lightest()
         except InputError as error:

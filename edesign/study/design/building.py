@@ -96,9 +96,9 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         _, trial_device, message = str(error).rpartition("dampers.devices[0]: ")
         if not trial_device:
             raise
-        told = message.rpartition(" [")[0]  # its code is not that of the whole message
+        sentence = message.rpartition(" [")[0]  # its code is not that of the whole message
         raise InputError(
-            f"designs.{name}: {told}; its bays and storeys reach beyond the members [E-DESIGN-01]"
+            f"designs.{name}: {sentence}; its bays and storeys reach beyond the members [E-DESIGN-01]"
         ) from error
     if spec.state == "gravity":
         structure.apply_gravity()

@@ -1,4 +1,4 @@
-"""Warnings about the result of an analysis: found by the analysis, archived with it, told by tables and report.
+"""Warnings about the result of an analysis: found by the analysis, archived with it, printed in reports.
 
 Those about the input stand in the root of the archive, as sentences (`edesign.study.check.advice`).
 """

@@ -26,7 +26,7 @@ def run_building(
     building: Building,
     archive_path: str | os.PathLike[str] | None = None,
     overwrite: bool = False,
-    tell: Callable[[str], None] = lambda stage: None,
+    progress: Callable[[str], None] = lambda stage: None,
 ) -> tuple[Path, ElasticDesign]:
     """Analyse and check a building, and archive the results.
 
@@ -34,7 +34,7 @@ def run_building(
         building: from `load_building`.
         archive_path: the archive; by default beside the file, with its name.
         overwrite: True replaces the archive of something else too.
-        tell: called with the name of each stage at its beginning.
+        progress: called with the name of each stage at its beginning.
 
     Returns:
         The archive, and the design.
@@ -48,8 +48,8 @@ def run_building(
     path = Path(archive_path) if archive_path is not None else building.archive_path
     check_owner(path, _root(building, building.path, path), overwrite)
     selection = _kept_selection(building, path)
-    design = elastic_design(building, tell)
-    tell(f"writing {path}")
+    design = elastic_design(building, progress)
+    progress(f"writing {path}")
     write_building(building, design, path, selection)
     return path, design
 

@@ -106,13 +106,13 @@ def match_records(
     """
     started = time.monotonic()
     given = {key: Found(one, "file", one.source) if isinstance(one, Record) else one for key, one in recordings.items()}
-    tell = progress or silent
+    listen = progress or silent
     done: list[str] = []
 
     def report(motion: Motion) -> None:
         done.append(motion.name)
         text = motion.failure.removeprefix(f"{motion.name} ") or outcome(motion)
-        tell(Progress("end", motion.name, len(done), len(given), 1.0, text, time.monotonic() - started))
+        listen(Progress("end", motion.name, len(done), len(given), 1.0, text, time.monotonic() - started))
 
     root = Group(
         attributes={

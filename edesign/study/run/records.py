@@ -26,7 +26,7 @@ def prepare_records(run: RunState, period: Callable[[], float | None]) -> dict[s
     """Fit the records to the spectrum where the project says so, and return them by reference.
 
     Args:
-        run: tells the progress; a stop leaves out what is not fitted yet.
+        run: reports the progress; a stop leaves out what is not fitted yet.
         period: gives T1 of the bare frame, s.
     """
     started = time.monotonic()
@@ -34,18 +34,18 @@ def prepare_records(run: RunState, period: Callable[[], float | None]) -> dict[s
     fits = [name for name in recordings if match_options(project, name) is not None]
     done: list[str] = []
 
-    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
+    def report(event: Literal["start", "advance", "end"], message: str = "") -> None:
         if fits:
             seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
-            run.tell(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
+            run.report(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
 
     def each(motion: Motion) -> None:
         done.append(motion.name)
-        tell("advance")
+        report("advance")
 
-    tell("start")
+    report("start")
     motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
-    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
+    report("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
     return motions
 
 

@@ -48,7 +48,7 @@ def run_project(
     Args:
         project: from `load_project`.
         archive_path: the archive; by default what the project says, with the names appended if `only` selects some.
-        progress: called with a `Progress` at every step worth telling, from one thread at a time.
+        progress: called with a `Progress` at every step worth a line, from one thread at a time.
         workers: number of analyses that run at the same time.
         only: names of the analyses to run; all if empty.
         fresh: True discards the results of an interrupted run.
@@ -100,7 +100,7 @@ def run_study(
     Args:
         study: from `load_study`.
         archive_path: the archive; by default what the study says, with the names appended if `only` selects some.
-        progress: called with a `Progress` at every step worth telling, from one thread at a time.
+        progress: called with a `Progress` at every step worth a line, from one thread at a time.
         workers: number of designs or analyses that run at the same time.
         only: names of the analyses to run; all if empty.
         fresh: True discards the results of an interrupted run.

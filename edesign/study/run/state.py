@@ -71,10 +71,10 @@ class RunState:
 
     def __post_init__(self) -> None:
         self._places = {task.name: place for place, task in enumerate(self.job.tasks, start=1)}
-        self.writer.tell = self.note
+        self.writer.on_rewrite = self.note
         self.resumable = tuple(place for place in self.job.resumable if place in self.writer.kept)
 
-    def tell(self, report: Progress) -> None:
+    def report(self, report: Progress) -> None:
         """Send a report to the listener, one at a time."""
         with self._lock:
             self.listener(report)
@@ -86,7 +86,7 @@ class RunState:
 
     def say(self, message: str) -> None:
         """Report the progress of a part of the run to the user; it does not stand in the summary."""
-        self.tell(Progress("note", message=message, count=len(self._places)))
+        self.report(Progress("note", message=message, count=len(self._places)))
 
     def stopped(self) -> bool:
         """Return whether the user wants the run to stop."""
@@ -120,7 +120,7 @@ class RunState:
         seconds: float = 0.0,
     ) -> None:
         place = self._places.get(name, 0)
-        self.tell(Progress(event, name, place, len(self._places), fraction, message, seconds))
+        self.report(Progress(event, name, place, len(self._places), fraction, message, seconds))
 
     def results(self, calls: Sequence[Call]) -> Iterator[Result]:
         """Yield the results of calls from the back end without interrupted ones; nothing starts after a stop."""

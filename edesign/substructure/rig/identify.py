@@ -122,13 +122,13 @@ def _delay_at_first(record: MeasuredRecord) -> float:
         return correlation_delay(u, x, record.step).delay
     except Undetermined as reason:
         undetermined = str(reason)
-    if _told(u, -x, record.step) is not None:
+    if _delay(u, -x, record.step) is not None:
         raise InputError(
             f"{path}: the displacement goes against the command: one of both has the opposite sign [E-RIG-02]"
         )
-    told = [_told(u[part], x[part], record.step) for part in _parts(u.size)]
-    parts = [delay for delay in told if delay is not None]
-    if len(parts) == len(told) and np.ptp(parts) > ACCURACY:
+    delays = [_delay(u[part], x[part], record.step) for part in _parts(u.size)]
+    parts = [delay for delay in delays if delay is not None]
+    if len(parts) == len(delays) and np.ptp(parts) > ACCURACY:
         raise InputError(_two_clocks(path, 1e3 * parts[0], 1e3 * parts[-1]))
     words = undetermined.replace("target", "command").replace("measured channel", "displacement")
     raise InputError(f"{path}: {words}; is this the displacement of that command? [E-RIG-01]")

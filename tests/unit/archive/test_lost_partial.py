@@ -40,7 +40,7 @@ def same(path: Path, names: list[str]) -> bool:
 def test_a_deleted_file_is_written_again(tmp_path: Path, with_folder: bool, at_the_end: bool) -> None:
     path, reported = tmp_path / "results" / "a.h5", []
     with begun(path) as writer:
-        writer.tell = reported.append
+        writer.on_rewrite = reported.append
         if at_the_end:
             writer.write("analyses/b", history_group(seed=2))
         if with_folder:

@@ -165,7 +165,7 @@ def test_scoring_resumes_and_survives_failures(fake: Path) -> None:
     folder.mkdir()
     planned = [Planned(1, "clean"), Planned(2, "clean"), Planned(3, "clean"), Planned(4, "one", (("friction", 0),))]
     reported: list[int] = []
-    scores = score(planned, 8, folder, tell=lambda judged: reported.append(judged["number"]))
+    scores = score(planned, 8, folder, progress=lambda judged: reported.append(judged["number"]))
     assert reported == [1, 2, 3, 4]
     ran = [s for s in scores if not s["failure"]]
     failed = [s for s in scores if s["failure"]]

@@ -1,4 +1,4 @@
-"""A fake of the core's model that writes down what it is told, and small projects to build with it."""
+"""A fake of the core's model that records its calls, and small projects to build with it."""
 
 from __future__ import annotations
 

@@ -455,7 +455,7 @@ def test_what_follows_substructure_tests_may_fail(
         ),
     ],
 )
-def test_warnings_that_cannot_be_told_leave_the_results(
+def test_warnings_that_cannot_be_reported_leave_the_results(
     words: Callable[[], list[str]],
     broken: str,
     stage: str,

@@ -12,7 +12,7 @@ import pytest
 
 from edesign import stopping
 from edesign.cli.shared import stages
-from edesign.cli.shared.stages import Tell, in_stages
+from edesign.cli.shared.stages import ProgressLine, in_stages
 from edesign.errors import InputError
 from edesign.stopping import Stopped
 
@@ -23,9 +23,9 @@ def test_on_a_terminal_a_stage_that_lasts_has_a_line(
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr(stages, "LINE_AFTER", 0.2)  # three looks are enough to see the line once
 
-    def work(tell: Tell) -> int:
-        tell("quick")
-        tell("long")
+    def work(progress: ProgressLine) -> int:
+        progress("quick")
+        progress("long")
         time.sleep(0.5)
         return 7
 
@@ -36,9 +36,9 @@ def test_on_a_terminal_a_stage_that_lasts_has_a_line(
 
 
 def test_elsewhere_each_stage_has_a_line_whatever_the_speed(capsys: pytest.CaptureFixture[str]) -> None:
-    def work(tell: Tell) -> int:
+    def work(progress: ProgressLine) -> int:
         for stage in ("one", "two", "three"):
-            tell(stage)
+            progress(stage)
         return 7
 
     assert in_stages(work) == 7
@@ -48,7 +48,7 @@ def test_elsewhere_each_stage_has_a_line_whatever_the_speed(capsys: pytest.Captu
 
 
 def test_errors_of_the_work_are_those_of_the_caller() -> None:
-    def work(tell: Tell) -> None:
+    def work(progress: ProgressLine) -> None:
         raise InputError("wrong")
 
     with pytest.raises(InputError, match="wrong"):
@@ -59,12 +59,12 @@ def test_ctrl_c_ends_the_wait_and_the_work_at_its_next_stage() -> None:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that starts tests behind may ignore it
     begun, goes_on, ended = threading.Event(), threading.Event(), threading.Event()
 
-    def work(tell: Tell) -> None:
-        tell("first")
+    def work(progress: ProgressLine) -> None:
+        progress("first")
         begun.set()
         goes_on.wait(10.0)  # stands for a call that cannot be interrupted
         try:
-            tell("second")
+            progress("second")
         except Stopped:
             ended.set()
             raise

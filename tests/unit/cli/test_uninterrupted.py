@@ -18,7 +18,7 @@ import signal, sys, threading
 from edesign.cli.shared import stages
 from edesign.stopping import uninterrupted
 
-def work(tell):
+def work(progress):
     with uninterrupted():
         signal.raise_signal(signal.SIGINT)  # Python hands it to the main thread
         pressed.wait(1.0)

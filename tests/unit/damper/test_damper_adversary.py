@@ -100,7 +100,7 @@ def test_far_outside_the_range_the_message_names_all_of_it() -> None:
         GammaT().gamma(400.0)
 
 
-def test_a_hold_that_limits_the_fit_is_told() -> None:
+def test_a_hold_that_limits_the_fit_is_reported() -> None:
     """Fixed at the 0.19 kN s/mm of Table 4.2, c_b gives more damping than a device has that is made with none."""
     t, u = random(6.0, (0.2, 4.0), 1, peak=0.006, sampling_rate=100.0)
     soft = TABLE_4_2 | {"c1": 1e3, "c_b": 0.0, "c_a": 0.0, "c_NL": 0.0, "k0": 0.0}

@@ -139,7 +139,7 @@ def test_what_cannot_be_separated_is_named() -> None:
     """Friction: with N free beside mu only the product is determined."""
     tests = measured("friction", {"mu": 0.3, "N": 330e3, "k": 100e6})
     fit = fit_forces(LAWS["friction"], tests, fit_also=["N"], starts=1)
-    assert any(warning.startswith("mu and N: the data tell only combinations") for warning in fit.warnings)
+    assert any(warning.startswith("mu and N: the data determine only combinations") for warning in fit.warnings)
     assert fit.values["mu"] * fit.values["N"] == pytest.approx(99e3, rel=0.01)
     assert fit.standard_error["mu"] > 10.0 * fit.values["mu"]
 

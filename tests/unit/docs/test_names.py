@@ -73,5 +73,5 @@ def test_what_is_verified_names_its_test() -> None:
 def test_every_warning_about_a_result_stands_on_its_page() -> None:
     page = (doc_names.ROOT / "docs" / "reference" / "validity.md").read_text(encoding="utf-8")
     rows = page.partition("## Warnings about a result")[2].partition("\n**Buckling.**")[0]
-    told = {name for _, name in doc_names.spans(re.sub(r"(?m)^(\| [^|]+\|).*$", r"\1", rows))}
-    assert told == {*ALIKE, "kind"}
+    reported = {name for _, name in doc_names.spans(re.sub(r"(?m)^(\| [^|]+\|).*$", r"\1", rows))}
+    assert reported == {*ALIKE, "kind"}

@@ -291,8 +291,8 @@ def test_links_are_dampers_of_a_frame(take: Take, tmp_path: Path) -> None:
     assert "# - links 1: their share of the gravity loads; dampers are set in under these" in project.text
     for field, joints in (("Mass", "masses"), ("Weight", "loads")):
         heavy = changed(text, ("LinkType=Linear\n", f"LinkType=Linear   {field}=0.5\n"))
-        told = refusal(heavy, tmp_path)
-        assert f"link property L has a `{field}`" in told and f"{joints} of joints [E-SAP-13]" in told
+        reported = refusal(heavy, tmp_path)
+        assert f"link property L has a `{field}`" in reported and f"{joints} of joints [E-SAP-13]" in reported
     other = changed(
         text, ("LinkType=Linear\n", 'LinkType="Plastic (Wen)"\n'), ("DEFINITIONS 02 - LINEAR", "DEFINITIONS 10 - WEN")
     )

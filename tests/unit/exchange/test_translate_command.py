@@ -80,8 +80,8 @@ def test_what_opensees_lacks_is_refused_at_its_place(
 ) -> None:
     model = tmp_path / "model.py"
     assert main(["translate", case(name), str(model)]) == 2
-    told = capsys.readouterr().err
-    assert f"{name}/project.yaml{place}" in told and f"[{code}]" in told
+    reported = capsys.readouterr().err
+    assert f"{name}/project.yaml{place}" in reported and f"[{code}]" in reported
     assert not list(tmp_path.iterdir())
 
 

@@ -72,13 +72,13 @@ def test_what_is_no_candidate_is_left_out_with_its_reason(tmp_path: Path) -> Non
     assert set(reported) == {
         "broken", "empty.AT2", "good", "quiet", "short", "table.csv", "station.UD", "RSN1_A_B-UP.AT2"
     }  # fmt: skip
-    assert told["good"] == "the same recording as a_copy [E-SUITE-07]"
-    assert told["RSN1_A_B-UP.AT2"] == told["station.UD"] == "it is a vertical component"
-    assert "E-MATCH-02" in told["short"]
-    assert "E-REC-23" in told["quiet"]
-    assert "the file is empty" in told["empty.AT2"]
-    assert told["broken"].startswith("mine/broken.AT2:1: ") and str(tmp_path) not in told["broken"]
-    assert "does not say the unit" in told["table.csv"]
+    assert reported["good"] == "the same recording as a_copy [E-SUITE-07]"
+    assert reported["RSN1_A_B-UP.AT2"] == reported["station.UD"] == "it is a vertical component"
+    assert "E-MATCH-02" in reported["short"]
+    assert "E-REC-23" in reported["quiet"]
+    assert "the file is empty" in reported["empty.AT2"]
+    assert reported["broken"].startswith("mine/broken.AT2:1: ") and str(tmp_path) not in reported["broken"]
+    assert "does not say the unit" in reported["table.csv"]
     with_unit = gathered(tmp_path, {"folder": "mine", "acceleration_unit": "g"})
     assert names(with_unit) == ["a_copy", "table"]
 

@@ -45,7 +45,7 @@ def test_what_is_read() -> None:
         (ISOLATOR, "- {lines: all, law: pendlum}", "isolators[0].law", "did you mean `pendulum`"),
         (ISOLATOR, "- {lines: all, law: pendulum, vertical: free}", "isolators[0].vertical", "carries the column"),
         (ISOLATOR, "- {lines: all, law: pendulum, scale: 2}", "isolators[0].scale", "say `weight: law`"),
-        (ISOLATOR, "- {lines: all, law: oil, weight: law}", "isolators[0].weight", "do not depend on a weight"),
+        (ISOLATOR, "- {lines: all, law: oil, weight: law}", "isolators[0].weight", "need no weight"),
         (ISOLATOR, "- {lines: all, law: pendulum, layers: 3}", "isolators[0].layers", "no `prototype`"),
         (
             ISOLATOR,

@@ -135,7 +135,7 @@ def test_digits_follow_the_error_and_lost_signs_are_no_minus_zero() -> None:
     assert (percent(0.012), percent(2.4e-5), percent(math.nan)) == ("1.20", "0.00240", "-")
 
 
-def test_an_effect_is_told_with_its_evidence_and_confounded_effects() -> None:
+def test_an_effect_is_reported_with_its_evidence_and_confounded_effects() -> None:
     found = example.confounded()
     cells = row(effects_table(found), "softening with amplitude of the whole force")
     assert cells[1:3] == ["payne.whole", "damper"]
@@ -227,7 +227,7 @@ def test_an_effect_that_makes_the_validation_tests_worse_is_questionable() -> No
     assert "Without gain the validation tests are predicted better" in verdict_text(found)
 
 
-def test_parameters_that_others_make_needless_are_told() -> None:
+def test_parameters_that_others_make_needless_are_reported() -> None:
     found = replace(example.calibration(), fixed={"N": "only the slip force mu N acts on the damper"})
     notes = law_table(found).notes
     assert "N is fixed as declared: only the slip force mu N acts on the damper" in notes
@@ -240,7 +240,7 @@ def test_law_parameters_stand_with_their_intervals_or_as_fixed() -> None:
     assert row(law_table(example.more_is_left()), "k")[5:] == ["2.0800", "2.0740 to 2.0860"]
 
 
-def test_what_a_law_file_cannot_carry_is_told() -> None:
+def test_what_a_law_file_cannot_carry_is_reported() -> None:
     found = example.confounded()
     lacks = replace(found, law_file=replace(found.law_file, lacking=("payne.whole",)))
     assert "law.yaml has the corrected law, but lacks payne.whole, which law files cannot carry" in verdict_text(lacks)
@@ -249,7 +249,7 @@ def test_what_a_law_file_cannot_carry_is_told() -> None:
     assert f"law.yaml has the refitted law: {why}" in verdict_text(withheld)
 
 
-def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
+def test_the_verdict_says_effect_errors_and_confounded_effects() -> None:
     first, errors, file = verdict_text(example.calibration((example.lag(),))).split("\n")
     assert first == (
         "Explained: the tests show lag between the channels of force and displacement (instrument, lag = 4.00 ± 0.10 "
@@ -262,9 +262,12 @@ def test_the_verdict_tells_effect_errors_and_confounded_effects() -> None:
     assert errors.endswith("what no model can predict is 0.00427 %.")
     assert file == "law.yaml has the corrected law; what the rig and the instruments did is no part of it."
     verdict = verdict_text(example.confounded())
-    assert "cannot tell payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %" in verdict
+    assert (
+        "cannot separate payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %"
+        in verdict
+    )
     assert "in its place" not in verdict  # neither is near
-    assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
+    assert "The next test, to separate payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in verdict
 
 
 def test_an_effect_as_probable_is_named_in_one_sentence_with_the_one_found() -> None:
@@ -276,7 +279,7 @@ def test_an_effect_as_probable_is_named_in_one_sentence_with_the_one_found() -> 
     assert f"), or {titles['offset']} in its place. Only noise is left." in text
     none = "No test within the amplitudes and frequencies of these would separate them better: look at the rig"
     assert f"{none}." in text and none in text_of(page_text_of(found))
-    assert "the tests cannot tell gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
+    assert "the tests cannot separate gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
     many = replace(
         confounded, titles={}, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04}
     )
@@ -358,7 +361,7 @@ def test_an_effect_of_the_damper_is_drawn_as_its_factor() -> None:
     assert factor[-1] == pytest.approx(1.0 - 0.2 * amplitude[-1] / (3.0 + amplitude[-1]), rel=1e-12)
 
 
-def test_the_page_tells_all_numbers_without_script_or_links() -> None:
+def test_the_page_has_all_numbers_without_script_or_links() -> None:
     page = page_text_of(example.confounded())
     assert "<script" not in page and not re.search(r"(?:src|href)=\"(?!#|data:)", page)
     ids = re.findall(r'<section id="([^"]+)"', page)

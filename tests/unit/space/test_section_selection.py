@@ -261,7 +261,7 @@ def test_what_stands_in_the_way_is_reported() -> None:
 
 def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
     lines: list[str] = []
-    brief = ("leave_out:", "evaluations: 2\n    leave_out:")  # it is told before the search
+    brief = ("leave_out:", "evaluations: 2\n    leave_out:")  # it is reported before the search
     with pytest.raises(InputError, match="by `evaluations` .E-SPACE-07"):
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]"), brief), lines.append)
     assert lines[0] == "left out for their class, thickness or slenderness: of group D SHS200x5"
@@ -296,7 +296,7 @@ def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
     assert "SHS250x8" in free.sections
 
 
-def test_wrong_lists_are_told_at_their_place() -> None:
+def test_wrong_lists_are_reported_at_their_place() -> None:
     with pytest.raises(InputError, match="building.yaml:31:17: design.select.lists.columns: .*HEBB.*E-NAME-01"):
         select_sections(building(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
     with pytest.raises(InputError, match="design.select.lists.groups.D: `CHS` .*E-SECT-03"):

@@ -109,7 +109,7 @@ def test_a_stable_loop_at_a_limit_is_judged_by_its_error(tmp_path: Path) -> None
         assert ", last at 20.4 s" in said(archive)
 
 
-def test_warnings_about_a_run_are_told(tmp_path: Path) -> None:
+def test_warnings_about_a_run_are_reported(tmp_path: Path) -> None:
     """An adaptive compensator below its threshold, and a motion below the noise."""
     pair = "{ats: {kind: ats, threshold: 20 mm}, live: {kind: live_delay, delay: 5 ms, threshold: 20 mm}}"
     with open_archive(ran(tmp_path, FREE.replace("{none: {kind: none}}", pair))) as archive:
@@ -120,6 +120,6 @@ def test_warnings_about_a_run_are_told(tmp_path: Path) -> None:
         assert "its threshold is 20 mm" in warning
     noisy = FREE + "sensors: {encoder_noise: 200 mm, force_noise: 500 kN}\n"
     with open_archive(ran(tmp_path, noisy)) as archive:
-        told = " ".join(archive.attributes["warnings"])  # type: ignore[arg-type]
-    assert "the noise of the displacement, 200 mm, is not below the largest" in told
-    assert "the noise of the force, 500 kN, is not below the largest force of the specimen" in told
+        reported = " ".join(archive.attributes["warnings"])  # type: ignore[arg-type]
+    assert "the noise of the displacement, 200 mm, is not below the largest" in reported
+    assert "the noise of the force, 500 kN, is not below the largest force of the specimen" in reported

@@ -79,7 +79,7 @@ def _changed(form: EffectForm, earliest: int, latest: int) -> EffectForm:
         at(k, f"{k}", f"test {k}, as validation tests show; the fitted ones say before {tests}")
         for k in range(earliest, latest + 1)
     ]
-    return replace(at(latest, f"{earliest}_to_{latest}", tests), confounded=tuple(told))
+    return replace(at(latest, f"{earliest}_to_{latest}", tests), confounded=tuple(ranges))
 
 
 def _mass(s: Sizes) -> Parameter:

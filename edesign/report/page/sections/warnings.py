@@ -49,8 +49,8 @@ def warning_table(source: Source) -> Table:
         if grouped.count == 1:
             rows.append((grouped.worst, _sentence(grouped.text)))
         else:
-            where = f"{told.count} of {len(source.groups)} analyses"
-            rows.append((where, _sentence(f"{told.alike}; most in {told.worst}: {told.text}")))
+            where = f"{grouped.count} of {len(source.groups)} analyses"
+            rows.append((where, _sentence(f"{grouped.alike}; most in {grouped.worst}: {grouped.text}")))
     return WARNINGS.of(rows)
 
 

@@ -102,7 +102,7 @@ class Session:
                 if result is not None:
                     yield result
             else:
-                self._tell(*event)
+                self._report(*event)
 
     def _hand_out(self) -> None:
         threads = self._count_threads()
@@ -140,7 +140,7 @@ class Session:
             result = Result(call.key, reason=internal_error(error))
         if result.interrupted and not self._stopping:
             result = replace(result, value=None, interrupted=False, reason=internal_error(LookupError(self.share)))
-        self._tell(call.key, 0, 0)
+        self._report(call.key, 0, 0)
         self._ended.add(call.key)
         return result
 
@@ -155,7 +155,7 @@ class Session:
     def _hear(self, event: tuple[float, Any]) -> None:
         self._events.put(event[1])
 
-    def _tell(self, key: str, done: int, total: int) -> None:
+    def _report(self, key: str, done: int, total: int) -> None:
         """Pass on what a worker reported; a call that is computed anew does not begin again."""
         if key in self._ended:
             return
