@@ -109,7 +109,7 @@ def test_moat_stops_the_base_and_the_frame_lifts_off(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("bases", ["rotation: fixed", BEAMS])
 def test_moments_of_the_bases_pull_at_isolators(tmp_path: Path, bases: str) -> None:
-    """Held bases keep their moments from the isolators, which is told; beams bring them there, and these are pulled."""
+    """Held bases keep their moments from the isolators, which is reported; beams bring them there: these are pulled."""
     path = of_case(
         CASE,
         tmp_path / "rubber",

@@ -66,7 +66,7 @@ def reported(group: Group, kind: str) -> list[AnalysisWarning]:
 
 @pytest.mark.parametrize("kind", ["rayleigh", "stiffness_proportional", "mass_proportional", "modal"])
 def test_damping_that_the_frame_gives_its_tuned_mass(tmp_path: Path, kind: str) -> None:
-    """`check` tells the damping with which the mass then vibrates on a frame that is stiff and heavy beside it."""
+    """`check` prints the damping with which the mass then vibrates on a frame that is stiff and heavy beside it."""
     damping = {
         "rayleigh": "{kind: rayleigh, ratio: 4 %, periods: [2 s, 0.1 s]}",
         "stiffness_proportional": "{kind: stiffness_proportional, ratio: 4 %, period: 0.5 s}",

@@ -22,7 +22,7 @@ def cornered(time: np.ndarray, values: np.ndarray, noise: float) -> bool:
     Where neither predicts them, as there are too few, cubics that do not overshoot are the safer ones.
 
     Records that were digitised from figures, or taken at a few points of each ramp, turn at their samples. A spline
-    overshoots these, and a law that yields goes with it.
+    overshoots these, and a law that yields follows.
 
     Args:
         time: (n,) s, ascending.

@@ -29,7 +29,7 @@ def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
 
     Raises:
         InputError: an objective has no hazard level, a code wants more motions than a variant has at a level, or an
-            oscillator on a floor vibrates faster than the samples that are kept can tell.
+            oscillator on a floor vibrates faster than the samples that are kept can show.
     """
     _check_objectives(study)
     motions = _motions(study) if any(criterion.statistic in CODES for criterion in study.criteria) else {}

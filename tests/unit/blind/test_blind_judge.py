@@ -85,8 +85,8 @@ def test_naming_of_one(found: list[dict[str, Any]], expected: str) -> None:
 
 def test_same_equation_under_another_name() -> None:
     assert judge(truth(HANGING), result(effect("offset", "instrument")), OUTCOME)["named"] == "equal"
-    told = judge(truth(HANGING), result(effect("offset", "instrument", "static_offset")), OUTCOME)
-    assert told["named"] == "confounded" and not told["all_named"] and told["all_named_or_confounded"]
+    reported = judge(truth(HANGING), result(effect("offset", "instrument", "static_offset")), OUTCOME)
+    assert reported["named"] == "confounded" and not reported["all_named"] and reported["all_named_or_confounded"]
     assert judge(truth(FRICTION), result(effect("offset", "instrument")), OUTCOME)["named"] == "wrong"
 
 
@@ -196,7 +196,7 @@ def test_table_counts() -> None:
     ]
     lines = {line[:52].strip(): line[52:].strip() for line in summary(scores).splitlines()}
     assert lines["one effect: named right, first"] == "1 of 2"
-    assert lines[".. or told to be confounded"] in ("2 of 2", "0 of 1")
+    assert lines[".. or reported as confounded"] in ("2 of 2", "0 of 1")
     assert lines["clean: false alarms"] == "0 of 1"
     assert lines["two effects: both named, no other"] == "0 of 1"
     assert lines["unlisted: called explained"] == "0 of 1"

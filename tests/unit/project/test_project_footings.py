@@ -112,7 +112,7 @@ def test_absurd_sides_are_reported_at_their_place(small: str, sides: str) -> Non
         parse_project(text.replace(AT, f"soils: {{clay: {SOIL}}}\n{AT}"), profiles=profile_names())
 
 
-def test_a_mechanism_on_footings_is_told_at_its_place(small: str) -> None:
+def test_a_mechanism_on_footings_is_reported_at_its_place(small: str) -> None:
     """A soil so soft that nothing holds the column bases: the period that footings are taken at is not found."""
     soil = SOIL.replace("200 m/s", "1e-6 m/s")
     text = small.replace("{default: fixed, B: pinned}", "{default: {footing: {soil: clay, length: 2 m, width: 2 m}}}")

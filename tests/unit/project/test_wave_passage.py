@@ -1,4 +1,4 @@
-"""Keys of wave passage: what is wrong is told at its place; delays follow from velocity and direction."""
+"""Keys of wave passage: what is wrong is reported at its place; delays follow from velocity and direction."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is told of moments of column bases that do not reach the isolators."""
+"""What is reported of moments of column bases that do not reach the isolators."""
 
 from __future__ import annotations
 

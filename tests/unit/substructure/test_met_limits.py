@@ -87,7 +87,7 @@ def test_a_servo_hydraulic_rig_stalls_at_its_force_and_is_judged(tmp_path: Path)
 @pytest.mark.parametrize(
     ("limits", "reason"), [("velocity: 5 mm/s", "velocity limit of the rig"), ("stroke: 1 mm", "stroke limit")]
 )
-def test_a_limit_cycle_is_told_as_unstable_and_held(tmp_path: Path, limits: str, reason: str) -> None:
+def test_a_limit_cycle_is_reported_as_unstable_and_held(tmp_path: Path, limits: str, reason: str) -> None:
     """With 60 ms of delay the loop grows: without limits it diverges, with them it oscillates for ever."""
     late = FREE.replace("delay: 10 ms", "delay: 60 ms")
     with open_archive(ran(tmp_path, late)) as archive:

@@ -101,7 +101,7 @@ _LOGARITHMIC = replace(
     _LINEAR,
     form="logarithmic",
     title="ageing that slows down from test to test",
-    source="physical ageing goes with the logarithm of time: Struik (1978), Physical Aging in Amorphous Polymers",
+    source="physical ageing follows the logarithm of time: Struik (1978), Physical Aging in Amorphous Polymers",
     mechanisms=(CoreEffect("constant", factor=lambda p, test: 1.0 + p["rate"] * math.log1p(test.order / p["n0"])),),
     # where n0 is small most of it has come with the second test
     parameters=lambda s: (*_rate(s, math.log1p(s.tests - 1.0)), shape("n0", "", 1.0, 1e-3, 1e2)),

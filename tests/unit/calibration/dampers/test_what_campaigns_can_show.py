@@ -35,8 +35,8 @@ def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_separa
     tests = replace(tests, typical=Sizes.of(tests.experiments))
     by_label = {one.label: one for one in tests.effects}
     assert by_label["gain.force_from_test_2"].confounded == ()
-    told = by_label["gain.force_from_test_3_to_5"].confounded
-    assert [one.label for one in told] == [f"gain.force_from_test_{first}" for first in (3, 4, 5)]
+    reported = by_label["gain.force_from_test_3_to_5"].confounded
+    assert [one.label for one in reported] == [f"gain.force_from_test_{first}" for first in (3, 4, 5)]
     values = np.array([[*tests.declared.values(), 0.1]])
     for first, one in zip((3, 4, 5), reported, strict=True):
         (forces,) = tests.model((one,), ("fit", "validate")).forces(values)
