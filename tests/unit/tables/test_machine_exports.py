@@ -60,7 +60,7 @@ def test_mts_says_the_sign_of_its_decimals(tmp_path: Path) -> None:
     path = write(tmp_path, f"MTS793|MPT|DEU|1|2|,|.|:|49|1|1|A\n\nPrüfer : \tKh\nMasse :\t5349,4\n{lines}{rows}")
     assert read(path) == ([1.0, 2.0, 3.0], [1e-3 * u for u in (2.25, 1.5, 2.0)], KN[:3])
     assert table_keys(read_table(path, "table", "a,b", Chosen().names).form) == ""
-    with pytest.raises(InputError, match="is `1,000` 1.000 or 1000"):
+    with pytest.raises(InputError, match=r"t\.dat:4.*E-TABLE-09"):
         read(write(tmp_path, "Maschine\n" + lines + rows))
 
 
@@ -72,7 +72,7 @@ def test_a_second_table_in_a_file_is_refused(tmp_path: Path) -> None:
     below = "\nDatum\tLaufzeit\tCh 1 Kraft\tCh 1 Weg\nd\ts\tkN\tmm\n"
     rows = "".join(f"42032\t{i},5\t{i},25\t{2 * i},75\n" for i in range(4))
     path = write(tmp_path, above + rows + below + rows)
-    with pytest.raises(InputError, match=r"t\.dat:10: another table begins here.*line 3; `table: \{skip: 9\}`"):
+    with pytest.raises(InputError, match=r"t\.dat:10.*skip: 9.*E-TABLE-06"):
         read(path)
     _, displacement, force = read(path, table=TableFormat(skip=9))
     assert (displacement[1], force[1]) == (2.75e-3, 1.25e3)
@@ -95,7 +95,7 @@ def test_instron_parts_thousands_between_quotes(tmp_path: Path) -> None:
     rows = '"0.00","0.00100","999.86420"\n"0.01","0.00200","1,000.00665"\n"0.02","0.00100","12,001,000.5"\n'
     path = write(tmp_path, "Time,Extension,Load\n(s),(mm),(N)\n" + rows, "Specimen_RawData_1.csv")
     assert read(path)[2] == [999.8642, 1000.00665, 12001000.5]
-    with pytest.raises(InputError, match="`1,000` is not a number"):
+    with pytest.raises(InputError, match=r"t\.dat:3, column 3.*E-TABLE-08"):
         read(write(tmp_path, 'Time,Extension,Load\n(s),(mm),(N)\n"0","0","1,000"\n"1","1","2,000"\n"2","1","2"\n'))
 
 
@@ -141,16 +141,16 @@ def test_labview_with_times_of_each_channel(tmp_path: Path) -> None:
     rows = [f"{a}\t{b}\t{a}\t{c}\n" for a, b, c in ROWS]
     assert read(write(tmp_path, lvm("Multi", header, "".join(rows)), "t.lvm"))[1:] == (MM, KN)
     rows[2] = "0.02\t-2.0\t0.025\t3.25\n"
-    with pytest.raises(InputError, match=r"t\.lvm:16: column 3 has times of its own"):
+    with pytest.raises(InputError, match=r"t\.lvm:16.*E-TABLE-13"):
         read(write(tmp_path, lvm("Multi", header, "".join(rows)), "t.lvm"))
 
 
 def test_labview_without_rows_or_with_other_channels(tmp_path: Path) -> None:
     header = "***End_of_Header***\nX_Value\tDisplacement (mm)\tForce (kN)\n"
-    with pytest.raises(InputError, match="no rows below a line `X_Value`"):
+    with pytest.raises(InputError, match=r"t\.lvm:12.*E-TABLE-04"):
         read(write(tmp_path, lvm("One", header, ""), "t.lvm"))
     section = "Channels\t1\n***End_of_Header***\nX_Value\tForce (kN)\n4\t5\n"
-    with pytest.raises(InputError, match="other channels than in line 12"):
+    with pytest.raises(InputError, match=r"t\.lvm:17.*E-TABLE-06"):
         read(write(tmp_path, lvm("One", header, "0\t1\t2\n1\t2\t3\n" + section), "t.lvm"))
 
 
@@ -173,31 +173,31 @@ def test_dspace_captures(tmp_path: Path) -> None:
     path = tmp_path / "test_01.mat"
     scipy.io.savemat(path, {"test_01": capture(signals, time)})
     assert read(path) == ([row[0] for row in ROWS], MM, KN)
-    with pytest.raises(InputError, match="leave the key out"):
+    with pytest.raises(InputError, match="E-TABLE-15"):
         read(path, table=TableFormat(skip=3))
     scipy.io.savemat(path, {"test_01": capture(signals, time, time + 1.0)})
-    with pytest.raises(InputError, match="2 columns of times that differ"):
+    with pytest.raises(InputError, match="2 columns.*E-TABLE-13"):
         read(path)
     scipy.io.savemat(path, {"test_01": capture([signals[0], ("f", "", "kN", force[:3])], time)})
-    with pytest.raises(InputError, match=r"Y\(2\) has 3 samples, and the times 4"):
+    with pytest.raises(InputError, match=r"Y\(2\).*E-TABLE-13"):
         read(path)
     scipy.io.savemat(path, {"F": force, "u": disp})
-    with pytest.raises(InputError, match=r"no capture of dSPACE.*\(it has: F, u\)"):
+    with pytest.raises(InputError, match=r"\(it has: F, u\).*E-TABLE-14"):
         read(path)
     path.write_bytes(path.read_bytes()[:150])
-    with pytest.raises(InputError, match="damaged"):
+    with pytest.raises(InputError, match="E-TABLE-02"):
         read(path)
 
 
 @pytest.mark.parametrize(
     ("content", "reported"),
     [
-        (b"TDSm\x0e\0\0\0", "a TDMS file of LabVIEW"),
-        (b"|CF,2,1,1;\0", "a FAMOS file of imc"),
-        (b"MATLAB 7.3 MAT-file, \0", "save -v7"),
-        (b"PK\x03\x04\x14\0[Content_Types].xml", "a workbook or document"),
-        (b"PK\x03\x04\x14\0t.csv", "compressed; unpack it"),
-        (b"\x00\x01\x02", "a text file in UTF-8 or UTF-16 is expected"),
+        (b"TDSm\x0e\0\0\0", "TDMS.*E-TABLE-01"),
+        (b"|CF,2,1,1;\0", "FAMOS.*E-TABLE-01"),
+        (b"MATLAB 7.3 MAT-file, \0", "save -v7.*E-TABLE-01"),
+        (b"PK\x03\x04\x14\0[Content_Types].xml", "workbook.*E-TABLE-01"),
+        (b"PK\x03\x04\x14\0t.csv", "compressed.*E-TABLE-01"),
+        (b"\x00\x01\x02", "UTF-8.*E-TABLE-01"),
     ],
 )
 def test_files_that_are_no_text_are_recognised_by_their_first_bytes(
