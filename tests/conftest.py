@@ -16,8 +16,12 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # workers of pytest-xdist have the width of the terminal; tables in a pipe, as tests read them, would be folded to it
 os.environ.pop("COLUMNS", None)
 
+import re  # noqa: E402
+
 import pytest  # noqa: E402
 from hypothesis import HealthCheck, settings  # noqa: E402
+
+from edesign.errors import EdesignError  # noqa: E402
 
 settings.register_profile("edesign", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("edesign")
@@ -28,3 +32,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.get_closest_marker("study"):
             item.add_marker(pytest.mark.timeout(6 * 3600))
+
+
+def _coded(self: EdesignError, *args: object) -> None:
+    """Refuse a message for people without a code, also one that no test looks at."""
+    Exception.__init__(self, *args)
+    assert self.exit_code == 1 or re.search(r"\[E-[A-Z0-9]+-\d\d\]", str(self)), f"a message without a code: {self}"
+
+
+EdesignError.__init__ = _coded  # type: ignore[method-assign]

@@ -13,7 +13,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.errors import CoreError, status_name
+from edesign.core.errors import CoreError, status_name, with_code
 from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import DENSE, Modes, natural_modes
@@ -498,7 +498,8 @@ class Analysis:
                 break
             raise_if_stopped(result)
             if result < 0:
-                status, reason = "failed", ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
+                message = ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
+                status, reason = "failed", with_code(result, message)
                 break
             if result == lib.ED_LIMIT:
                 passed = self._passed(channels)

@@ -11,11 +11,18 @@ class CoreError(AnalysisError):
 
     Attributes:
         status: name of the status, for instance "ED_E_MECHANISM".
+        words: the message without its code.
     """
 
     def __init__(self, status: str, message: str) -> None:
-        super().__init__(message)
+        super().__init__(with_code(getattr(lib, status), message))
         self.status = status
+        self.words = message
+
+
+def with_code(status: int, message: str) -> str:
+    """Return a message of the core with the code that its status has in docs/reference/messages/core.md."""
+    return f"{message} [E-CORE-{abs(status):02d}]"
 
 
 def status_name(status: int) -> str:

@@ -41,9 +41,10 @@ def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]
     worst = int(np.argmax(last))
     storey, drift, time = storeys[worst], f"{100.0 * last[worst]:.3g} %", f"{response.end:.6g} s"
     if response.status == "limit":
-        return f"collapsed: drift of storey {storey} reached {drift} at {time}"
+        return f"collapsed: drift of storey {storey} reached {drift} at {time} [E-HIST-05]"
     if last[worst] <= LARGE_DRIFT:
         return ""
     return (
-        f"collapsed: equilibrium was lost at {time}, when the drift of storey {storey} was {drift}; {response.reason}"
+        f"collapsed: equilibrium was lost at {time}, when the drift of storey {storey} was {drift} [E-HIST-05]; "
+        f"{response.reason}"
     )

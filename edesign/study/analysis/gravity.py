@@ -92,7 +92,7 @@ def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
         return ""
     return (
         f"the loads sank by {sunk:.3g} m on average, {100.0 * sunk / half:.3g} % of half a bay; the geometry of the "
-        f"model holds up to {100.0 * largest:.3g} % (`validity.drift`)"
+        f"model holds up to {100.0 * largest:.3g} % (`validity.drift`) [E-GRAV-02]"
     )
 
 

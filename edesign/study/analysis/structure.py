@@ -230,6 +230,6 @@ def make_structure(project: Project, frame: FrameModel | None = None, dampers: b
     except CoreError as error:
         if frame.isolated is None:
             raise
-        text = f"{error} (isolators must have a stiffness at rest that holds the base under gravity)"
+        text = f"{error.words} (isolators must have a stiffness at rest that holds the base under gravity)"
         raise CoreError(error.status, text) from error
     return Structure(frame, analysis)

@@ -93,15 +93,15 @@ def _run_away(response: Response, project: Project, names: Mapping[str, str], al
         value, limit = (percent(x) if drift else f"{x:.3g} rad" for x in (abs(passed.value), largest))
         return (
             f"{names[passed.channel]} reached {value} {AT[along].format(passed.time)}; the geometry of the model holds "
-            f"up to {limit} (`validity.drift`)"
+            f"up to {limit} (`validity.drift`) [E-VALID-01]"
         )
     if not response.finite:
-        return "a result is not a finite number"
+        return "a result is not a finite number [E-VALID-02]"
     error = response.statistics.get("energy_error", 0.0)
     if not error <= validity.energy_error:
         return (
             f"the energy balance is wrong by {percent(error)} of the energy put in, more than "
-            f"{percent(validity.energy_error)} (`validity.energy_error`); a smaller step may help"
+            f"{percent(validity.energy_error)} (`validity.energy_error`); a smaller step may help [E-VALID-03]"
         )
     return ""
 
