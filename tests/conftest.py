@@ -37,7 +37,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def _coded(self: EdesignError, *args: object) -> None:
     """Refuse a message for people without a code, also one that no test looks at."""
     Exception.__init__(self, *args)
-    assert self.exit_code == 1 or re.search(r"\[E-[A-Z0-9]+-\d\d\]", str(self)), f"a message without a code: {self}"
+    messages = [problem.message for problem in getattr(self, "problems", ())] or [str(self)]
+    for message in messages if self.exit_code != 1 else ():
+        assert re.search(r"\[E-[A-Z0-9]+-\d\d\]", message), f"a message without a code: {message}"
 
 
 EdesignError.__init__ = _coded  # type: ignore[method-assign]

@@ -27,7 +27,7 @@ ERRORS |= {"NotFound", "PackageNotInstalled"}
 """Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
 CODED = {*ERRORS, "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}
 """Errors whose text has a code already: a sentence that passes it on needs none."""
-METHODS = {"refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
+METHODS = {"Fault", "refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
 """Functions that take the sentence of a problem."""
 WORDS = re.compile(r"[A-Za-z]{2,}[^A-Za-z{}]+[A-Za-z]{2,}")
 KEYS = re.compile(r"[A-Za-z]+(?:[._][A-Za-z]+)+")

@@ -99,12 +99,12 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
         place = Mark(mark.line + 1, mark.column + 1) if mark else Mark(1, 1)
         said = ", ".join(part for part in (error.context, error.problem) if part)
         return Node(Mark(1, 1), entries={}), [
-            Fault(place, (), f"this is not valid YAML: {said}{_hint(said, text, error)}")
+            Fault(place, (), f"this is not valid YAML: {said}{_hint(said, text, error)} [E-FILE-04]")
         ]
     except yaml.reader.ReaderError as error:
         before = text[: error.position]
         place = Mark(before.count("\n") + 1, len(before) - before.rfind("\n"))
-        return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {error.reason}")]
+        return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {error.reason} [E-FILE-04]")]
 
 
 def find(root: Node, keys: Sequence[str | int]) -> Node:
@@ -136,7 +136,9 @@ class _Reader:
         for event in self.events:
             if isinstance(event, yaml.DocumentStartEvent):
                 if root is not None:
-                    self.faults.append(Fault(_mark(event), (), "a second document begins; a project is one document"))
+                    self.faults.append(
+                        Fault(_mark(event), (), "a second document begins; a project is one document [E-FILE-04]")
+                    )
                     return root
                 root = self.node(next(self.events), ())
         return root or Node(Mark(1, 1))
@@ -178,7 +180,9 @@ class _Reader:
             last = [child]
             if key in entries:
                 first = node.key_marks[key]
-                message = f"the key comes twice; it stands already in line {first.line}, column {first.column}"
+                message = (
+                    f"the key comes twice; it stands already in line {first.line}, column {first.column} [E-KEY-04]"
+                )
                 self.faults.append(Fault(place, (*keys, key), message))
                 continue
             entries[key] = child
@@ -188,12 +192,18 @@ class _Reader:
 
     def _plain_only(self, event: Any, keys: tuple[str | int, ...], mark: Mark) -> None:
         if isinstance(event, yaml.AliasEvent):
-            self.faults.append(Fault(mark, keys, f"the alias `*{event.anchor}` is not allowed; write the value out"))
+            self.faults.append(
+                Fault(mark, keys, f"the alias `*{event.anchor}` is not allowed; write the value out [E-FILE-04]")
+            )
             return
         if getattr(event, "anchor", None):
-            self.faults.append(Fault(mark, keys, f"the anchor `&{event.anchor}` is not allowed; write the value alone"))
+            self.faults.append(
+                Fault(mark, keys, f"the anchor `&{event.anchor}` is not allowed; write the value alone [E-FILE-04]")
+            )
         if getattr(event, "tag", None):
-            self.faults.append(Fault(mark, keys, f"the tag `{event.tag}` is not allowed; write the value alone"))
+            self.faults.append(
+                Fault(mark, keys, f"the tag `{event.tag}` is not allowed; write the value alone [E-FILE-04]")
+            )
 
 
 def _ends_elsewhere(event: Any) -> bool:
@@ -215,11 +225,13 @@ def _span(start: Any, end: Any, children: Sequence[Node]) -> tuple[int, int]:
 def _too_large(text: str) -> str:
     """What is said of text beyond the limits, "" if it is not; each value follows one of the signs that are counted."""
     if len(text) > YAML_BYTES:
-        return f"the text has {megabytes(len(text))}; at most {megabytes(YAML_BYTES)} are read: {YAML_ADVICE}"
+        return (
+            f"the text has {megabytes(len(text))}; at most {megabytes(YAML_BYTES)} are read: {YAML_ADVICE} [E-FILE-02]"
+        )
     values = 1 + sum(text.count(sign) for sign in (",", "[", ":", "- ", "-\t", "-\n", "-\r"))
     if values <= YAML_VALUES:
         return ""
-    return f"the file has about {values} values; at most {YAML_VALUES} are read: {YAML_ADVICE}"
+    return f"the file has about {values} values; at most {YAML_VALUES} are read: {YAML_ADVICE} [E-FILE-02]"
 
 
 def _scalar(event: Any) -> Any:
