@@ -12,6 +12,7 @@ import math
 import numpy as np
 import pytest
 import scipy
+from messages import says
 
 from edesign.errors import InputError
 from edesign.project.analysis.damping import RayleighDamping
@@ -128,7 +129,7 @@ def test_limit_of_several_degrees() -> None:
 def test_a_step_beyond_the_limit_is_refused(method: str) -> None:
     """2 / (2 pi 3.63737 Hz) = 87.51 ms."""
     part = three_storeys()
-    with pytest.raises(InputError, match=r"steps of 100 ms: mode 3 .*\(3\.637 Hz\) allows at most \d\d\.\d\d ms"):
+    with pytest.raises(InputError, match=r"mode 3 .*\(3\.637 Hz\).* \d\d\.\d\d ms.*E-RTS-03"):
         recursion(part, 0.1, method, "held")
     recursion(part, largest_step(part, method)[0], method, "held")
 
@@ -293,15 +294,15 @@ def test_target_is_the_specimen_s_deformation(method: str) -> None:
     [
         ({"method": "kr_alfa"}, "there is no method `kr_alfa`; did you mean `kr_alpha`?"),
         ({"force": "hold"}, "there is no force `hold`; did you mean `held`?"),
-        ({"step": 0.0}, "main step: must be greater than zero, not 0 s"),
-        ({"step": math.nan}, "main step"),
-        ({"specimen_stiffness": -1.0}, "must not be negative, not -1 N/m"),
-        ({"rho": 1.2}, "kr_alpha: rho_inf must lie from 0 to 1, not 1.2"),
-        ({"method": "alpha_os", "rho": 0.4}, "alpha_os: rho_inf must lie from 0.5 to 1, not 0.4"),
+        ({"step": 0.0}, "main step E-RTS-03"),
+        ({"step": math.nan}, "main step E-RTS-03"),
+        ({"specimen_stiffness": -1.0}, "stiffness E-VALUE-02"),
+        ({"rho": 1.2}, "kr_alpha: rho_inf E-VALUE-02"),
+        ({"method": "alpha_os", "rho": 0.4}, "alpha_os: rho_inf E-VALUE-02"),
     ],
 )
 def test_what_is_refused(change: dict[str, object], message: str) -> None:
     arguments: dict[str, object] = {"step": 0.001, "method": "kr_alpha", "force": "held"} | change
     with pytest.raises(InputError) as caught:
         recursion(oscillator(10.0), **arguments)  # type: ignore[arg-type]
-    assert message in str(caught.value)
+    assert says(str(caught.value), message)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from messages import says
 from shear_frames import BAY, HEIGHT, E, shear_frame_text
 from unit.study.frames import ANALYSED, PULSE, project, shear_frame
 
@@ -70,13 +71,13 @@ def test_the_specimen_takes_the_drift_of_its_storey() -> None:
 @pytest.mark.parametrize(
     ("masses", "stiffnesses", "damping", "storey", "message"),
     [
-        ([1.0], [1.0, 2.0], NONE, 1, "1 masses and 2 stiffnesses"),
+        ([1.0], [1.0, 2.0], NONE, 1, "structure.*E-PART-02"),
         ([], [], NONE, 1, "0 masses"),
-        ([1.0, 0.0], [1.0, 2.0], NONE, 1, r"masses\[1\] must be greater than zero, not 0"),
-        ([1.0], [math.inf], NONE, 1, r"stiffnesses\[0\] must be greater than zero, not inf"),
-        ([1.0, 1.0], [1.0, 2.0], NONE, 3, "there is no storey 3; the building has 2"),
-        ([1.0], [1.0], RAYLEIGH, 1, "mode 3 is asked for, and the numerical part has 1 mode; give it modal damping"),
-        ([1.0], [1.0], RayleighDamping(kind="rayleigh", ratio=0.02, modes=(1, 1)), 1, "two different frequencies"),
+        ([1.0, 0.0], [1.0, 2.0], NONE, 1, r"masses\[1\].*E-VALUE-02"),
+        ([1.0], [math.inf], NONE, 1, r"stiffnesses\[0\].*E-VALUE-02"),
+        ([1.0, 1.0], [1.0, 2.0], NONE, 3, "structure.*E-PART-03"),
+        ([1.0], [1.0], RAYLEIGH, 1, "damping.*E-PART-03"),
+        ([1.0], [1.0], RayleighDamping(kind="rayleigh", ratio=0.02, modes=(1, 1)), 1, "E-VALUE-04"),
     ],
 )
 def test_impossible_buildings(
@@ -89,12 +90,12 @@ def test_impossible_buildings(
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"mass": np.diag([1.0, 0.0])}, "floor 2 has no mass"),
-        ({"mass": np.ones((2, 2))}, "a motion has no inertia"),
-        ({"stiffness": np.array([[2.0, -1.0], [0.0, 1.0]])}, "stiffness is not symmetric"),
-        ({"damping": np.zeros((1, 1))}, r"damping is \(1, 1\), and its 2 degrees need \(2, 2\)"),
-        ({"influence": np.array([1.0, math.nan])}, "influence has a value that is not finite"),
-        ({"interface": np.zeros(2)}, "no degree of freedom moves the specimen"),
+        ({"mass": np.diag([1.0, 0.0])}, "floor 2.*E-PART-01"),
+        ({"mass": np.ones((2, 2))}, "mass matrix.*E-PART-01"),
+        ({"stiffness": np.array([[2.0, -1.0], [0.0, 1.0]])}, "stiffness.*E-PART-02"),
+        ({"damping": np.zeros((1, 1))}, "damping.*E-PART-02"),
+        ({"influence": np.array([1.0, math.nan])}, "influence.*E-PART-02"),
+        ({"interface": np.zeros(2)}, "E-PART-03"),
     ],
 )
 def test_impossible_matrices(change: dict[str, np.ndarray], message: str) -> None:
@@ -111,7 +112,7 @@ def test_impossible_matrices(change: dict[str, np.ndarray], message: str) -> Non
 
 def test_a_part_that_falls_over() -> None:
     part = LinearPart(np.eye(1), np.zeros((1, 1)), -np.eye(1), np.ones(1), np.ones(1), ("floor 1",))
-    with pytest.raises(InputError, match="the numerical part is unstable"):
+    with pytest.raises(InputError, match="E-PART-04"):
         part.frequencies()
     assert part.frequencies(2.0) == pytest.approx([1.0 / (2.0 * math.pi)])
 
@@ -240,7 +241,7 @@ def test_a_chevron_on_columns_without_vertical_mass(area: float, share: float | 
         assert not project_part(made, "V_1_2").warnings
         return
     if share > 1.0:
-        with pytest.raises(InputError, match=r"% of the flexibility at the damper V_1_2 .*directions: both"):
+        with pytest.raises(InputError, match="V_1_2 .*directions: both.*E-PART-01"):
             project_part(made, "V_1_2")
         return
     (warning,) = project_part(made, "V_1_2").warnings
@@ -255,18 +256,14 @@ def test_a_chevron_on_columns_without_vertical_mass(area: float, share: float | 
         (
             "{kind: storey, bays: 1, storeys: 1, law: tested, brace: {stiffness: 50 kN/mm}}",
             "S_1_1",
-            "S_1_1 has a brace in series (5e+07 N/m); say what stands in the laboratory",
+            "project.yaml S_1_1 E-PART-05",
         ),
-        (
-            "{kind: storey, bays: 1, storeys: 1-2, law: tested}",
-            "S_1_1",
-            "S_1_2 would stay in the linear numerical part, and its law `tested` (mgmm) is no spring and dashpot",
-        ),
+        ("{kind: storey, bays: 1, storeys: 1-2, law: tested}", "S_1_1", "project.yaml S_1_2 (mgmm) E-PART-05"),
         (
             "{kind: storey, bays: 1, storeys: 1, law: tested}\n"
             "{kind: storey, bays: 1, storeys: 2, law: pot, brace: {stiffness: 50 kN/mm}}",
             "S_1_1",
-            "S_1_2 would stay in the linear numerical part, and it has a brace in series",
+            "project.yaml S_1_2 brace E-PART-05",
         ),
     ],
 )
@@ -274,11 +271,11 @@ def test_devices_that_cannot_be_the_specimen(devices: str, name: str, message: s
     made = soft_frame(devices, "{kind: none}", tmp_path)
     with pytest.raises(InputError) as caught:
         project_part(made, name)
-    assert message in str(caught.value)
+    assert says(str(caught.value), message)
 
 
 def test_a_project_without_dampers() -> None:
-    with pytest.raises(InputError, match="the project has no dampers"):
+    with pytest.raises(InputError, match=r"project\.yaml.*E-PART-03"):
         project_part(shear_frame("{name: m, kind: modal, modes: 1}"), "S_1_1")
 
 
@@ -286,7 +283,7 @@ def test_an_interface_without_mass(tmp_path: Path) -> None:
     """The first floor has no mass: the damper's force would move it at once."""
     made = soft_frame("{kind: storey, bays: 1, storeys: 1, law: tested}", "{kind: none}", tmp_path)
     light = project(made.text.replace("lines: all, floors: all, mass", "lines: all, floors: 2, mass"), made.path)
-    with pytest.raises(InputError, match="belongs to degrees without mass"):
+    with pytest.raises(InputError, match="S_1_1.*E-PART-01"):
         project_part(light, "S_1_1")
 
 

