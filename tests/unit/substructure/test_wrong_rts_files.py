@@ -104,7 +104,7 @@ def test_no_change_of_a_file_leads_to_anything_but_a_message(text: str) -> None:
 def test_a_file_of_another_kind() -> None:
     found = faults("edesign: 1\ntitle: A project\n")
     assert found[0][0] == (1, 1) and says(found[0][1], "edesign: `edesign_rts: E-FILE-05")
-    assert says(faults("")[0][1], "rts.yaml:1 E-FILE-05")
+    assert "E-FILE-05" in faults("")[0][1]
 
 
 def test_missing_devices() -> None:
