@@ -46,15 +46,11 @@ def test_nothing_is_said_unless_it_is(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("head", "test", "said"),
     [
-        ("start: at rest\n", "", r"campaign.yaml:2:\d+: start: .*at_rest.*in_motion.*unknown"),
-        ("", ", start: moving", r"campaign.yaml:3:\d+: tests\[0\].start: .*in_motion"),
-        ("start_ramp: 5 ms\n", "", r"campaign.yaml:2:\d+: start_ramp: it belongs to `start: at_rest`"),
-        (
-            "start: at_rest\n",
-            ", start: in_motion, start_ramp: 5 ms",
-            r"tests\[0\].start_ramp: it belongs to `start: at_rest`",
-        ),
-        ("start: at_rest\nstart_ramp: 5\n", "", r"campaign.yaml:3:\d+: start_ramp: .*unit"),
+        ("start: at rest\n", "", r"campaign\.yaml:2:\d+: start: .*at_rest.*in_motion.*unknown.*E-VALUE-03"),
+        ("", ", start: moving", r"campaign\.yaml:3:\d+: tests\[0\]\.start: .*in_motion.*E-VALUE-03"),
+        ("start_ramp: 5 ms\n", "", r"campaign\.yaml:2:\d+: start_ramp: .*E-KEY-03"),
+        ("start: at_rest\n", ", start: in_motion, start_ramp: 5 ms", r"tests\[0\]\.start_ramp: .*E-KEY-03"),
+        ("start: at_rest\nstart_ramp: 5\n", "", r"campaign\.yaml:3:\d+: start_ramp: .*E-UNIT-01"),
         ("start: at_rest\nstart_ramp: 0 s\n", "", r"campaign.yaml:3:\d+: start_ramp: .*"),
     ],
 )

@@ -101,9 +101,7 @@ def test_a_project_or_its_law_file_says_the_effects(tmp_path):
     block = "".join(f"      {line}\n" for line in EFFECTS.splitlines())
     old = "      type: mgmm\n      parameters: thesis_table_4_2\n      temperature: 20 degC\n"
     both = project_file(tmp_path, old, "      file: law.yaml\n" + block)
-    with pytest.raises(
-        InputError, match=r"laws.tested.effects: the law file `law.yaml` says this; leave one of them out"
-    ):
+    with pytest.raises(InputError, match=r"laws\.tested\.effects: .*E-KEY-03"):
         load_project(both)
     alone = device_laws(load_project(project_file(tmp_path, old, "      file: law.yaml\n")))
     assert alone == device_laws(load_project(project_file(tmp_path)))
@@ -262,15 +260,11 @@ def test_a_transition_is_half_done_at_its_middle(tmp_path):
 @pytest.mark.parametrize(
     ("effect", "degrees", "message"),
     [
-        (
-            "form: wlf, parameters: {b: 0.02 1/K, c: 0.02 1/K, T0: 20 degC}",
-            -40.0,
-            "1 \\+ c \\(T - T0\\) = -0.2 at -40 degC",
-        ),
+        ("form: wlf, parameters: {b: 0.02 1/K, c: 0.02 1/K, T0: 20 degC}", -40.0, "= -0.2 at -40 degC .*E-LAW-04"),
         (
             "form: transition, parameters: {d: 1.5, Tc: 30 degC, w: 2 K, T0: 20 degC}",
             40.0,
-            "no force is left at 40 degC",
+            r"at 40 degC, .* -0\.48.*E-LAW-04",
         ),
     ],
 )
@@ -353,7 +347,7 @@ def test_the_virtual_specimen_has_effects_that_its_campaign_does_not_name(tmp_pa
     expected = Damper(law("mgmm"), MGMM, effects=READ).force(test.time, test.displacement)
     assert test.force == pytest.approx(expected, abs=1e-5 * np.max(np.abs(expected)))  # digits of the CSV
     path.write_text(text.replace("E0: 20 kJ", "E0: 20 mm"), encoding="utf-8")
-    with pytest.raises(InputError, match=r"programme.yaml:8:\d+: law.effects\[2\].parameters.E0: `20 mm` is a length"):
+    with pytest.raises(InputError, match=r"programme\.yaml:8:\d+: law\.effects\[2\]\.parameters\.E0: .*E-UNIT-02"):
         load_programme(path)
 
 

@@ -80,12 +80,12 @@ def test_hertz_as_circular_frequency() -> None:
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"k": "8 kN/mm", "c": 5.0}, "parameter `c`: the bare number `5.0` needs a unit"),
-        ({"k": "8 kN/mm", "c": "5 kN"}, r"`5 kN` is a force, but a damping coefficient"),
+        ({"k": "8 kN/mm", "c": 5.0}, "parameter `c`: .*E-UNIT-01"),
+        ({"k": "8 kN/mm", "c": "5 kN"}, "parameter `c`: .*E-UNIT-02"),
         ({"k": "8 kN/mm", "d": "5 kN"}, r"`d`: there is no such parameter .*there are: k, c"),
-        ({"k": "8 kNmm/", "c": "1 kN*s/m"}, "unknown unit"),
-        ({"k": "8,5 kN/mm", "c": "1 kN*s/m"}, "decimals stand behind a point"),
-        ({"k": "8 kN/mm", "c": True}, "with its unit is needed"),
+        ({"k": "8 kNmm/", "c": "1 kN*s/m"}, "parameter `k`: .*E-UNIT-02"),
+        ({"k": "8,5 kN/mm", "c": "1 kN*s/m"}, "parameter `k`: .*E-VALUE-01"),
+        ({"k": "8 kN/mm", "c": True}, "parameter `c`: .*E-VALUE-01"),
         ({"k": "8 kN/mm"}, "parameter `c`: this parameter .* is missing"),
         ({"k": "-8 kN/mm", "c": "1 kN*s/m"}, "at least 0 is allowed"),
     ],
@@ -105,7 +105,7 @@ def test_all_problems_are_reported() -> None:
 def test_sets_by_name() -> None:
     with pytest.raises(InputError, match="did you mean `thesis_table_4_2`"):
         read_parameters(LAWS["mgmm"], "thesis_table_42")
-    with pytest.raises(InputError, match="is of law mgmm, not of zener"):
+    with pytest.raises(InputError, match="`thesis_table_4_2` .*zener.*E-LAW-01"):
         read_parameters(LAWS["zener"], "thesis_table_4_2")
 
 
@@ -120,7 +120,7 @@ def test_lists_are_of_branches() -> None:
         ParameterError, match="parameter `k`: as many values of each are needed, and there are 2 of `k`"
     ):
         read_parameters(LAWS["generalised_maxwell"], one | {"k": ["6 kN/mm", "8 kN/mm"]})
-    with pytest.raises(ParameterError, match="parameter `c`: `3 m` is a length"):
+    with pytest.raises(ParameterError, match="parameter `c`: `3 m` .*E-UNIT-02"):
         read_parameters(LAWS["generalised_maxwell"], one | {"c": "3 m"})
 
 
