@@ -38,7 +38,7 @@ def identifiability_warnings(
     said = []
     if len(loose) > 1:
         said.append(
-            f"{_and(loose)}: the data tell only combinations of them (condition {condition:.1e}); fix one or more"
+            f"{_and(loose)}: the data determine only combinations of them (condition {condition:.1e}); fix one or more"
         )
     for i, first in enumerate(names):
         for j in range(i):

@@ -84,7 +84,7 @@ def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
         return
     for key in ("type", "parameters", "temperature_law", "effects", "standard_errors", "tested"):
         if getattr(law, key) not in (None, ()):
-            problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out [E-KEY-02]")
+            problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out [E-KEY-03]")
 
 
 def _device(project: Project, problems: Problems, keys: Keys, device: Device) -> None:

@@ -127,7 +127,7 @@ def _amplitude(rts: RtsFile, displacement: float, keys: Keys, problems: Problems
     stroke, reach = rts.plant.limits.stroke, rts.displacement_range
     shown = f"{1e3 * displacement:.4g} mm"
     if stroke is not None and displacement > stroke:
-        problems.at_value(keys, f"{shown} is beyond the stroke of the actuator, {1e3 * stroke:.4g} mm [E-VALUE-02]")
+        problems.at_value(keys, f"{shown} is beyond the stroke of the actuator, {1e3 * stroke:.4g} mm [E-RIG-06]")
     elif reach is not None and displacement > reach:
         problems.at_value(keys, f"{shown} is beyond the range of the encoder, {1e3 * reach:.4g} mm [E-VALUE-02]")
     if displacement <= rts.encoder_noise:
