@@ -21,7 +21,7 @@ import re  # noqa: E402
 import pytest  # noqa: E402
 from hypothesis import HealthCheck, settings  # noqa: E402
 
-from edesign.errors import EdesignError  # noqa: E402
+from edesign.errors import EdesignError, Interrupted  # noqa: E402
 
 settings.register_profile("edesign", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("edesign")
@@ -37,8 +37,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def _coded(self: EdesignError, *args: object) -> None:
     """Refuse a message for people without a code, also one that no test looks at."""
     Exception.__init__(self, *args)
-    messages = [problem.message for problem in getattr(self, "problems", ())] or [str(self)]
-    for message in messages if self.exit_code != 1 else ():
+    problems = getattr(self, "problems", ())  # with their places, or with names of parameters
+    messages = [one[1] if isinstance(one, tuple) else one.message for one in problems] or [str(self)]
+    for message in messages if self.exit_code not in (1, Interrupted.exit_code) else ():
         assert re.search(r"\[E-[A-Z0-9]+-\d\d\]", message), f"a message without a code: {message}"
 
 

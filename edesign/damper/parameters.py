@@ -75,9 +75,9 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
     known = {parameter.name: parameter for parameter in law.all_parameters(dict.fromkeys(values, 0.0))}
     unknown = [name for name in values if name not in known][:MOST_SHOWN]
     laws = _laws_with(values) if unknown else ""
+    there = f"(there are: {', '.join(known)}){laws}"
     problems += [
-        (name, f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)}){laws}")
-        for name in unknown
+        (name, f"there is no such parameter{did_you_mean(str(name), known)} {there} [E-LAW-02]") for name in unknown
     ]
     found: dict[str, float] = {}
     given = [parameter for parameter in known.values() if parameter.name in values]
@@ -90,9 +90,9 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
             pass  # the exponent of its unit is missing or wrong, which is reported there
     if set(values) <= set(known):  # else the one that is missing is likely the one that is misspelt
         missing = [p for p in known.values() if p.default is None and p.name not in values]
-        problems += [(p.name, f"this parameter ({p.meaning}) is missing") for p in missing]
+        problems += [(p.name, f"this parameter ({p.meaning}) is missing [E-LAW-02]") for p in missing]
     problems += [
-        (p.name, f"{p.written(found[p.name])} is out of range: {p.allowed} is allowed")
+        (p.name, f"{p.written(found[p.name])} is out of range: {p.allowed} is allowed [E-LAW-03]")
         for p in given
         if p.name in found and not p.allows(found[p.name])
     ]
@@ -115,15 +115,17 @@ def _branches_apart(
             found[name] = value
             continue
         if len(lists[name]) > law.most_branches or not lists[name]:
-            problems.append((name, f"{len(lists[name])} values; 1 to {law.most_branches} are allowed"))
+            problems.append((name, f"{len(lists[name])} values; 1 to {law.most_branches} are allowed [E-VALUE-04]"))
         for i, one in enumerate(lists[name], start=1):
             if f"{name}{i}" in values:
-                problems.append((f"{name}{i}", f"`{name}` gives this too; leave one of them out"))
+                problems.append((f"{name}{i}", f"`{name}` gives this too; leave one of them out [E-KEY-03]"))
             found[f"{name}{i}"], given_as[f"{name}{i}"] = one, name
     counts = {name: len(several) for name, several in lists.items()}
     if len(set(counts.values())) > 1:
         counted = ", ".join(f"{count} of `{name}`" for name, count in counts.items())
-        problems.append((next(iter(counts)), f"as many values of each are needed, and there are {counted}"))
+        problems.append(
+            (next(iter(counts)), f"as many values of each are needed, and there are {counted} [E-VALUE-04]")
+        )
     return found, problems, given_as
 
 

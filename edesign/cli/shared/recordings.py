@@ -97,9 +97,7 @@ def read_inputs(
     inputs = [suite_file(Path(), str(path)) if not path.exists() else path for path in inputs]
     for path in inputs:
         if not path.exists() and not _is_suite(path) and is_suite_name(str(path)):
-            raise InputError(
-                f"{unknown_name('suite', str(path), suite_names())}; and there is no file {path} [E-NAME-01]"
-            )
+            raise InputError(unknown_name("suite", str(path), suite_names(), f"; and there is no file {path}"))
     if any(_is_suite(path) for path in inputs):
         if len(inputs) > 1:
             raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites [E-CLI-05]")

@@ -41,7 +41,7 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
         braced = any(place.along == along for place in building.layout.brace_at)
         if braced != (system.type != "moment_frame"):
             seen = "there are braces" if braced else "no bay is braced"
-            message = f"`{system.type}`: along {along} {seen}"
+            message = f"`{system.type}`: along {along} {seen} [E-BLDG-01]"
             problems.at_value(("design", "systems", along, "type"), message)
             continue
         kinds = {run.kind for place, run in building.layout.brace_at.items() if place.along == along}

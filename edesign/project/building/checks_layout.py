@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from pydantic_core import PydanticCustomError
+
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.layout import DIRECTIONS, Panel, met_beam, ways
@@ -85,8 +87,8 @@ def _supports(building: Building, problems: Problems, check: Selections) -> None
             continue
         try:
             chosen = parse_column_lines(name)
-        except ValueError as error:
-            problems.at_key(("supports", name), f"{error}, or `default`")
+        except PydanticCustomError as error:
+            problems.at_key(("supports", name), f"this is not `default`, and {error}")
             continue
         for message in check.lines_outside(chosen).values():
             problems.at_key(("supports", name), message)
@@ -158,12 +160,12 @@ def _braces(building: Building, problems: Problems) -> None:
         beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place[:3], place.storey)
         if beam not in layout.beam_at:
             where = "at the base, where there is none" if beam.floor == 0 else "which is missing"
-            reported.add((i, f"{place} needs the beam {beam}, {where}"))
+            reported.add((i, f"{place} needs the beam {beam}, {where} [E-BLDG-02]"))
             continue
         points = {point for pair in ways(place, run).values() for point in pair}
         for line, floor in sorted((line, floor) for line, floor in points if line is not None):
             if (line, floor) not in held:
-                reported.add((i, f"{place} ends at {node_name(line, floor)}, where no column or beam is"))
+                reported.add((i, f"{place} ends at {node_name(line, floor)}, where no column or beam is [E-BLDG-02]"))
     for i, message in sorted(reported):
         problems.at_value(("braces", i), message)
 

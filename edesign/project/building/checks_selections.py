@@ -50,7 +50,7 @@ class Selections(GridSelections):
         """Return a message for each item of a selection that is outside the plan, by its number."""
         n_x, n_y = self.building.n_bays("x"), self.building.n_bays("y")
         return {
-            i: f"`{item.text}`: column lines go from A1 to {line_name(n_x)}{n_y + 1}"
+            i: f"`{item.text}`: column lines go from A1 to {line_name(n_x)}{n_y + 1} [E-NAME-01]"
             for i, item in enumerate(chosen.items)
             if (item.x is not None and item.x[1] > n_x) or (item.y is not None and item.y[1] > n_y)
         }

@@ -131,8 +131,8 @@ def check_plausible(building: Building, problems: Problems) -> None:
         if not bounds.refuses(value):
             continue
         written = problems.node(keys).text
-        message = f"`{written}` is no {bounds.what}: {bounds.shown(bounds.possible)} is allowed ({bounds.why})"
-        problems.at_value(keys, message + _meant(written, bounds))
+        allowed = f"{bounds.shown(bounds.possible)} is allowed ({bounds.why}){_meant(written, bounds)}"
+        problems.at_value(keys, f"`{written}` is no {bounds.what}: {allowed} [E-UNIT-03]")
 
 
 def check_given_masses(building: Building, problems: Problems) -> None:

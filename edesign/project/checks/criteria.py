@@ -129,10 +129,10 @@ def _contradictions(
             if both and low > high and alone <= 0.0:
                 line = problems.node((*keys, "criteria", j)).mark.line
                 place = keys_text((*keys, "criteria", j))
+                bounds = f"at least {low:g} and at most {high:g} {later.kind.unit.replace('1', '')}".rstrip()
                 message = (
                     f"`{later.name}` contradicts `{earlier.name}` ({place}, line {line}): for {both[0]} "
-                    f"the {later.statistic} of `{later.subject}` cannot be at least {low:g} and at most "
-                    f"{high:g} {later.kind.unit.replace('1', '')}".rstrip()
+                    f"the {later.statistic} of `{later.subject}` cannot be {bounds} [E-VALUE-04]"
                 )
                 problems.at_value((*keys, "criteria", i), message)
 

@@ -45,7 +45,7 @@ def _positions(project: Project, problems: Problems, keys: Keys, load: BeamLoad)
     def beyond(position: Position) -> str:
         if position.is_share or position.value <= shortest:
             return ""
-        return f"{position} is beyond the end of beam {name}, which is {shortest:g} m long"
+        return f"{position} is beyond the end of beam {name}, which is {shortest:g} m long [E-LOAD-02]"
 
     for i, point in enumerate(load.points):
         for k, position in enumerate(point.at):

@@ -45,9 +45,8 @@ def check_project_records(project: Project, problems: Problems) -> None:
         if fitted_suite and isinstance(project.hazard, UserHazard) and not project.hazard.at_5_percent:
             message = (
                 f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %, or "
-                " [E-SCALE-02]"
+                "`damping_correction` [E-SCALE-02]"
             )
-            message += "`damping_correction`"
             problems.at_value(("hazard", "damping"), message)
         check_record(record, keys, problems)
         if isinstance(record, ChosenRecords):
@@ -179,11 +178,8 @@ def _suite_files(record: SuiteRecords | SuiteSource, folder: Path, keys: Keys, p
     if not is_suite_name(record.suite):
         check_file(folder / record.suite, (*keys, "suite"), problems, what)
     elif record.suite not in suite_names():
-        message = (
-            f"{unknown_name('suite', record.suite, suite_names())}; a file has an ending: `{record.suite}.yaml`"
-            " [E-VALUE-03]"
-        )
-        problems.at_value((*keys, "suite"), message)
+        ending = f"; a file has an ending: `{record.suite}.yaml`"
+        problems.at_value((*keys, "suite"), unknown_name("suite", record.suite, suite_names(), ending))
     for i, below in enumerate(record.folders):
         _check_folder(folder / below, (*keys, "folders", i), problems, what)
 

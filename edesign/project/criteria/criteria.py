@@ -60,7 +60,7 @@ def _quantity(value: Any) -> Any:
     if isinstance(value, str) and value in QUANTITIES:
         return value
     known = "; `edesign quantities` lists them (the stroke of a damper is `damper_deformation`)"
-    raise refuse(unknown_name("quantity", str(value), QUANTITIES) + known)
+    raise refuse(unknown_name("quantity", str(value), QUANTITIES, known))
 
 
 PLAIN_STATISTICS = ("mean", "maximum", "median", "ec8", "asce7")

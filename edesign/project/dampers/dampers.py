@@ -131,7 +131,7 @@ Brace = Annotated[
 ]
 
 
-PROTOTYPE_SCALE = "the law `{}` has a `prototype`: give the size of the layers, not a `scale`"
+PROTOTYPE_SCALE = "the law `{}` has a `prototype`: give the size of the layers, not a `scale` [E-KEY-03]"
 BRACE_KINDS = ("chevron_braces", "rising", "falling", "nodes")
 """Of dampers that stand along the length of a brace."""
 
@@ -147,9 +147,9 @@ def restrained_misfits(kind: str, brace: object, kinds: Iterable[str] = BRACE_KI
     found = {}
     if kind not in BRACE_KINDS:
         message = f"`{kind}` acts horizontally, and a buckling-restrained brace along its length"
-        found["kind"] = f"{message}; take {listed(kinds)}"
+        found["kind"] = f"{message}; take {listed(kinds)} [E-DAMPER-05]"
     if brace != "rigid":
-        found["brace"] = "the ends of a buckling-restrained brace are in its `KF`; leave this key out"
+        found["brace"] = "the ends of a buckling-restrained brace are in its `KF`; leave this key out [E-KEY-03]"
     return found
 
 

@@ -16,7 +16,9 @@ Count = Annotated[int, Field(ge=1, le=1000)]
 
 WEIGHED = "friction_pendulum"
 """The law whose forces are proportional to the weight on it, which is its first parameter."""
-NEEDS_STIFFNESS = "what presses on the isolator at every moment is known where its `vertical` has a stiffness"
+NEEDS_STIFFNESS = (
+    "what presses on the isolator at every moment is known where its `vertical` has a stiffness [E-KEY-02]"
+)
 
 
 class BaseDevice(Model):

@@ -120,4 +120,4 @@ def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
     """
     hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"
     there = f"own sections: {listed(own)}; " if own else ""
-    return f"there is no section `{name}`{hint} ({there}`edesign sections` lists the catalogue)"
+    return f"there is no section `{name}`{hint} ({there}`edesign sections` lists the catalogue) [E-NAME-01]"

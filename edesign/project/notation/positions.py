@@ -66,8 +66,7 @@ def parse_position(value: Any) -> Position:
     try:
         return Position(parse_quantity(value, LENGTH, "not negative"), False)
     except PydanticCustomError as error:
-        message = (error.context or {})["message"]
-        raise refuse(f"{message}; a share of the length is written like `1/3`, `0.25` or `30 %` [E-VALUE-01]") from None
+        raise refuse(f"this is no share of a length, such as `1/3`, `0.25` or `30 %`, and {error}") from None
 
 
 _SHARE = text("share of the length", r"[0-9]{1,6}\s*/\s*[0-9]{1,6}", "1/3")

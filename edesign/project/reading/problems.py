@@ -176,15 +176,16 @@ def as_seen(value: Any) -> str:
     return f"`{str(value).lower() if isinstance(value, bool) else value}`"
 
 
-def unknown_name(what: str, seen: str, allowed: Iterable[str]) -> str:
+def unknown_name(what: str, seen: str, allowed: Iterable[str], advice: str = "") -> str:
     """Return the message for a name that is not defined.
 
     Args:
         what: kind of the name, such as "record".
         allowed: the known names.
+        advice: a clause after them, with its semicolon.
     """
     allowed = list(allowed)
     hint = did_you_mean(seen, allowed)
     several = f"{what[:-1]}ies" if what.endswith("y") else f"{what}s"
     known = "" if hint and len(allowed) > 30 else f" ({several} here: {listed(allowed)})"
-    return f"there is no {what} `{seen}`{hint}{known}"
+    return f"there is no {what} `{seen}`{hint}{known}{advice} [E-NAME-01]"

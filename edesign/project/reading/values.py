@@ -21,7 +21,7 @@ from edesign.project.reading.yaml_nodes import Node, parse
 KeyPath = str | Keys
 """A place in a file as messages name it, `frame.columns[0].section`, or its keys one by one."""
 
-_NO_PLACE = "`{}` is no place in a file; one is written like `frame.columns[0].section`"
+_NO_PLACE = "`{}` is no place in a file; one is written like `frame.columns[0].section` [E-VALUE-01]"
 _STEP = re.compile(r"\[([0-9]+)\]|\.?([^.\[\]]+)")
 
 
@@ -144,16 +144,17 @@ def _missing(model: Any, root: Node, keys: Keys) -> str:
             continue
         at = keys_text(keys[:depth]) or "the file"
         if isinstance(key, int):
-            count = len(node.items) if node.items is not None else None
-            return f"{at} is no list" if count is None else f"there is no item {key}; {at} has {count}, from 0"
+            if node.items is None:
+                return f"{at} is no list [E-NAME-01]"
+            return f"there is no item {key}; {at} has {len(node.items)}, from 0 [E-NAME-01]"
         if node.items is not None:
-            return f"{at} is a list; its items are {at}[0] to [{len(node.items) - 1}]"
+            return f"{at} is a list; its items are {at}[0] to [{len(node.items) - 1}] [E-NAME-01]"
         if node.entries is None and node.text:
-            return f"{at} is the value `{node.text}`, which has no `{key}`"
+            return f"{at} is the value `{node.text}`, which has no `{key}` [E-NAME-01]"
         if message := _unknown(value, key, last=depth == len(keys) - 1):
             return message
         if any(not isinstance(part, str) for part in keys[depth:]):
-            return f"{at} has no `{key}` yet; give it as a whole"
+            return f"{at} has no `{key}` yet; give it as a whole [E-NAME-01]"
         return ""
     return ""
 
@@ -163,9 +164,10 @@ def _unknown(value: Any, key: str, last: bool) -> str:
     if isinstance(value, BaseModel):
         allowed = [info.alias or name for name, info in type(value).model_fields.items()]
         if key not in allowed:
-            return f"unknown key{did_you_mean(key, allowed)} (allowed here: {listed(allowed, 40)})"
+            return f"unknown key{did_you_mean(key, allowed)} (allowed here: {listed(allowed, 40)}) [E-KEY-01]"
     if isinstance(value, Mapping) and not last:
-        return f"there is no `{key}`{did_you_mean(key, value)} (there are: {listed(value)}); give a new one as a whole"
+        known = f"{did_you_mean(key, value)} (there are: {listed(value)})"
+        return f"there is no `{key}`{known}; give a new one as a whole [E-NAME-01]"
     return ""
 
 

@@ -64,9 +64,7 @@ def _physical(structure: ProjectStructure, project: Project, problems: Problems)
     given = structure.physical
     for i, name in enumerate(given):
         if name not in known:
-            problems.at_item(
-                keys, i, f"{unknown_name('device', name, known)}; they are named by kind, bay and storey [E-VALUE-03]"
-            )
+            problems.at_item(keys, i, unknown_name("device", name, known, "; they are named by kind, bay and storey"))
         elif name in given[:i]:
             problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
         elif known[name][0].brace != "rigid":
