@@ -46,8 +46,9 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
         except ArchiveError as error:
             if place != path and isinstance(error, DamagedArchive):
                 continue  # what an interrupted run left
+            told = str(error).rpartition(" [")[0]  # its code is not that of the whole message
             raise ArchiveError(
-                f"{error}; it is left as it is: choose another name, or --overwrite [E-FILE-07]"
+                f"{told}; it is left as it is: choose another name, or --overwrite [E-FILE-07]"
             ) from error
         lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
         same = old.get("project_checksum")

@@ -222,7 +222,7 @@ class Archive:
         if not self.sealed and found != 1 and self.complete and self.path.suffix != PARTIAL_SUFFIX:
             self._fault = "it is not as it was written (its seal does not fit); "
         if not damaged and self.damage_in_short():
-            raise DamagedArchive(self.describe_damage())
+            raise DamagedArchive(f"{self.describe_damage()} [E-ARCH-03]")
 
     def _damaged(self, error: Damaged) -> DamagedArchive:
         return DamagedArchive(f"{self.path}: the archive is damaged: {error} [E-ARCH-03]")
@@ -285,10 +285,11 @@ def _used(archive: Archive, use: Callable[[Archive], Found], damage: str) -> Fou
     except EdesignError as error:
         if not damage:
             raise
-        raise ArchiveError(f"{damage}\n  nothing of it can be shown: {error} [E-ARCH-03]") from error
+        why = str(error).rpartition(" [")[0] or error  # its code is not that of the whole message
+        raise ArchiveError(f"{damage}\n  nothing of it can be shown: {why} [E-ARCH-03]") from error
     except Exception as error:
         if archive.sealed and not damage:
             raise  # what edesign wrote, edesign reads: its own mistake
         what = f"its content does not fit together ({type(error).__name__}: {error})"
-        message = f"{damage}\n  {what}" if damage else f"{archive.path}: the archive is damaged: {what} [E-ARCH-03]"
-        raise DamagedArchive(message) from error
+        place = f"{damage}\n " if damage else f"{archive.path}: the archive is damaged:"
+        raise DamagedArchive(f"{place} {what} [E-ARCH-03]") from error

@@ -56,7 +56,7 @@ def compare(
         tables, damage = read_archive(archive, lambda opened: variant_tables(opened, loaded, variants))
         print_tables(tables)
         if damage:
-            raise DamagedArchive(damage)
+            raise DamagedArchive(f"{damage} [E-ARCH-03]")
         return
     comparison, damage = read_archive(archive, lambda opened: compare_archive(opened, loaded))
     if csv is not None:
@@ -66,7 +66,7 @@ def compare(
     else:
         print_tables(block_tables(comparison, bars))
     if damage:
-        raise DamagedArchive(damage)
+        raise DamagedArchive(f"{damage} [E-ARCH-03]")
     if check and comparison.outside:
         outside, barred = len(comparison.outside), sum(cell.within is not None for cell in comparison.cells)
         which = "value is not within its bar" if barred == 1 else "values are not within their bars"

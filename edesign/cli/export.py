@@ -94,7 +94,7 @@ def export(
             with optional(str(parquet), kept, passing=(EdesignError,)):
                 print(f"{parquet}: {len(write_parquet_folder(found, facts, parquet))} tables, listed in contents.csv")
     if damage:
-        raise DamagedArchive(damage)
+        raise DamagedArchive(f"{damage} [E-ARCH-03]")
 
 
 def _names(text: str) -> list[str]:

@@ -96,7 +96,7 @@ def show(
             nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"
             print(nothing, file=sys.stderr, flush=True)
     if damage:
-        raise DamagedArchive(damage)
+        raise DamagedArchive(f"{damage} [E-ARCH-03]")
 
 
 def _devices(opened: Archive, design: str) -> str:

@@ -69,7 +69,7 @@ def _without_target(source: Path) -> str:
     if source.suffix.lower() in formats.TAKEN:
         return f"name the file to write after it: {command}.yaml [E-CLI-03]"
     examples = "".join(f"\n  {known.program + ':':<11} {command}{known.suffix}" for known in formats.FORMATS)
-    return f"name the file to write after the source; its ending says for which program [E-CLI-03]:{examples}"
+    return f"name the file to write after the source; its ending says for which program:{examples} [E-CLI-03]"
 
 
 def _print_result(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:

@@ -99,9 +99,8 @@ def missing(path: Path, what: str) -> InputError:
     del_digits = str.maketrans("", "", "0123456789")  # record_2 and record_7 are alike, and not the same
     same = path.stem.translate(del_digits)
     near = alike.get(nearest(path.stem, [stem for stem in alike if stem.translate(del_digits) != same]))
-    return InputError(
-        f"{path}: there is no such {what}" + (f"; did you mean `{near}`?" if near else "" + " [E-FILE-01]")
-    )
+    hint = f"; did you mean `{near}`?" if near else ""
+    return InputError(f"{path}: there is no such {what}{hint} [E-FILE-01]")
 
 
 def read_up_to(file: Readable, most: int) -> bytes:
