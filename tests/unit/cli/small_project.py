@@ -70,4 +70,4 @@ class Core:
 
 def fail() -> None:
     """An analysis that cannot be finished."""
-    raise AnalysisError("step 7 at 0.07 s: no convergence")
+    raise AnalysisError("step 7 at 0.07 s: no convergence [E-CORE-08]")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from building_examples import SMALL
+from support.messages import says
 
 from edesign.cli.main import main
 
@@ -32,12 +33,10 @@ def test_check_reports_a_mistake_with_its_place(path: Path, capsys: pytest.Captu
     path.write_text(SMALL.replace("HEB200", "HEB205"), encoding="utf-8")
     assert main(["check", str(path)]) == 2
     said = capsys.readouterr().err
-    assert said.startswith(
-        f"edesign: {path}:5:21: columns[0].section: there is no section `HEB205`; of HEB the catalogue"
-    )
+    assert said.startswith(f"edesign: {path}:5:21: columns[0].section: ") and says(said, "`HEB205` E-NAME-01")
     path.write_text(SMALL.replace("a_gR: 0.24 g", "country: greece, zone: 7"), encoding="utf-8")
     assert main(["check", str(path)]) == 2
-    assert "building.yaml:15:49: hazard.zone: there is no zone in greece `7`" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "building.yaml:15:49: hazard.zone: `7` E-NAME-01")
 
 
 def test_extract_writes_a_project_that_runs(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -56,7 +55,7 @@ def test_extract_replaces_its_own_file_only(path: Path, capsys: pytest.CaptureFi
     assert main([*words, "frame.yaml"]) == main([*words, "frame.yaml"]) == 0
     Path("mine.yaml").write_text("edesign: 1\n", encoding="utf-8")
     assert main([*words, "mine.yaml"]) == 2
-    assert "mine.yaml: edesign did not write this file" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "mine.yaml: E-FILE-07")
     assert main([*words, "mine.yaml", "--overwrite"]) == 0
     assert main([*words, "building.yaml", "--overwrite"]) == 2
     assert path.read_text(encoding="utf-8") == SMALL

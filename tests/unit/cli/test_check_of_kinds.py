@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from support.messages import says
 
 from edesign.cli.main import main
 from edesign.project.template import new_project
@@ -122,17 +123,17 @@ def test_an_archive(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     ("name", "text", "said"),
     [
         ("x.yaml", LAW.replace("k0", "k9"), "x.yaml:2:"),
-        ("x.yaml", f"{SPECIMEN}tests: [{{file: a.csv, temperature: 20 degC}}]\n", "there is no file"),
-        ("x.yaml", "structure: {name: hall}\n", "this is a structure file"),
+        ("x.yaml", f"{SPECIMEN}tests: [{{file: a.csv, temperature: 20 degC}}]\n", "x.yaml:2: E-FILE-01"),
+        ("x.yaml", "structure: {name: hall}\n", "E-FILE-05"),
         ("x.yaml", "rig: {kind: dely}\n", "x.yaml:1:"),
         ("x.yaml", "edesign_suite: 1\ntitle: x\nrecords: [{id: a, file: a.AT2}]\n", "a.AT2"),
         ("x.yaml", "zones: {}\n", "x.yaml:1:"),
-        ("x.yaml", "- 1\n", "x.yaml:1:"),
-        ("x.json", "{", "this is no JSON"),
-        ("x.json", "[]", "calibration.json and fit.json are"),
-        ("x.json", '{"verdict": "none", "error": 1}', "calibration.json and fit.json are"),
-        ("x.json", '{"verdict": 1, "error": {"declared": 5}, "effects": 3}', "no result that edesign has written"),
-        ("x.json", '{"nrms_percent": 1, "law": {}, "fitted": 3}', "no result that edesign has written"),
+        ("x.yaml", "- 1\n", "x.yaml:1: E-FILE-05"),
+        ("x.json", "{", "JSON E-FILE-05"),
+        ("x.json", "[]", "calibration.json fit.json E-FILE-05"),
+        ("x.json", '{"verdict": "none", "error": 1}', "calibration.json fit.json E-FILE-05"),
+        ("x.json", '{"verdict": 1, "error": {"declared": 5}, "effects": 3}', "written: E-FILE-05"),
+        ("x.json", '{"nrms_percent": 1, "law": {}, "fitted": 3}', "written: E-FILE-05"),
         ("x.at2", "one\ntwo\nthree\nfour\n", "x.at2:4:"),
         ("x.csv", "time_s,displacement_mm,force_kN\n0,0,0\n0,1,1\n", "x.csv"),
         ("x.csv", "a,b\n", "x.csv"),
@@ -143,7 +144,7 @@ def test_wrong_files(name: str, text: str, said: str, tmp_path: Path, capsys: py
     path.write_text(text)
     assert main(["check", str(path)]) == 2
     error = capsys.readouterr().err
-    assert said in error and str(path) in error and "Traceback" not in error and "itself" not in error
+    assert says(error, said) and str(path) in error and "Traceback" not in error and "itself" not in error
 
 
 def test_no_file_at_all(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -166,4 +167,4 @@ def test_a_recording_is_known_by_its_content_whatever_its_suffix(
     assert "4 at 0.005 s, 0.015 s; PGA 0.2 g" in shown(capsys, path)
     (tmp_path / "a.zip").write_bytes(b"PK\x03\x04\0\0")
     assert main(["check", str(tmp_path / "a.zip")]) == 2
-    assert "not a text file; it is compressed; unpack it" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "a.zip: compressed E-REC-02")

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 import typer
+from support.messages import says
 from unit.assess.known_history import known_history, known_modes
 from unit.cli.small_project import Core, fail, project
 
@@ -92,7 +93,7 @@ def test_options_of_run(core: Core, tmp_path: Path, capsys: pytest.CaptureFixtur
     assert main(["run", "project.yaml", "--only", "b", "--archive", str(tmp_path / "x.h5"), "--workers", "2"]) == 0
     assert core.ran == ["b"] and (tmp_path / "x.h5").exists()
     assert main(["run", "project.yaml", "--only", "c"]) == 2
-    assert "no analysis is named 'c'" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "'c' E-NAME-01")
     assert main(["run", "project.yaml", "--archive", str(tmp_path / "no" / "x.h5")]) == 4
 
 
@@ -126,7 +127,7 @@ def test_show_of_one_analysis_has_storeys_and_fallbacks(archive: Path, capsys: p
     fallbacks = lines[lines.index("el_centro: fallbacks") + 3]
     assert fallbacks.split(maxsplit=2) == ["250", "2.500", "halved step  4 substeps"]
     assert main(["show", str(archive), "--analysis", "nothing"]) == 2
-    assert "(there are: `modes`, `el_centro`, `lost`, `later`)" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "`modes`, `el_centro`, `lost`, `later`) E-ARCH-07")
 
 
 def test_show_json_has_the_agreed_form(archive: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -171,15 +172,15 @@ def test_show_reads_the_partial_archive_of_an_interrupted_run(
     output = capsys.readouterr().out
     assert "not complete" in output and "not run" in output
     assert main(["show", str(tmp_path / "a.h5")]) == 4
-    assert "an incomplete one is there" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "a.h5.partial E-ARCH-01")
 
 
 @pytest.mark.parametrize(
     ("words", "code", "message"),
     [
-        (["show", "nowhere.h5"], 4, "nowhere.h5: no such archive"),
-        (["run", "nowhere.yaml"], 2, "nowhere.yaml"),
-        (["check", "nowhere.yaml"], 2, "nowhere.yaml"),
+        (["show", "nowhere.h5"], 4, "nowhere.h5: E-ARCH-01"),
+        (["run", "nowhere.yaml"], 2, "nowhere.yaml: E-FILE-01"),
+        (["check", "nowhere.yaml"], 2, "nowhere.yaml: E-FILE-01"),
         (["frobnicate"], 2, "No such command"),
         (["run"], 2, "Missing argument"),
         (["run", "x.yaml", "--workers", "0"], 2, "workers"),
@@ -190,7 +191,7 @@ def test_bad_input_is_a_message_and_no_traceback(
 ) -> None:
     assert main(words) == code
     output, errors = capsys.readouterr()
-    assert message in errors and "Traceback" not in errors and output == ""
+    assert says(errors, message) and "Traceback" not in errors and output == ""
 
 
 def test_an_unexpected_error_is_short_and_debug_shows_all(

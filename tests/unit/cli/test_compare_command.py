@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.messages import says
 
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.writer import ArchiveWriter
@@ -63,7 +64,7 @@ def test_json_and_csv(files: list[str], tmp_path: Path, capsys: pytest.CaptureFi
 def test_a_mistake_in_the_reference_is_reported(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     Path(files[1]).write_text(REFERENCE.replace("variable:", "varable:"), encoding="utf-8")
     assert main(["compare", *files]) == 2
-    assert "reference.yaml:9:10" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "reference.yaml:9:10 E-KEY-01")
 
 
 @pytest.mark.parametrize("option", ["--csv=made.csv", "--json", "--bars", "--check"])
@@ -71,4 +72,4 @@ def test_variants_take_no_options_that_they_would_not_heed(
     files: list[str], option: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["compare", *files, "--variants", "damped", option]) == 2
-    assert option.partition("=")[0] in capsys.readouterr().err
+    assert says(capsys.readouterr().err, f"{option.partition('=')[0]} E-CLI-02")

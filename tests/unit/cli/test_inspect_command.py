@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
+from support.messages import says
 
 from edesign.cli.main import main
 from edesign.damper.testing.campaign import load_campaign
@@ -114,21 +115,18 @@ def test_the_account_for_people(tmp_path: Path, capsys: pytest.CaptureFixture[st
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (
-            SPECIMEN + "tests: []\n",
-            "campaign or programme file (YAML), no table of numbers; of a campaign",
-        ),
-        ("time_s;displacement_mm;force_kN\n0;0;0\n1;1,234;1\n2;2,345;3\n", "is `1,234` 1.234 or 1234?"),
-        ("time_s,displacement_mm,force_kN\n0,0,0\n1,---,1\n", "`---` is not a number"),
-        ("", "the"),
-        ("nothing but words\nhere and there\n", "no known format"),
+        (SPECIMEN + "tests: []\n", "campaign E-FILE-05"),
+        ("time_s;displacement_mm;force_kN\n0;0;0\n1;1,234;1\n2;2,345;3\n", ":2: `1,234` 1.234 1234? E-TABLE-09"),
+        ("time_s,displacement_mm,force_kN\n0,0,0\n1,---,1\n", ":3, `---` E-TABLE-08"),
+        ("", "E-REC-21"),
+        ("nothing but words\nhere and there\n", "E-REC-01"),
     ],
 )
 def test_what_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, said: str) -> None:
     path = tmp_path / "a.txt"
     path.write_text(text)
     assert main(["inspect", str(path)]) == 2
-    assert said in capsys.readouterr().err
+    assert says(capsys.readouterr().err, f"a.txt {said}")
 
 
 def test_each_component_of_a_recording_is_proposed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -152,7 +150,7 @@ def test_a_property_table_is_no_record(tmp_path: Path, capsys: pytest.CaptureFix
     assert yaml.safe_load(str(found["yaml"])) == {"designs": {"NAME": {"properties": {"file": "moduli.csv"}}}}
     path.write_text(path.read_text(encoding="utf-8").replace("loss_factor", "loss"), encoding="utf-8")
     assert main(["inspect", str(path)]) == 2
-    assert "the column is unknown" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "moduli.csv `loss` E-PROPS-04")
 
 
 def test_zero_has_no_sign(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -235,7 +233,7 @@ def test_cells_of_columns_that_are_not_read_may_have_anything(
         assert test.unread == ("Note",)
     path.write_text(path.read_text().replace("0.010000,1.477601,", "0.010000,,", 1))
     assert main(["inspect", str(path)]) == 2
-    assert "column 2 (`Stroke (mm)`): the cell is empty" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "column 2 (`Stroke (mm)`): E-TABLE-08")
 
 
 def test_lines_above_repeated_headers_are_left_out_whatever_they_say(
@@ -249,11 +247,11 @@ def test_lines_above_repeated_headers_are_left_out_whatever_they_say(
     assert found["rows"] == len(TIMES) and found["form"]["repeated"] == 2  # type: ignore[index]
     path.write_text(head + "".join(rows[:20]) + "Cycle block 2\n" + head + "".join(rows[20:]))
     assert main(["inspect", str(path)]) == 2  # no line stood above the headers before
-    assert "a.csv:22: 1 cells; the headers name 3 columns" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "a.csv:22: 1 3 E-TABLE-07")
 
 
 def test_a_point_between_thousands_blames_its_own_cell(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "a.csv"
     path.write_text("Zeit (s);Weg (mm);Kraft (kN)\n0,00;0,100;100,5\n0,01;1,500;1.100,5\n0,02;1,600;90,5\n")
     assert main(["inspect", str(path)]) == 2
-    assert f"{path}:3, column 3: `1.100,5` has a point where commas stand before decimals" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, f"{path}:3, column 3: `1.100,5` E-TABLE-09")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.messages import says
 
 from edesign import yaml_parser
 from edesign.archive.dataset import Group
@@ -161,9 +162,9 @@ def test_a_command_says_what_a_file_of_another_kind_is(
 
 def test_compare_says_which_file_comes_first(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["compare", "reference", "archive"]) == 2
-    assert "the archive comes first: `edesign compare archive reference`" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "`edesign compare archive reference` E-CLI-05")
     assert main(["compare", "archive", "archive"]) == 2
-    assert "two archives are not compared; the second file is a reference file" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "archive: reference E-FILE-05")
 
 
 FOREIGN = {
@@ -207,12 +208,12 @@ def test_mistakes_in_the_file_come_before_options_that_do_not_belong_to_it(
 ) -> None:
     assert main(["sheet", "nowhere.yaml", "--temperature", "20 degC"]) == 2
     assert main(["characterise", "nowhere.yaml", "--layers", "1"]) == 2
-    assert capsys.readouterr().err.count("there is no such campaign file") == 2
+    assert capsys.readouterr().err.count("[E-FILE-01]") == 2
 
 
 def test_a_study_is_translated_by_its_project(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["translate", "study", "made.tcl"]) == 2
-    assert "`edesign show ARCHIVE --devices DESIGN`" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "study: `edesign show ARCHIVE --devices DESIGN` E-FILE-05")
 
 
 def test_show_prints_the_devices_of_a_design(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -228,4 +229,4 @@ def test_show_prints_the_devices_of_a_design(tmp_path: Path, capsys: pytest.Capt
     assert main(["show", str(path), "--devices", "broken"]) == 2
     assert main(["show", str(path), "--devices", "adde"]) == 2
     reported = capsys.readouterr().err
-    assert "the design `broken` found no devices" in reported and "did you mean `added`" in reported
+    assert says(reported, "--devices: `broken` E-ARCH-08") and "did you mean `added`" in reported

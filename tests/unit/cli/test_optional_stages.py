@@ -15,6 +15,7 @@ from building_examples import SMALL
 from kelvin_voigt_campaign import C, K, campaign, lawful
 from rts_examples import MINIMAL
 from selection_examples import random_frames
+from support.messages import says
 from unit.report.figure_archive import small_archive
 
 import edesign
@@ -389,7 +390,7 @@ def test_one_law_of_several_that_cannot_be_fitted(capsys: pytest.CaptureFixture[
     words = _campaign(*FIT, "--law", "kelvin_voigt", "--law", "buckling_restrained")()
     assert main(words) == 5
     said = capsys.readouterr()
-    assert "the fit of buckling_restrained failed: fit of law buckling_restrained: `A_sc` is needed" in said.err
+    assert says(said.err, "the fit of buckling_restrained failed: `A_sc` E-FIT-02")
     assert "Kelvin-Voigt" in said.out and _whole(Path("out/kelvin_voigt/law.yaml"))
     assert not Path("out/buckling_restrained").exists()
     # none of them can be fitted: there is no result to stand
@@ -507,8 +508,8 @@ def test_each_failure_is_noted_once_with_its_reason() -> None:
     with noting_failures() as failures:
         for _ in range(2):
             with optional("the page", "results are in a.h5") as attempt:
-                raise ArchiveError("page.html: cannot be written: the disk is full")
-    assert [str(one) for one in failures] == ["the page failed: page.html: cannot be written: the disk is full"]
+                raise ArchiveError("page.html: full [E-FILE-06]")
+    assert [str(one) for one in failures] == ["the page failed: page.html: full [E-FILE-06]"]
     assert attempt.failure is not None and not attempt.failure.unexpected
 
 

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
+from support.messages import says
 
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
@@ -56,9 +57,9 @@ def test_run_and_show_agree_with_the_archive(project: Path, capsys: pytest.Captu
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("HEB240", "HEB241", "HEB240"),
-        ("4 m, 3.5 m", "4, 3.5 m", "unit"),
-        ("supports: fixed", "suports: fixed", "supports"),
+        ("HEB240", "HEB241", "`HEB241` E-NAME-01"),
+        ("4 m, 3.5 m", "4, 3.5 m", "E-UNIT-01"),
+        ("supports: fixed", "suports: fixed", "`supports` E-KEY-01"),
     ],
 )
 def test_a_wrong_project_is_exit_code_2_and_nothing_is_written(
@@ -69,7 +70,7 @@ def test_a_wrong_project_is_exit_code_2_and_nothing_is_written(
     project.write_text(text.replace(old, new))
     assert main(["run", str(project)]) == 2
     errors = capsys.readouterr().err
-    assert str(project) in errors and message in errors and "Traceback" not in errors
+    assert str(project) in errors and says(errors, message) and "Traceback" not in errors
     assert sorted(path.name for path in project.parent.iterdir()) == ["project.yaml", "records"]
 
 
@@ -78,5 +79,5 @@ def test_an_unknown_analysis_is_refused_by_its_name(
     name: str, project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["run", str(project), "--only", name]) == 2
-    assert f"no analysis is named {name!r}" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, f"{name!r} E-NAME-01")
     assert sorted(path.name for path in project.parent.iterdir()) == ["project.yaml", "records"]

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.messages import says
 from unit.cli.small_project import STEPS, Core, fail, project
 
 from edesign.archive.reader import open_archive
@@ -71,7 +72,7 @@ def test_a_failed_analysis_is_recorded_and_the_others_run(tmp_path: Path, monkey
     with open_archive(summary.archive) as archive:
         assert archive.attributes["status"] == "failed" and archive.complete
         assert archive.names("analyses") == list("abcd")
-        assert archive.group_attributes("analyses/b")["reason"] == "step 7 at 0.07 s: no convergence"
+        assert archive.group_attributes("analyses/b")["reason"] == "step 7 at 0.07 s: no convergence [E-CORE-08]"
         assert "ZeroDivisionError: division by zero" in str(archive.group_attributes("analyses/c")["reason"])
 
 
@@ -216,7 +217,7 @@ def test_only_selects_and_spares_the_full_archive(tmp_path: Path, monkeypatch: p
     summary = run_project(project(tmp_path), only=["c"])
     assert core.ran == ["c"] and summary.archive == tmp_path / "small.c.h5"
     assert (tmp_path / "small.h5").read_bytes() == full
-    with pytest.raises(InputError, match="no analysis is named 'x' .there are: a, b, c, d."):
+    with pytest.raises(InputError, match="'x' .*: a, b, c, d.*E-NAME-01"):
         run_project(project(tmp_path), only=["x"])
 
 
@@ -236,7 +237,7 @@ def test_a_disk_that_fills_up_stops_the_run_and_keeps_the_rest(
         append(self, images)
 
     monkeypatch.setattr(PieceFile, "append", full)
-    with pytest.raises(ArchiveError, match=r"small\.h5: cannot write the archive: the disk is full"):
+    with pytest.raises(ArchiveError, match=r"small\.h5: .* the disk is full.*E-FILE-06"):
         run_project(project(tmp_path), workers=workers)
     assert not (tmp_path / "small.h5").exists()
     assert len(results(partial_path(tmp_path / "small.h5"))) == 1
@@ -246,7 +247,7 @@ def test_an_unwritable_archive_is_an_error_before_anything_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     core = use(monkeypatch, Core())
-    with pytest.raises(ArchiveError, match="does not exist"):
+    with pytest.raises(ArchiveError, match="nowhere .*E-FILE-06"):
         run_project(project(tmp_path), tmp_path / "nowhere" / "a.h5")
     assert core.ran == []
 
@@ -256,7 +257,7 @@ def test_progress_reports_every_analysis_from_start_to_end(tmp_path: Path, monke
     reports: list[Progress] = []
     run_project(project(tmp_path, "ab"), progress=reports.append)
     assert [r.event for r in reports if r.analysis == "a"] == ["start"] + ["advance"] * STEPS + ["end"]
-    assert reports[-1].message == "failed: step 7 at 0.07 s: no convergence" and (
+    assert reports[-1].message == "failed: step 7 at 0.07 s: no convergence [E-CORE-08]" and (
         reports[-1].index,
         reports[-1].count,
     ) == (2, 2)
@@ -294,8 +295,6 @@ def test_another_partial_file_in_its_place_meanwhile(tmp_path: Path, monkeypatch
     with pytest.raises(ArchiveError) as raised:
         run_project(project(tmp_path, "abc"))
     kept = tmp_path / "small.h5.1.partial"
-    assert str(raised.value) == (
-        f"{partial}: another file has taken the place of this one during the run; "
-        f"1 of 3 analyses are finished and kept in {kept}"
-    )
+    said = str(raised.value)
+    assert says(said, f"{partial}: 1 of 3 {kept} E-ARCH-06") and said.count("[E-") == 1
     assert partial.read_bytes() == b"other" and list(results(kept)) == ["a", "b"]

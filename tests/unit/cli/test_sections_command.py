@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
+from support.messages import says
 
 from edesign.building.sections.profiles import profile_names
 from edesign.cli.main import main
@@ -43,4 +44,4 @@ def test_json_and_csv_hold_the_same(tmp_path: Path, capsys: pytest.CaptureFixtur
 
 def test_nothing_of_that_name(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sections", "L100x10"]) == 2
-    assert "no section of the catalogue is `L100x10`; the catalogue has no L sections" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "`L100x10`; no L sections E-NAME-01")

@@ -49,7 +49,7 @@ def test_elsewhere_each_stage_has_a_line_whatever_the_speed(capsys: pytest.Captu
 
 def test_errors_of_the_work_are_those_of_the_caller() -> None:
     def work(progress: ProgressLine) -> None:
-        raise InputError("wrong")
+        raise InputError("wrong [E-VALUE-01]")
 
     with pytest.raises(InputError, match="wrong"):
         in_stages(work)
