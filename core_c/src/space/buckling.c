@@ -77,7 +77,7 @@ static int press(ed_space *s, const double *axial, pressed_frame *f)
   for (int m = 0; m < s->n_members; m++)
     if (!isfinite(axial[m]))
       return ed_space_fail(s, ED_E_NOT_FINITE, "member %s: its axial force is not a finite number", s->member_name[m]);
-  f->bowed = calloc((size_t)s->n_members, sizeof *f->bowed);
+  f->bowed = calloc((unsigned)s->n_members, sizeof *f->bowed);
   f->moved = malloc(2 * nodal * sizeof *f->moved);
   if (!f->bowed || !f->moved)
     return ed_space_fail(s, ED_E_MEMORY, "out of memory");
