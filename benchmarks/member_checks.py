@@ -15,7 +15,6 @@ import numpy as np
 
 from benchmarks.timing import cpu_seconds
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3.member import Stability
 from edesign.core.member_checks import (
     BEAM_CHECKS,
@@ -26,6 +25,7 @@ from edesign.core.member_checks import (
     mask,
     member_checks,
 )
+from edesign.space.checks.steel_member import SteelMember
 
 MEMBERS, STATIONS, BEAMS = 510, 7, 200
 SECTION = mask(*SECTION_CHECKS, *MEMBER_CHECKS)

@@ -1,7 +1,7 @@
 """List the messages of errors with their codes, from the source.
 
 Every sentence that refuses an input or explains a failure ends with a code in brackets, such as `[E-TABLE-07]`. A code
-names a mistake and its remedy, both listed in docs/reference/messages.md; sentences with one remedy share a code.
+names a mistake and its remedy, both listed in docs/reference/messages; sentences with one remedy share a code.
 
     python tools/messages.py                 the sentences by code, as in tests/unit/messages/sentences.txt
     python tools/messages.py --write         write that file anew

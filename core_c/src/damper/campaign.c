@@ -1,5 +1,5 @@
 /* Many dampers in the tests of one campaign. */
-#include "damper/test_run.h"
+#include "damper/run_of_test.h"
 #include "edcore.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Dampers on their own: one step, and force histories under given deformation. */
 #include "base/finite.h"
-#include "damper/test_run.h"
+#include "damper/run_of_test.h"
 
 #include <math.h>
 #include <stdio.h>

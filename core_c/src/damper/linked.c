@@ -1,6 +1,6 @@
 /* Histories of a linear structure with dampers as links. */
 #include "base/dense.h"
-#include "damper/test_run.h"
+#include "damper/run_of_test.h"
 #include "edcore.h"
 
 #include <float.h>

@@ -15,7 +15,7 @@
  * Third order in the sampling step; second order for laws whose force jumps with the velocity (a bare dashpot), first order where a
  * power of the velocity is steep at rest, and where e turns a corner of the rig inside a step; second order with damping of the rig,
  * whose force takes the rate at the end as it is. */
-#include "damper/test_run.h"
+#include "damper/run_of_test.h"
 #include "damper/rig.h"
 
 #include <float.h>

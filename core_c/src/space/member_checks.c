@@ -1,8 +1,8 @@
 /* Utilisation of steel members by EN 1993-1-1 and EN 1998-1: combinations x members x stations x checks in one pass.
  *
- * The clauses are those of edesign/codes/ec3; tests compare both. The pass is written here again because a search of sections runs it
- * thousands of times, and arrays of numpy take about ten times as long. Combinations with the same factors (directions have no sign) are
- * evaluated once. */
+ * The clauses are those of edesign/codes/ec3; tests/unit/space/test_member_checks.py compares both. The pass is written here
+ * again because a search of sections runs it thousands of times, and arrays of numpy take about ten times as long.
+ * Combinations with the same factors (directions have no sign) are evaluated once. */
 #include "base/clones.h"
 #include "edcore.h"
 #include "space/annex_a.h"

@@ -1,14 +1,16 @@
-"""Where an effect is adopted: every gate, in the order in which docs/theory/calibration.md lists them.
+"""Where an effect is adopted: every gate. docs/theory/calibration.md explains the steps.
 
     rule of adoption   `sure`: tests that are left out are predicted significantly better
-    search, step 5     `Adoption.pruned`: an effect is needed beside the others, is of some size (`insignificant`),
-                       explains more than instruments see, and is no error of the equations of others (`_identified`)
-    search, step 6     `Adoption.best_of`: the best of what is left
-    search, step 7     `Adoption.in_place`: another effect in the place of one; no set of effects twice
-    after the search   `kept`: no interval of a size holds zero; `placed`, `validated`, `misleads`: what the validation
-                       tests say, which have chosen nothing so far
+    search, step 5     `Adoption.pruned`: an effect explains more than instruments see, is needed beside the others, is
+                       of some size (`insignificant`), and is no error of the equations of others
+    search, step 6     `Adoption.best_of`: of the candidates that are sure and identified, each with the best form and
+                       pruned, the one that gains most; no set of effects twice
+    search, step 7     `Adoption.in_place`: another effect in the place of one
+    after the search   `kept`: no interval of a size holds zero; for tests of dampers `placed` and `validated` besides,
+                       and for all campaigns `misleads`: what the validation tests say, which have chosen nothing so far
 
-The numbers are those of `settings.py` beside this file. Words for people are made in `results`.
+The numbers are those of `settings.py` beside this file and of `edesign/estimation/left_out.py`. Words for people are
+made in `results`.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Checks of a member by EN 1993-1-1 and EN 1998-1: from its forces under a combination to its utilisation.
 
-The pass of `edesign.core` computes the same for all members and combinations at once; tests compare all branches.
+`edesign.core.member_checks` computes the same for all members and combinations at once;
+tests/unit/space/test_member_checks.py compares all branches.
 """
 
 from __future__ import annotations

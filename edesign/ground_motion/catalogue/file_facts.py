@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from edesign.ground_motion.formats.facts import Facts
-from edesign.ground_motion.formats.read import NAMING
+from edesign.ground_motion.formats.read import COMPONENT_FORMATS
 from edesign.ground_motion.peer_header import read_peer_header
 from edesign.ground_motion.peer_name import PeerName
 from edesign.project.records.records import FileFormat
@@ -30,7 +30,7 @@ def facts_of(path: Path, file_format: FileFormat) -> Facts:
         if year is not None and year < 100:
             year += 1900  # two digits are of files of the last century
         return Facts(header.event or None, year, header.station or None).over(found)
-    return NAMING[file_format].facts(path).over(found) if file_format in NAMING else found
+    return COMPONENT_FORMATS[file_format].facts(path).over(found) if file_format in COMPONENT_FORMATS else found
 
 
 def is_vertical(path: Path, label: str) -> bool:

@@ -11,7 +11,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.catalogue.candidate import Candidate, Names, Refusal, entry_of, suite_of
 from edesign.ground_motion.catalogue.file_facts import facts_of, is_vertical
 from edesign.ground_motion.catalogue.flatfile import Flatfile, read_flatfile
-from edesign.ground_motion.formats.read import component_labels, detect
+from edesign.ground_motion.formats.read import COMPONENT_FORMATS, component_labels, detect
 from edesign.ground_motion.peer_name import PeerName
 from edesign.ground_motion.sources import unreadable_folder
 from edesign.ground_motion.suite import Suite
@@ -22,7 +22,8 @@ _SUFFIXES = (*_WITHOUT_COMPONENT, ".ns", ".ew", ".ns1", ".ew1", ".ns2", ".ew2")
 _VERTICAL_SUFFIXES = (".ud", ".ud1", ".ud2")
 _TABLES = (".csv", ".tsv", ".txt", ".dat", ".acc")
 _PEER_TABLE = ".time_acc.csv"
-ENDINGS = (*_SUFFIXES, *_TABLES, *_VERTICAL_SUFFIXES)
+_OF_FORMATS = (suffix for one in COMPONENT_FORMATS.values() for suffix in one.suffixes)
+ENDINGS = tuple(dict.fromkeys((*_SUFFIXES, *_TABLES, *_VERTICAL_SUFFIXES, *_OF_FORMATS)))
 """Endings of files that may be records; all others are passed over."""
 
 

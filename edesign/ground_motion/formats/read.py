@@ -35,7 +35,7 @@ from edesign.project.records.record_tables import Layout
 from edesign.project.records.records import FileFormat
 from edesign.tables.text import is_number
 
-NAMING: dict[FileFormat, RecordFormat] = {
+COMPONENT_FORMATS: dict[FileFormat, RecordFormat] = {
     "cosmos": cosmos.FORMAT,
     "smc": smc.FORMAT,
     "geonet": geonet.FORMAT,
@@ -54,7 +54,7 @@ NAMING: dict[FileFormat, RecordFormat] = {
 
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
-    **{name: one.title for name, one in NAMING.items()},
+    **{name: one.title for name, one in COMPONENT_FORMATS.items()},
     "sac": "binary SAC",
     "table": "columns of text (.csv, .txt, .dat, .acc)",
 }
@@ -62,7 +62,7 @@ FORMATS: dict[FileFormat, str] = {
 
 _SUFFIXES: dict[str, FileFormat] = {
     **dict.fromkeys((".at2", ".vt2", ".dt2"), "at2"),
-    **{suffix: name for name, one in NAMING.items() for suffix in one.suffixes},
+    **{suffix: name for name, one in COMPONENT_FORMATS.items() for suffix in one.suffixes},
     **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; warnings begin far earlier
@@ -129,7 +129,7 @@ def read_record_file(
     elif found == "at2":
         record = at2.read_at2(path, name)
     else:
-        record = NAMING[found].read(path, component, name)
+        record = COMPONENT_FORMATS[found].read(path, component, name)
     low, high = _POSSIBLE_PGA
     if record.pga > high or 0.0 < record.pga < low:
         raise InputError(
@@ -144,7 +144,7 @@ def component_labels(path: Path, file_format: FileFormat) -> tuple[str, ...]:
     Raises:
         InputError: what the reader of the format finds.
     """
-    known = NAMING.get(file_format)
+    known = COMPONENT_FORMATS.get(file_format)
     return tuple(channel.label for channel in known.channels(path)) if known is not None and known.several else ()
 
 
@@ -157,7 +157,7 @@ def _known(path: Path, file_format: FileFormat) -> FileFormat:
 
 def names_components(file_format: FileFormat) -> bool:
     """Return whether the files of a format name their components."""
-    return file_format in NAMING or file_format == "sac"
+    return file_format in COMPONENT_FORMATS or file_format == "sac"
 
 
 def format_by_marks(path: Path) -> FileFormat | None:
@@ -169,7 +169,7 @@ def format_by_marks(path: Path) -> FileFormat | None:
     if sac.is_sac(path):
         return "sac"
     head = [line[:_WIDTH] for line in read_lines(path)[:_HEAD]]
-    marked = next((file_format for file_format, one in NAMING.items() if one.fits(head)), None)
+    marked = next((file_format for file_format, one in COMPONENT_FORMATS.items() if one.fits(head)), None)
     return "at2" if marked is None and at2.has_header(head) else marked
 
 

@@ -17,7 +17,7 @@ from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.tables.column import Column, col, text
-from edesign.report.tables.places import Analysis, Place, at, places
+from edesign.report.tables.items import Analysis, Place, at, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, MRAD, ONE, PERCENT, S, T, Unit
 

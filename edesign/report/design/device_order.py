@@ -10,7 +10,7 @@ from edesign.assess.devices import DeviceDemand, device_demand
 from edesign.assess.sets import HistorySet
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.tables.column import Column, col, count, text
-from edesign.report.tables.places import Place, places
+from edesign.report.tables.items import Place, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT, Unit
 

@@ -16,8 +16,8 @@ from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.response.histories import names_of
 from edesign.report.tables.column import col, count, text
+from edesign.report.tables.items import Analysis, Place, at, overall, places
 from edesign.report.tables.number import significant
-from edesign.report.tables.places import Analysis, Place, at, overall, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, PERCENT, S
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.archive.dataset import Group
 from edesign.report.tables.column import Column, count
-from edesign.report.tables.places import Place
+from edesign.report.tables.items import Place
 
 STOREY: Column[Place] = count("storey", lambda storey: int(storey.name))
 MODE: Column[Place] = count("mode", lambda mode: int(mode.name))

@@ -18,7 +18,7 @@ from edesign.report.design.storeys import STOREY, heading
 from edesign.report.design.viscous_tables import kilonewtons, viscous_damping_table, viscous_storeys_table
 from edesign.report.tables.cell import Quantity, Value, yes_or_no
 from edesign.report.tables.column import Column, col, count, literal, text, verdict
-from edesign.report.tables.places import Place, at, places
+from edesign.report.tables.items import Place, at, places
 from edesign.report.tables.table import MORE, Table, TableSpec
 from edesign.report.tables.unit import CM, DEGC, KN, KN_PER_M, M2, MM, ONE, PERCENT, S, Unit
 

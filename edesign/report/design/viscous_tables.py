@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.archive.dataset import Group
 from edesign.report.design.storeys import MODE, STOREY, heading
 from edesign.report.tables.column import col
-from edesign.report.tables.places import Place, at, places
+from edesign.report.tables.items import Place, at, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN_PER_M, MM, PERCENT, S, Unit
 

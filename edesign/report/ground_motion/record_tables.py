@@ -17,8 +17,8 @@ from edesign.ground_motion.record_choice import choice_lines
 from edesign.ground_motion.sources import is_simulated
 from edesign.report.tables.cell import Listed, Quantity, Verdict
 from edesign.report.tables.column import Column, col, text, verdict
+from edesign.report.tables.items import Analysis
 from edesign.report.tables.number import significant
-from edesign.report.tables.places import Analysis
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import M_S, MM, MM_S, ONE, PERCENT, G, M, S, Unit
 from edesign.study.results.kinds import RECORDS

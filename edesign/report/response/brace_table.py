@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.tables.column import col, text
-from edesign.report.tables.places import Place, at
+from edesign.report.tables.items import Place, at
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, MM, ONE, Unit
 

@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.energy import final_energies, share_of_input
 from edesign.assess.envelopes import peak
 from edesign.report.tables.column import col, count, text
-from edesign.report.tables.places import Analysis, Place, at, largest, overall, places
+from edesign.report.tables.items import Analysis, Place, at, largest, overall, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KJ, KN, KN_MM, MM, ONE, PERCENT
 

@@ -10,7 +10,7 @@ from edesign.building.footings import DIRECTIONS
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text
-from edesign.report.tables.places import Analysis, Place, at, attribute, places
+from edesign.report.tables.items import Analysis, Place, at, attribute, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KJ, M_S, MM, MPA, MS, ONE, PERCENT, S, Unit
 

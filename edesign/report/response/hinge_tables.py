@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from edesign.archive.dataset import Group
 from edesign.report.tables.cell import Quantity, Value
 from edesign.report.tables.column import col, text
-from edesign.report.tables.places import Place, at, largest, most_in_any, places
+from edesign.report.tables.items import Place, at, largest, most_in_any, places
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KN, KN_M, MM, MN_M_RAD, MRAD, ONE, PERCENT, Unit

@@ -12,7 +12,7 @@ from edesign.project.notation.names import line_name
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text
-from edesign.report.tables.places import Place, at
+from edesign.report.tables.items import Place, at
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, KN_M, MM, ONE, PERCENT, M
 

@@ -18,7 +18,6 @@ import numpy as np
 
 from edesign.building.sections.section_class import section_class
 from edesign.building.sections.steel_section import SteelSection, steel_section
-from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.member import Stability
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
@@ -45,6 +44,7 @@ from edesign.space.analysis.effects import Effects, largest
 from edesign.space.analysis.response import STATIONS
 from edesign.space.checks.buckling_moments import FreeBeamMoments, FreeBeams
 from edesign.space.checks.capacity import Overstrength, bends_about_y
+from edesign.space.checks.steel_member import SteelMember
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, Axis, Member, SpaceFrame
 

@@ -15,7 +15,7 @@ from edesign.assess import measures, quantities
 from edesign.assess.requirement import MAKERS
 from edesign.calibration.dampers.effects import TABLES
 from edesign.file_kinds.kinds import YAML_KINDS
-from edesign.ground_motion.formats.read import FORMATS, NAMING
+from edesign.ground_motion.formats.read import COMPONENT_FORMATS, FORMATS
 from edesign.project.criteria.criteria import Criterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
 from edesign.project.criteria.measures import MEASURES
@@ -81,8 +81,8 @@ def test_links_and_files_that_are_named_are_there(name: str) -> None:
 def test_contributing_names_what_a_newcomer_must_change() -> None:
     """The lists that it names are those of the code."""
     paper = text("CONTRIBUTING.md")
-    assert TABLES and all(f"`{name}`" in paper for name in ("TABLES", "NAMING", "FileFormat"))
-    assert NAMING.keys() <= FORMATS.keys() == set(get_args(FileFormat))
+    assert TABLES and all(f"`{name}`" in paper for name in ("TABLES", "COMPONENT_FORMATS", "FileFormat"))
+    assert COMPONENT_FORMATS.keys() <= FORMATS.keys() == set(get_args(FileFormat))
 
 
 def test_the_recipes_of_a_criterion_and_a_kind_of_file_name_what_is_there() -> None:

@@ -1,6 +1,6 @@
 /* One test of a damper at a time: its force under samples of a motion, from rest or from what the test before left in the specimen. */
-#ifndef ED_TEST_RUN_H
-#define ED_TEST_RUN_H
+#ifndef ED_RUN_OF_TEST_H
+#define ED_RUN_OF_TEST_H
 
 #include "damper/stepper.h"
 

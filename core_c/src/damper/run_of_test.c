@@ -1,5 +1,5 @@
 /* Where a history begins, and what passes from one to the next. */
-#include "damper/test_run.h"
+#include "damper/run_of_test.h"
 
 #include "edcore.h"
 

@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 
 from edesign.building.sections.section_class import section_class
 from edesign.building.sections.steel_section import steel_section
-from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3.member import Stability
 from edesign.codes.ec3.utilisation import ForcesAlong, utilisation
 from edesign.codes.trace import Step, Trace
@@ -31,6 +30,7 @@ from edesign.core.member_checks import (
     member_checks,
 )
 from edesign.errors import InputError
+from edesign.space.checks.steel_member import SteelMember
 
 ALL = mask(*Check)
 S275 = 275e6
