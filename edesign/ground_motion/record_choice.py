@@ -159,7 +159,7 @@ def choose(
     periods = selection_periods(target.set_rules, T_1, options)
     found = gather(spec, project, periods, MatchOptions(method="scale", periods=fit_band))
     if not found.candidates:
-        raise InputError(f"there are no candidates [E-MATCH-07]{_why(found.refused)}{_looked_for(spec, project)}")
+        raise InputError(f"there are no candidates{_why(found.refused)}{_looked_for(spec, project)} [E-MATCH-07]")
     checksum = _checksum(found, periods, target, T_1, spec.choose, options)
     kept = list(range(len(found.candidates)))
     if earlier is not None and earlier.checksum != checksum:
@@ -173,7 +173,8 @@ def choose(
             periods, found.spectra[kept], found.pgas[kept], target, T_1, spec.choose, options, events, stations
         )
     except InputError as error:
-        raise InputError(f"{error}{_why(found.refused)}") from error
+        message, _, code = str(error).rpartition(" [")
+        raise InputError(f"{message}{_why(found.refused)} [{code}") from error
     if earlier is not None:
         chosen = replace(chosen, exhaustive=earlier.exhaustive)
     names = {compared[i].name: compared[i] for i in chosen.chosen}

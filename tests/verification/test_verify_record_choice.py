@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.messages import says
 
 from edesign.codes.ec8 import SET_RULES, ElasticSpectrum, national_parameters
 from edesign.errors import InputError
@@ -111,9 +112,7 @@ def test_one_of_each_station_and_event(folder: Path, motions: dict[str, np.ndarr
     by_event = chosen(folder, 4, scaling="individual", scale_bounds=wide, max_per_event=1)
     assert tuple(by_station.candidates) == best_of_all(motions, 4, wide, stations)[0]
     assert tuple(by_event.candidates) == best_of_all(motions, 4, wide, events)[0]
-    with pytest.raises(
-        InputError, match="5 records are wanted, but only 4 of 11 can be had, with at most 1 of an event"
-    ):
+    with pytest.raises(InputError, match="5 .* 4 of 11 .* 1 of an event .E-MATCH-07"):
         chosen(folder, 5, max_per_event=1)
 
 
@@ -149,7 +148,7 @@ def test_the_band_follows_T1_or_is_given(folder: Path) -> None:
     assert of_T1.band == pytest.approx((0.2, 0.6)) and given.band == (0.2, 0.6)
     assert of_T1.factors == pytest.approx(dict(given.factors), rel=1e-9)
     assert of_T1.fit_band == pytest.approx((0.08, 0.8))  # what EC8 checks, 0.2 T1 to 2 T1
-    with pytest.raises(InputError, match="`periods` from 1 s to 0.8 s, with T_1 = 0.4 s, do not rise"):
+    with pytest.raises(InputError, match="1 s to 0.8 s, with T_1 = 0.4 s, .*E-MATCH-04"):
         chosen(folder, 3, periods=("1 s", "2 T_1"))
 
 
@@ -179,11 +178,10 @@ def test_too_few_candidates_are_reported_with_what_was_left_out(tmp_path: Path) 
     (tmp_path / "all" / "bad.AT2").write_text("nothing\n")
     with pytest.raises(InputError) as caught:
         chosen(tmp_path, 3)
-    assert "3 records are wanted, but only 1 of 1 can be had" in str(caught.value)
-    assert "left out: bad: all/bad.AT2:1:" in str(caught.value)
+    assert says(str(caught.value), "3 1 of 1 left out: bad: all/bad.AT2:1: E-MATCH-07")
     (tmp_path / "all" / "one.AT2").unlink()
-    with pytest.raises(InputError, match="there are no candidates\n    left out: bad"):
+    with pytest.raises(InputError, match=r"\n    left out: bad(.|\n)*E-MATCH-07"):
         chosen(tmp_path, 3)
     (tmp_path / "all" / "bad.AT2").unlink()
-    with pytest.raises(InputError, match=rf"looked for in {tmp_path / 'all'} and all .* files that end in \.at2, "):
+    with pytest.raises(InputError, match=rf"{tmp_path / 'all'} and all .* \.at2, .*E-MATCH-07"):
         chosen(tmp_path, 3)
