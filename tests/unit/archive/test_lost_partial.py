@@ -60,7 +60,7 @@ def test_what_is_written_again_excludes_other_runs(tmp_path: Path) -> None:
     with begun(path) as writer:
         partial_path(path).unlink()
         writer.write("analyses/b", history_group(seed=2))
-        with pytest.raises(ArchiveError, match="another run is writing this archive"):
+        with pytest.raises(ArchiveError, match="E-ARCH-04"):
             ArchiveWriter(path, ROOT)
 
 
@@ -71,7 +71,7 @@ def test_another_file_in_its_place_is_left_as_it_is(tmp_path: Path, at_the_end: 
     writer = begun(path)
     partial_path(path).unlink()
     partial_path(path).write_bytes(b"other")
-    with pytest.raises(ArchiveError, match=r"a\.h5\.partial: another file has taken the place of this one"):
+    with pytest.raises(ArchiveError, match=r"a\.h5\.partial: another file .*E-ARCH-06"):
         writer.finish() if at_the_end else writer.write("analyses/b", history_group(seed=2))
     assert partial_path(path).read_bytes() == b"other" and not path.exists()
     assert writer.partial == tmp_path / "a.h5.1.partial" and same(writer.partial, ["a"] if at_the_end else ["a", "b"])
@@ -84,7 +84,7 @@ def test_a_folder_that_was_renamed_keeps_the_file(tmp_path: Path) -> None:
     path = tmp_path / "results" / "a.h5"
     writer = begun(path)
     path.parent.rename(tmp_path / "elsewhere")
-    with pytest.raises(ArchiveError, match=r"the folder .*results was renamed or removed during the run"):
+    with pytest.raises(ArchiveError, match=r"the folder .*results .*E-ARCH-06"):
         writer.write("analyses/b", history_group(seed=2))
     assert writer.partial == tmp_path / "elsewhere" / "a.h5.partial" and same(writer.partial, ["a", "b"])
     with ArchiveWriter(tmp_path / "elsewhere" / "a.h5", ROOT, reuse=lambda *_: True) as again:
@@ -103,7 +103,7 @@ def test_no_space_to_write_it_again_is_an_error(tmp_path: Path, monkeypatch: pyt
         return real(target, flags, *mode)  # type: ignore[arg-type]
 
     monkeypatch.setattr(os, "open", full)
-    with pytest.raises(ArchiveError, match="cannot write the archive: the disk is full"):
+    with pytest.raises(ArchiveError, match="the disk is full.*E-FILE-06"):
         writer.write("analyses/b", history_group(seed=2))
     assert list(tmp_path.iterdir()) == []
 
@@ -112,6 +112,6 @@ def test_a_name_that_another_kind_of_file_took_meanwhile_is_left(tmp_path: Path)
     path = tmp_path / "a.h5"
     with begun(path) as writer:
         path.write_text("notes", encoding="utf-8")
-        with pytest.raises(ArchiveError, match="this file is no archive"):
+        with pytest.raises(ArchiveError, match="E-FILE-07"):
             writer.finish()
     assert path.read_text(encoding="utf-8") == "notes" and same(partial_path(path), ["a"])

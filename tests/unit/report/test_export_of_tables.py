@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plain_tables import plain_table
+from support.messages import says
 from unit.report.figure_archive import small_archive
 
 import edesign
@@ -226,14 +227,14 @@ def test_errors_name_tables_files_and_packages(
         assert main(["export", str(archive), *words]) == 2
         return capsys.readouterr().err
 
-    assert "did you mean" in said("--tables", "governing_respons", "--list")
-    assert "ends in .xlsx" in said("--xlsx", str(tmp_path / "a.csv"))
-    assert "no analysis, record or test 'nothing' has histories" in said("--histories", "nothing", "--list")
-    assert "--tables: it names nothing" in said("--tables", " , ")
+    assert says(said("--tables", "governing_respons", "--list"), "did you mean E-ARCH-07")
+    assert says(said("--xlsx", str(tmp_path / "a.csv")), "a.csv: .xlsx E-FILE-08")
+    assert says(said("--histories", "nothing", "--list"), "'nothing' histories E-ARCH-07")
+    assert says(said("--tables", " , "), "--tables: E-CLI-04")
     monkeypatch.setitem(sys.modules, "xlsxwriter", None)
-    assert "edesign[tables]" in said("--xlsx", str(tmp_path / "a.xlsx"))
+    assert says(said("--xlsx", str(tmp_path / "a.xlsx")), "XlsxWriter edesign[tables] E-CLI-06")
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    assert "edesign[tables]" in said("--parquet", str(tmp_path / "p"))
+    assert says(said("--parquet", str(tmp_path / "p")), "pyarrow edesign[tables] E-CLI-06")
     assert not list(tmp_path.iterdir())
 
 
@@ -241,7 +242,7 @@ def test_a_table_that_no_sheet_takes_is_refused(tmp_path: Path) -> None:
     from edesign.report.export.workbook import MOST_ROWS, write_workbook
 
     table = ExportTable("forces", "Forces", (ExportColumn("n", "", range(MOST_ROWS)),))
-    with pytest.raises(InputError, match="table forces: 1048576 rows .* use --csv"):
+    with pytest.raises(InputError, match="table forces: 1048576 rows .*--csv.*E-CLI-07"):
         write_workbook([table], {}, tmp_path / "a.xlsx")
     assert not list(tmp_path.iterdir())
 

@@ -14,6 +14,7 @@ from building_examples import SMALL
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.path import Path as Outline
 from matplotlib.text import Text
+from support.messages import says
 
 from edesign.building.building_file import load_building
 from edesign.building.project_file import load_project, load_study
@@ -231,14 +232,10 @@ def test_check_writes_the_drawings_and_says_where(
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [
-        (["x.svg"], 2, "x.svg: `check` takes one file; a second one is the drawing of its model: add --figure"),
-        (
-            ["x.pgn", "--figure"],
-            2,
-            "model ends in .svg, .png, .pdf, .html; did you mean `.png`?",
-        ),
-        (["p.yaml", "--figure"], 2, "p.yaml: a drawing of the model ends in"),
-        (["no/x.svg", "--figure"], 4, "no/x.svg: cannot be written: the folder no does not exist"),
+        (["x.svg"], 2, "x.svg: --figure E-CLI-05"),
+        (["x.pgn", "--figure"], 2, "x.pgn: .svg, .png, .pdf, .html; did you mean `.png`? E-FILE-08"),
+        (["p.yaml", "--figure"], 2, "p.yaml: E-FILE-08"),
+        (["no/x.svg", "--figure"], 4, "no/x.svg: no E-FILE-06"),
     ],
 )
 def test_drawings_that_cannot_be_written_are_refused_at_once(
@@ -247,5 +244,5 @@ def test_drawings_that_cannot_be_written_are_refused_at_once(
     monkeypatch.chdir(tmp_path)
     Path("p.yaml").write_text("edesign: 1\n", encoding="utf-8")
     assert main(["check", "p.yaml", *words]) == code
-    assert said in capsys.readouterr().err
+    assert says(capsys.readouterr().err, said)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["p.yaml"]

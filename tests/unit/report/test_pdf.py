@@ -228,12 +228,12 @@ def test_nothing_is_fetched(tmp_path: Path, caplog: pytest.LogCaptureFixture) ->
 
 def test_errors_are_for_people(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     page = _page(LONG)
-    with pytest.raises(InputError, match=r"report\.html: the name of a PDF ends in \.pdf"):
+    with pytest.raises(InputError, match=r"report\.html: .*\.pdf.*E-FILE-08"):
         write_page_as_pdf(page, tmp_path / "report.html")
-    with pytest.raises(ArchiveError, match="the folder .* does not exist"):
+    with pytest.raises(ArchiveError, match=r"report\.pdf: .*no does not exist.*E-FILE-06"):
         write_page_as_pdf(page, tmp_path / "no" / "report.pdf")
     monkeypatch.setitem(sys.modules, "weasyprint", None)
-    with pytest.raises(InputError, match=r"pip install 'edesign\[pdf\]'"):
+    with pytest.raises(InputError, match=r"pip install 'edesign\[pdf\]'.*E-CLI-06"):
         write_page_as_pdf(page, tmp_path / "report.pdf")
 
 
@@ -243,7 +243,7 @@ def test_a_missing_library_of_the_system_is_named(tmp_path: Path, monkeypatch: p
         monkeypatch.delitem(sys.modules, name)
     (tmp_path / "weasyprint.py").write_text('raise OSError("cannot load library libpango-1.0-0\\nmore")\n')
     monkeypatch.syspath_prepend(tmp_path)
-    with pytest.raises(InputError, match=r"Pango(.|\n)*libpango-1.0-0") as raised:
+    with pytest.raises(InputError, match=r"Pango(.|\n)*libpango-1.0-0(.|\n)*E-CLI-06") as raised:
         check_pdf_engine()
     assert "more" not in str(raised.value)
     monkeypatch.delitem(sys.modules, "weasyprint", raising=False)
