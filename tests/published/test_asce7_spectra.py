@@ -62,7 +62,7 @@ def test_reduced_by_r_and_i_e() -> None:
     # 12.9.1.2, R = 8 and I_e = 1.25 of a special moment frame of risk category III: 1.057 g / 6.4 at 0.5 s
     reduced = AsceDesignSpectrum(spectrum(damping=0.02), R=8.0, I_e=1.25)
     assert float(reduced.acceleration(0.5)) / G == pytest.approx(1.057 / 6.4, abs=0.0005)
-    with pytest.raises(InputError, match="R must be at least 1"):
+    with pytest.raises(InputError, match="R must .*E-VALUE-02"):
         AsceDesignSpectrum(spectrum(), R=0.5)
 
 
@@ -89,7 +89,7 @@ def test_damping_coefficient() -> None:
 
 
 def test_a_transition_before_t_s_is_refused() -> None:
-    with pytest.raises(InputError, match="T_S <= T_L"):
+    with pytest.raises(InputError, match="T_S <= T_L .*E-VALUE-04"):
         AsceSpectrum(0.1 * G, 1.0 * G, 8.0)
 
 

@@ -119,9 +119,9 @@ def test_the_weakest_axis_governs_and_own_sections_have_their_curves() -> None:
 
 
 def test_what_is_impossible_is_refused() -> None:
-    with pytest.raises(InputError, match="no buckling curve `e`"):
+    with pytest.raises(InputError, match="`e`.*E-NAME-01"):
         reduction_factor(1.0, "e")
-    with pytest.raises(InputError, match="negative"):
+    with pytest.raises(InputError, match=" -1 .*E-VALUE-02"):
         reduction_factor(-1.0, "a")
     with pytest.raises(InputError, match="length: 0 .*E-VALUE-02"):
         critical_force(E, 1e-5, 0.0)

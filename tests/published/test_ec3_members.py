@@ -257,5 +257,5 @@ def test_axial_force_and_bending() -> None:
 def test_class_4_is_refused_by_name() -> None:
     slender = section_class(steel_section("IPE600"), 460e6, N_Ed=-1.0, about_y=False)
     assert slender.number == 4
-    with pytest.raises(InputError, match=r"C_A1_1: IPE600 is of class 4, allowed is 3: c/t of its web is 42\.8"):
+    with pytest.raises(InputError, match=r"C_A1_1: IPE600 .* 4, .* 3: .* 42\.8.*E-EC3-03"):
         slender.required(3, "C_A1_1: ")

@@ -133,7 +133,7 @@ def test_a_target_that_only_the_strain_on_the_way_forbids_is_found() -> None:
     assert group.attributes["loss_factor"] > 0.32 and group.attributes["strain"] < 0.35
     project = shear_project(STOREYS)
     spec = design(f"{COMMON}, method: strain_energy, damping: 30 %, strain: spectrum", project)
-    with pytest.raises(InputError, match="whatever the strain of the dampers, a damping of 30 % is a target no damper"):
+    with pytest.raises(InputError, match="whatever the strain .* 30 % .*E-DESIGN-04"):
         run_design(project, "tried", spec, Path("."))
 
 

@@ -108,7 +108,7 @@ def test_loops_are_the_steady_cycles_of_the_core(name: str, values: tuple[float,
 
 def test_every_law_that_may_be_named_can_be_sized() -> None:
     assert set(HYSTERETIC_LAWS) == {*VALUES, "buckling_restrained"}  # test_verify_restrained_design.py
-    with pytest.raises(InputError, match="kelvin_voigt cannot be sized by its yield or slip force; `friction`"):
+    with pytest.raises(InputError, match="kelvin_voigt .*`friction`.*E-DESIGN-03"):
         hysteresis(LawValues("kelvin_voigt", (1.0, 1.0)))
 
 
@@ -157,9 +157,7 @@ def test_largest_damping_is_at_the_optimum_strength_ratio(ratio: float) -> None:
     sizing = made.make(0.999999 * limit)
     share = sizing.size[0] / (sizing.size[0] + STIFFNESS * 0.04)
     assert share == pytest.approx(1.0 - 1.0 / root, rel=3e-3)  # flat at the top: 1e-6 of damping is 1e-3 of force
-    with pytest.raises(
-        InputError, match=rf"a target these .* has {100.0 * limit:.4g} % at most, .* {ratio:g} times as"
-    ):
+    with pytest.raises(InputError, match=rf" {100.0 * limit:.4g} % at most, .* {ratio:g} times .*E-DESIGN-04"):
         run(f"damping: {101.0 * limit} %, {text}", shear(1))
 
 
@@ -175,9 +173,9 @@ def test_least_force_of_two() -> None:
 
 
 def test_dampers_that_do_not_yield() -> None:
-    with pytest.raises(InputError, match="they yield at 2.5 mm, more than they deform at the amplitude of the design"):
+    with pytest.raises(InputError, match="yield at 2.5 mm.*E-DESIGN-04"):
         run("law: steel, damping: 5 %, amplitude: {roof_displacement: 2 mm}", shear(1))
-    with pytest.raises(InputError, match="their law `elastic` dissipates nothing"):
+    with pytest.raises(InputError, match="`elastic` .*E-DESIGN-03"):
         run("law: elastic, damping: 5 %, level: DBE", shear(1))
 
 

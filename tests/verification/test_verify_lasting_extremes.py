@@ -108,5 +108,5 @@ def test_a_campaign_says_whether_extremes_last(tmp_path: Path) -> None:
     assert campaign.law is not None and campaign.law.extremes == "lasting"
     assert damper_problem(campaign).lasting
     path.write_text(path.read_text(encoding="utf-8").replace("lasting", "for ever"), encoding="utf-8")
-    with pytest.raises(InputError, match="fresh"):
+    with pytest.raises(InputError, match="fresh.*E-VALUE-03"):
         load_campaign(path)

@@ -176,16 +176,16 @@ def test_rebound_from_a_stop(speed: float) -> None:
 @pytest.mark.parametrize(
     ("law", "wrong", "message"),
     [
-        ("bilinear_oil", {"p": 1.5}, "p = 1.5 is out of range"),
+        ("bilinear_oil", {"p": 1.5}, "p = 1.5 .*E-LAW-03"),
         ("asymmetric_viscous", {"c_minus": 0.0}, "c_minus = 0"),
         ("lead_rubber", {"Q": -1.0}, "Q = -1"),
-        ("friction_pendulum", {"f_fast": 0.01}, "f_fast = 0.01 is not allowed: at least f_slow"),
+        ("friction_pendulum", {"f_fast": 0.01}, "f_fast = 0.01 .* f_slow.*E-CORE-02"),
         ("self_centring", {"beta": 1.2}, "beta = 1.2"),
-        ("gap", {"side": 0.5}, "side = 0.5 is out of range: -1, 0 or 1 is allowed"),
+        ("gap", {"side": 0.5}, "side = 0.5 .*: -1, 0 or 1 .*E-LAW-03"),
     ],
 )
 def test_wrong_parameters_are_refused(law: str, wrong: dict[str, float], message: str) -> None:
-    with pytest.raises((InputError, CoreError), match=message.replace(".", r"\.")):
+    with pytest.raises((InputError, CoreError), match=message):
         assert Damper(LAWS[law], EXAMPLES[law] | wrong).core
 
 

@@ -131,30 +131,26 @@ def test_series_by_an_independent_integrator(name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "values", "part"),
     [
-        ("kelvin_voigt", [-1.0, C0], "k = -1 is not allowed"),
-        ("kelvin_voigt", [K0, -2.0], "c = -2 is not allowed"),
-        ("kelvin_voigt", [K0], "number of parameters = 1 is not allowed: k, c"),
-        ("zener", [K0, 0.0, C1], "k1 = 0 is not allowed"),
-        ("zener", [K0, K1, 0.0], "c1 = 0 is not allowed"),
-        ("zener", [-3.0, K1, C1], "k0 = -3 is not allowed"),
-        ("zener", [K0, 1e200, 1e-200], "relaxation rate = inf is not allowed"),
+        ("kelvin_voigt", [-1.0, C0], "k = -1"),
+        ("kelvin_voigt", [K0, -2.0], "c = -2"),
+        ("kelvin_voigt", [K0], "number of parameters = 1"),
+        ("zener", [K0, 0.0, C1], "k1 = 0"),
+        ("zener", [K0, K1, 0.0], "c1 = 0"),
+        ("zener", [-3.0, K1, C1], "k0 = -3"),
+        ("zener", [K0, 1e200, 1e-200], "relaxation rate = inf"),
         ("generalised_maxwell", [K0, K1, C1, K1], "number of parameters = 4"),
-        ("generalised_maxwell", [K0, K1, C1, K1, -7.0], "c2 = -7 is not allowed"),
-        (
-            "generalised_maxwell",
-            [K0] + [K1, C1] * 17,
-            "number of parameters = 35 is not allowed: k0, then k, c of each of 1 to 16 branches",
-        ),
-        ("viscous", [0.0], "c = 0 is not allowed"),
-        ("maxwell", [0.0, LAMBDA], "c0 = 0 is not allowed"),
-        ("maxwell", [C0, -0.5], "lambda = -0.5 is not allowed"),
-        ("linearised", [0.0, 0.1, 1.0], "k_eff = 0 is not allowed"),
-        ("linearised", [K0, -0.1, 1.0], "zeta_eff = -0.1 is not allowed"),
-        ("linearised", [K0, 0.1, 0.0], "omega = 0 is not allowed"),
-        ("viscous_power", [0.0, 0.5], "c = 0 is not allowed"),
-        ("viscous_power", [C0, 2.5], "alpha = 2.5 is not allowed"),
+        ("generalised_maxwell", [K0, K1, C1, K1, -7.0], "c2 = -7"),
+        ("generalised_maxwell", [K0] + [K1, C1] * 17, "number of parameters = 35"),
+        ("viscous", [0.0], "c = 0"),
+        ("maxwell", [0.0, LAMBDA], "c0 = 0"),
+        ("maxwell", [C0, -0.5], "lambda = -0.5"),
+        ("linearised", [0.0, 0.1, 1.0], "k_eff = 0"),
+        ("linearised", [K0, -0.1, 1.0], "zeta_eff = -0.1"),
+        ("linearised", [K0, 0.1, 0.0], "omega = 0"),
+        ("viscous_power", [0.0, 0.5], "c = 0"),
+        ("viscous_power", [C0, 2.5], "alpha = 2.5"),
     ],
 )
 def test_refused(name: str, values: list[float], part: str) -> None:
-    with pytest.raises(CoreError, match=part):
+    with pytest.raises(CoreError, match=f"{part} .*E-CORE-02"):
         CoreDamper(name, values)

@@ -106,7 +106,7 @@ def test_nothing_is_dissipated_before_yielding() -> None:
     loop = hysteresis(LawValues("buckling_restrained", VALUES))
     elastic = np.linspace(0.01, 1.0, 100) * loop.yield_force / loop.stiffness
     assert np.all(loop.energy(elastic) == 0.0)
-    with pytest.raises(InputError, match="more than they deform at the amplitude of the design"):
+    with pytest.raises(InputError, match="yield at .*E-DESIGN-04"):
         run(f"{RISING}, damping: 5 %, level: DBE, amplitude: {{drift: 0.05 %}}")
 
 
@@ -213,8 +213,8 @@ def test_a_strain_beyond_the_values_of_the_manufacturer_is_reported() -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("kind: chevron, bays: 1", "designs.tried.kind: `chevron` acts horizontally, and a buckling-restrained brace"),
-        ("kind: rising, bays: 1, brace: {ratio: 5}", "designs.tried.brace: the ends of a buckling-restrained brace"),
+        ("kind: chevron, bays: 1", "designs.tried.kind: `chevron` .*E-DAMPER-05"),
+        ("kind: rising, bays: 1, brace: {ratio: 5}", "designs.tried.brace: .*E-KEY-03"),
     ],
 )
 def test_a_law_of_a_file_is_refused_as_one_of_the_project(tmp_path: Path, text: str, said: str) -> None:

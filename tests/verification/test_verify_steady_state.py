@@ -115,7 +115,7 @@ def test_temperature_rows() -> None:
     damper = Damper(LAWS["kelvin_voigt"], {"k": 8e6, "c": 1e5})
     found = predict(damper, UNIT, 0.01, 1.0, [20.0, 30.0, 30.0])
     assert len(found.warnings) == 1 and "30 degC" in found.warnings[0]
-    with pytest.raises(InputError, match="greater than zero"):
+    with pytest.raises(InputError, match="E-PROPS-03"):
         predict(damper, UNIT, 0.01, 0.0)
 
 

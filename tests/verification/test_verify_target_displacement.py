@@ -104,7 +104,7 @@ def test_the_target_fits_its_own_idealisation() -> None:
 def test_targets_too_small_for_the_curve_are_refused() -> None:
     with pytest.raises(InputError, match="1e-09 of the 1 m .*E-EC8-06"):
         n2.target_displacement(elastoplastic(0.1), n2.Oscillator(MASS, 1.0), Hyperbola(1e-12), 0.5)
-    with pytest.raises(InputError, match="the roof is 1e-200 of the largest one"):
+    with pytest.raises(InputError, match=" 1e-200 .*E-EC8-06"):
         n2.equivalent_oscillator(np.array([1.0, 1e-200]), np.ones(2))
 
 
