@@ -36,7 +36,7 @@ Kind = Literal[
     "feet_apart",
 ]
 
-ALIKE: Mapping[Kind, str] = {
+COMMON: Mapping[Kind, str] = {
     "energy_error": "the energy balance is not reliable",
     "damper_strain": "dampers strain beyond the tests of their law",
     "strain_limit": "dampers strain beyond their strain limit",
@@ -49,7 +49,7 @@ ALIKE: Mapping[Kind, str] = {
     "hinge_axial": "hinges do not know the axial forces of their columns",
     "isolator_foot_moments": "axial forces of isolators leave out moments of column bases that go into the ground",
     "isolator_height": "the base lacks moments of axial forces and displacement of isolators",
-    "isolator_tension": "isolators that are held down are pulled",
+    "isolator_tension": "isolators that cannot lift off are pulled",
     "isolator_uplift": "friction pendulums lose contact",
     "isolator_weight": "friction pendulums slide as under the weight of gravity alone",
     "target_range": "capacity curves end before 150 % of the target displacement",
@@ -67,7 +67,7 @@ class AnalysisWarning:
     """A warning about the result of an analysis.
 
     Attributes:
-        kind: a key of `ALIKE`.
+        kind: a key of `COMMON`.
         text: a sentence without its full stop, with the numbers.
         ratio: the value over the one from which there is a warning, to find the worst of several analyses.
     """
@@ -96,7 +96,7 @@ def warnings_of(group: Group) -> list[AnalysisWarning]:
     return [
         AnalysisWarning(item["kind"], str(item["text"]), float(item["ratio"]))
         for item in items
-        if isinstance(item, Mapping) and item.get("kind") in ALIKE
+        if isinstance(item, Mapping) and item.get("kind") in COMMON
     ]
 
 
@@ -111,7 +111,7 @@ def warning_lines(groups: Mapping[str, Group]) -> list[str]:
         if grouped.count == 1:
             lines.append(f"{grouped.worst}: {grouped.text}")
         else:
-            where = f"in {grouped.count} of {len(groups)} analyses {grouped.alike}"
+            where = f"in {grouped.count} of {len(groups)} analyses {grouped.common}"
             lines.append(f"{where}, most in {grouped.worst}: {grouped.text}")
     return lines
 
@@ -123,20 +123,20 @@ class GroupedWarning:
     Attributes:
         worst: the analysis that has the worst of them, or the only one.
         count: analyses that have such warnings.
-        alike: what these have in common.
+        common: what these analyses have in common.
         text: of the worst.
     """
 
     worst: str
     count: int
-    alike: str
+    common: str
     text: str
 
 
 def grouped_warnings(groups: Mapping[str, Group]) -> list[GroupedWarning]:
     """Return the warnings of analyses, grouped by kind where several analyses have them."""
     found = []
-    for kind, alike in ALIKE.items():
+    for kind, common in COMMON.items():
         each = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}
         each = {name: several for name, several in each.items() if several}
         if not each:
@@ -144,5 +144,5 @@ def grouped_warnings(groups: Mapping[str, Group]) -> list[GroupedWarning]:
         worst = max(each, key=lambda name: max(warning.ratio for warning in each[name]))
         texts = [warning.text for warning in each[worst]]
         for text in texts if len(each) == 1 else ["; ".join(texts)]:
-            found.append(GroupedWarning(worst, len(each), alike, text))
+            found.append(GroupedWarning(worst, len(each), common, text))
     return found

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.study.results.warnings import ALIKE
+from edesign.study.results.warnings import COMMON
 from tools import doc_names
 
 HERE = doc_names.ROOT / "docs" / "theory" / "core.md"
@@ -74,4 +74,4 @@ def test_every_warning_about_a_result_stands_on_its_page() -> None:
     page = (doc_names.ROOT / "docs" / "reference" / "validity.md").read_text(encoding="utf-8")
     rows = page.partition("## Warnings about a result")[2].partition("\n**Buckling.**")[0]
     reported = {name for _, name in doc_names.spans(re.sub(r"(?m)^(\| [^|]+\|).*$", r"\1", rows))}
-    assert reported == {*ALIKE, "kind"}
+    assert reported == {*COMMON, "kind"}

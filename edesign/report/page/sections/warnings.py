@@ -50,7 +50,7 @@ def warning_table(source: Source) -> Table:
             rows.append((grouped.worst, _sentence(grouped.text)))
         else:
             where = f"{grouped.count} of {len(source.groups)} analyses"
-            rows.append((where, _sentence(f"{grouped.alike}; most in {grouped.worst}: {grouped.text}")))
+            rows.append((where, _sentence(f"{grouped.common}; most in {grouped.worst}: {grouped.text}")))
     return WARNINGS.of(rows)
 
 
