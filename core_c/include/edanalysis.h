@@ -108,8 +108,8 @@ int ed_history_force(ed_analysis *analysis, int n_terms, const int *node, const 
  * is between both. A start that is not the last end is a jump, with which accelerations jump. Its work counts as input. On supports it
  * goes into the reactions. */
 int ed_history_set_force(ed_analysis *analysis, int force, double start, double end);
-/* A held degree (0 ux, 1 uy, 2 rz) of a node, and those tied to it, move from rest relative to the ground: n+1 samples as many as those of
- * the ground, the first displacement and velocity 0. Within a step the displacement is the cubic through both ends. Between
+/* A supported degree (0 ux, 1 uy, 2 rz) of a node, and those tied to it, move from rest relative to the ground: n+1 samples as many as
+ * those of the ground, the first displacement and velocity 0. Within a step the displacement is the cubic through both ends. Between
  * ed_history_begin and the first step. Damping acts on what moves beyond the structure that follows supports slowly; what moves them
  * is input. The degree stays where it is in the end. */
 int ed_history_support(ed_analysis *analysis, int node, int degree, const double *displacement, const double *velocity,

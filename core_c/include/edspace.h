@@ -19,14 +19,14 @@ typedef struct ed_space ed_space;
 #define ED_SPACE_PROPERTIES 8
 
 /* What a frame is made of; read only by ed_space_new. ux, uy and rz of the nodes of a floor follow the floor's master, at its place in
- * plan, as a rigid body. A node of a floor may be held in rz, and then, or where it lies on the axis of the master, in ux and uy. */
+ * plan, as a rigid body. A node of a floor may be restrained in rz, and then, or where it lies on the axis of the master, in ux and uy. */
 typedef struct {
   int n_nodes, n_floors, n_members;
   const char *const *node_name, *const *member_name; /* for messages */
   const double *coordinates; /* n_nodes x 3, m */
   const int *node_floor;     /* n_nodes: 0 .. n_floors - 1, -1: none */
   const double *masters;     /* n_floors x 2: x, y, m */
-  const int *fixed;          /* n_nodes x 6: held */
+  const int *fixed;          /* n_nodes x 6: restrained */
   const double *springs;     /* n_nodes x 6: to the ground, >= 0; N/m and N m/rad */
   const int *start, *end;    /* n_members: nodes */
   const double *web;         /* n_members x 3, of length 1 and at right angles to the member */
@@ -43,7 +43,7 @@ void ed_space_free(ed_space *space);
 const char *ed_space_message(const ed_space *space); /* the last error, for people */
 int ed_space_n_equations(const ed_space *space);
 int ed_space_n_nonzeros(const ed_space *space); /* of the stiffness */
-/* Equation of each degree of the nodes (6 n_nodes), then of Ux, Uy, Rz of each master (3 n_floors); -1: held, or follows a master. */
+/* Equation of each degree of the nodes (6 n_nodes), then of Ux, Uy, Rz of each master (3 n_floors); -1: restrained, or follows a master. */
 void ed_space_equations(const ed_space *space, int *equation);
 
 /* New properties (n x ED_SPACE_PROPERTIES) of n members, and new factors without a new symbolic analysis. After an error nothing has
@@ -60,8 +60,8 @@ typedef struct {
 } ed_space_loads;
 
 /* Static cases. nodal: n_cases x n_nodes x 6, or NULL. Results, each may be NULL but end_forces: displacements and reactions n_cases x
- * n_nodes x 6, end_forces n_cases x n_members x 12. Reactions are those of supports and springs; of a floor that is held, at the node that
- * holds it. */
+ * n_nodes x 6, end_forces n_cases x n_members x 12. Reactions are those of supports and springs; of a floor that is restrained, at the
+ * node that restrains it. */
 int ed_space_static(ed_space *space, int n_cases, const double *nodal, const ed_space_loads *loads, double *displacements,
                     double *end_forces, double *reactions);
 /* N V_y V_z T M_y M_z on the face whose outward normal is +x at stations (fractions of the length), n_cases x n_members x n_stations x 6.
@@ -131,7 +131,7 @@ enum {
   ED_V_M = 18,       /* V_Ed,M of EN 1998-1, 6.6.2(2) */
   /* of Annex A alone; its C_mi,0 is C_MY or C_MZ + C_M._N N_Ed / N_cr,i */
   ED_N_RK = 19,      /* N_Rk / gamma_M1 */
-  ED_PER_N_CR_Y = 20,        /* 1 / N_cr, 0 where the member is held */
+  ED_PER_N_CR_Y = 20,        /* 1 / N_cr, 0 where the member is restrained all along */
   ED_PER_N_CR_Z = 21,
   ED_PER_N_CR_T = 22,
   ED_CHI_Z = 23,     /* of flexural buckling */

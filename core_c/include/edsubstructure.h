@@ -32,7 +32,7 @@ typedef struct {
   double oil;            /* stiffness of its column, N/m */
   double stiffness;      /* of what stands between actuator and specimen, N/m; 0: rigid */
   int corrected;         /* the difference of both displacements is added to the command */
-  /* limits, infinite: none; a motion beyond the first two is held there */
+  /* limits, infinite: none; a motion beyond the first two is cut off there */
   double stroke;         /* m, either way */
   double velocity;       /* m/s */
   double force;          /* N */

@@ -58,7 +58,7 @@ static void check_rigid_motion(ed_element_kind kind)
   }
 }
 
-/* Ends held: the fixed-end moments and shears of a prismatic beam (any handbook). */
+/* Fixed ends: the fixed-end moments and shears of a prismatic beam (any handbook). */
 static void check_fixed_ends(ed_element_kind kind, int release_j)
 {
   member m = member_new((member_options){.kind = kind, .steel = PLASTIC, .points = 6, .release = {0, release_j}});

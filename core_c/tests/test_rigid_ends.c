@@ -29,7 +29,7 @@ static void check_stiffness(ed_element_kind kind)
   member_free(&m);
 }
 
-/* Held nodes under a uniform load: w l^2 / 12 at the faces; the arms bring its shear and their own load to the nodes. */
+/* Fixed nodes under a uniform load: w l^2 / 12 at the faces; the arms bring its shear and their own load to the nodes. */
 static void check_uniform_load(ed_element_kind kind, int geometry)
 {
   member m = rigid_member(kind, geometry, PLASTIC);

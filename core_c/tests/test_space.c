@@ -280,7 +280,7 @@ static void check_refusals(void)
   check_refused(&f, ED_E_EMPTY, "no member");
   make(&f);
   f.fixed[6 * 5] = 1;
-  check_refused(&f, ED_E_ARGUMENT, "node B1 of a diaphragm is held in ux away from its master");
+  check_refused(&f, ED_E_ARGUMENT, "node B1 of a diaphragm is restrained in ux away from its master");
   make(&f);
   f.fixed[6 * 5] = f.fixed[6 * 5 + 1] = f.fixed[6 * 5 + 5] = 1;
   check_refused(&f, ED_E_EMPTY, "no free degree");

@@ -101,7 +101,7 @@ static void check_ties(void)
   CHECK(last[a] > 0.0 && last[a] == last[c]);
   ed_analysis_free(analysis);
 
-  /* a support at a tied node holds all of them */
+  /* a support at a tied node supports all of them */
   ed_model_free(model);
   model = frame_model(o);
   ed_model_tie(model, frame_node(o, 1, 1), frame_node(o, 0, 1), 1, 0, 0);

@@ -49,7 +49,7 @@ def _doubles(array: np.ndarray | None) -> Any:
 
 @dataclass(frozen=True)
 class SupportMotion:
-    """A held degree that moves relative to the ground, from rest.
+    """A supported degree that moves relative to the ground, from rest.
 
     Attributes:
         node: its id.
@@ -397,14 +397,14 @@ class Analysis:
             limits: by name of a channel; the run ends with status "limit" in the step in which its magnitude passes it.
             tail: how many of the last steps are kept of channels with a tail.
             energies: whether the energies of the steps that are kept are kept as well.
-            supports: held degrees that move relative to the ground.
+            supports: supported degrees that move relative to the ground.
 
         Returns:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
 
         Raises:
             ValueError: a limit belongs to no channel.
-            CoreError: a limit is not positive; a support is not held or not at rest, or the structure is unstable.
+            CoreError: a limit is not positive; a degree has no support or is not at rest, or the structure is unstable.
         """
         ground = np.ascontiguousarray(ground_acceleration, dtype=float)
         other = None if vertical is None else np.ascontiguousarray(vertical, dtype=float)

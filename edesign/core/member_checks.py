@@ -84,7 +84,8 @@ class MemberConstants:
         C_my, C_mz, C_mLT: equivalent uniform moment factors.
         V_M: V_Ed,M = (M_pl,A + M_pl,B) / L of EN 1998-1, 6.6.2(2); 0 where it is not checked.
         N_Rk: A f_y / gamma_M1; this and what follows is of Annex A alone.
-        per_N_cr_y, per_N_cr_z, per_N_cr_T: 1 / N_cr of flexural and torsional buckling, 1/N; 0 where it is held.
+        per_N_cr_y, per_N_cr_z, per_N_cr_T: 1 / N_cr of flexural and torsional buckling, 1/N; 0 where it is
+            restrained all along.
         chi_z: of flexural buckling.
         elastic_y, elastic_z: W_el / W_pl.
         a_LT: 1 - I_t / I_y, at least 0.

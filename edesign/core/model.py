@@ -137,12 +137,12 @@ class Model:
         return result
 
     def fix(self, node: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
-        """Hold degrees of a node.
+        """Support degrees of a node.
 
         Args:
-            ux: hold the horizontal displacement.
-            uy: hold the vertical displacement.
-            rz: hold the rotation.
+            ux: fix the horizontal displacement.
+            uy: fix the vertical displacement.
+            rz: fix the rotation.
         """
         self._checked(lib.ed_model_fix(self._c, node, ux, uy, rz))
 
@@ -267,7 +267,7 @@ class Model:
             elements: over the buckling length, even, 2 to 16.
             points: Gauss-Lobatto points of each of them, 3 to 10.
             buckling_length: / length between the nodes, above 0, at most 1.
-            end_stiffness: rotational, of each end, N m/rad; 0 pinned, infinite fixed. It is held to the chord.
+            end_stiffness: rotational, of each end against the chord, N m/rad; 0 pinned, infinite fixed.
             geometry: of the chord.
 
         Returns:

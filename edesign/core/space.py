@@ -81,8 +81,8 @@ class Static:
     Attributes:
         displacements: (c, n, 6) m and rad.
         end_forces: (c, m, 12) N and N m, local.
-        reactions: (c, n, 6) of supports and springs on the frame, N and N m. Those of a diaphragm that is held are at
-            the node that holds it.
+        reactions: (c, n, 6) of supports and springs on the frame, N and N m. Those of a restrained diaphragm are at
+            the node that restrains it.
     """
 
     displacements: np.ndarray
@@ -94,13 +94,13 @@ class SpaceModel:
     """A space frame with rigid diaphragms, factored once for many cases. One thread at a time may use a model.
 
     ux, uy and rz of the nodes of a diaphragm are those of its master, which moves as a rigid body in plan. A node of a
-    diaphragm may be held in rz, and then, or where it lies on the axis of the master, in ux and uy.
+    diaphragm may be restrained in rz, and then, or where it lies on the axis of the master, in ux and uy.
 
     Args:
         coordinates: (n, 3) m.
         node_floor: (n,) diaphragm of each node, from 0; -1: none.
         masters: (f, 2) place of each master in plan, m; often the centre of mass.
-        fixed: (n, 6) True where ux, uy, uz, rx, ry, rz is held.
+        fixed: (n, 6) True where ux, uy, uz, rx, ry, rz is restrained.
         springs: (n, 6) stiffness to the ground, N/m and N m/rad.
         node_names, member_names: for messages.
 
@@ -298,7 +298,7 @@ class SpaceModel:
         """Return the least factor > 0 of axial forces at which the frame buckles by bending; infinite if none does.
 
         Members bow between their nodes: their own buckling is in it, from above by at most 6e-4 for one member that is
-        held at both ends, and by less than 1e-6 for one on hinges or one that sways. Bars never buckle between their
+        fixed at both ends, and by less than 1e-6 for one on hinges or one that sways. Bars never buckle between their
         nodes. Twisting and lateral torsional buckling are not in it.
 
         Args:

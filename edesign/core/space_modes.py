@@ -98,7 +98,7 @@ def mass_factor(
         coordinates: (n, 3) m.
         node_floor: (n,) diaphragm of each node, -1: none.
         masters: (f, 2) m.
-        equation: (6 n + 3 f,) equation of each degree of the nodes and of the masters, -1: held.
+        equation: (6 n + 3 f,) equation of each degree of the nodes and of the masters, -1: restrained.
 
     Raises:
         ValueError: a mass is negative or not finite, or no mass can move.
@@ -129,7 +129,7 @@ def mass_factor(
     moves, turns = (own >= 0) & (size > 0.0), (turning >= 0) & (arm != 0.0)
     rows = np.flatnonzero(moves | turns)
     if not rows.size:
-        raise ValueError("no mass can move: the frame has none, or it is held")
+        raise ValueError("no mass can move: the frame has none, or supports restrain all of it")
     equations = np.unique(np.concatenate([own[moves], turning[turns]]))
     b = np.zeros((size.size, equations.size))
     b[moves, np.searchsorted(equations, own[moves])] = size[moves]

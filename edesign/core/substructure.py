@@ -27,7 +27,7 @@ SATURATED = {1: "stroke", 2: "velocity", 4: "force", 8: SENSOR}
 
 @dataclass(frozen=True)
 class RigLimits:
-    """Limits of the rig; a motion beyond stroke or velocity is held there.
+    """Limits of the rig; a motion beyond stroke or velocity is cut off there.
 
     Attributes:
         stroke: m; velocity: m/s; force: N.

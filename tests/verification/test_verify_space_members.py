@@ -59,7 +59,7 @@ def test_springs_at_the_root() -> None:
         ((5e7, 5e7, 5e7, 5e7), Q * L**2 / 12 / (1 + 2 * EI_y / (5e7 * L)), Q * L**2 / 12 / (1 + 2 * EI_y / (5e7 * L))),
     ],
 )
-def test_uniform_load_between_held_nodes(ends: tuple[float, ...], start: float, end: float) -> None:
+def test_uniform_load_between_fixed_nodes(ends: tuple[float, ...], start: float, end: float) -> None:
     """End moments of q downwards: hogging at both ends, as tables of beams give them; the middle by equilibrium."""
     f = Frame()
     f.member(f.node(0, 0, 0, fixed="all"), f.node(L, 0, 0, fixed="ux uy uz rx ry"), ends=ends)
@@ -208,8 +208,8 @@ def test_equilibrium(diaphragms: bool) -> None:
     np.testing.assert_allclose(result.reactions[:, 0], -np.array(f.springs[0]) * result.displacements[:, 0], rtol=1e-12)
 
 
-def test_equilibrium_of_held_diaphragms() -> None:
-    """A floor that is held in rz, ux and uy at three nodes: their reactions balance the loads."""
+def test_equilibrium_of_restrained_diaphragms() -> None:
+    """A floor that is restrained in rz, ux and uy at three nodes: their reactions balance the loads."""
     f = building(5)
     f.fixed[6], f.fixed[7], f.fixed[8] = (0, 0, 0, 0, 0, 1), (1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0)
     loads = random_case(f)
@@ -362,7 +362,7 @@ def test_directions_and_supports_that_cannot_be() -> None:
         f.model()
     f = building(1)
     f.fixed[7] = (1, 0, 0, 0, 0, 0)
-    with pytest.raises(CoreError, match="node N7 of a diaphragm is held in ux away from its master"):
+    with pytest.raises(CoreError, match="node N7 of a diaphragm is restrained in ux away from its master"):
         f.model()
 
 

@@ -216,7 +216,7 @@ def test_refusals_name_the_support() -> None:
     analysis = Analysis(model)
     ground = pulse(100)
     zero = np.zeros_like(ground)
-    with pytest.raises(CoreError, match="degree 0 of node A1 is not held"):
+    with pytest.raises(CoreError, match="degree 0 of node A1 has no support"):
         analysis.history(ground, DT, supports=[SupportMotion(nodes["A1"], "ux", (zero, zero, zero))])
     with pytest.raises(CoreError, match="the motion of B0 does not begin at rest"):
         analysis.history(ground, DT, supports=[SupportMotion(nodes["B0"], "ux", (zero + 1.0, zero, zero))])

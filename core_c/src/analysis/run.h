@@ -27,7 +27,7 @@ struct ed_run {
   int n_forces;
   ed_history_load force[ED_HISTORY_FORCES];
   int n_motions;
-  ed_support_motion *motion;     /* of held degrees */
+  ed_support_motion *motion;     /* of supported degrees */
 };
 
 void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa);

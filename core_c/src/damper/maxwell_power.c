@@ -16,7 +16,7 @@
 
 enum { ED_LAW_MAXWELL_POWER_PARAMETERS };
 
-/* For alpha > 1 the derivative of the dashpot's velocity to the force is infinite at rest. Below this share of c it is held: the
+/* For alpha > 1 the derivative of the dashpot's velocity to the force is infinite at rest. Below this share of c it is bounded: the
  * force itself is not touched, and a sensitivity that passes through rest fades there all the same. */
 static const double AT_REST = 1e-16;
 

@@ -16,7 +16,7 @@
 
 enum { ED_LAW_MODIFIED_BOUC_WEN_PARAMETERS };
 
-/* For alpha_d > 1 the slope of the dashpot's speed is infinite at no force: below this share of C it is held. */
+/* For alpha_d > 1 the slope of the dashpot's speed is infinite at no force: below this share of C it is bounded. */
 static const double NO_FORCE = 1e-16;
 static const double rounding = 1e-10; /* of the extremes: so near to one it grows */
 static const double no_way = 1e-12; /* of the brace's force: which way the device goes then follows from the whole */

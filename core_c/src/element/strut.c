@@ -6,16 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Share of its stiffness that a broken brace keeps, so that what it alone held up is no singular matrix. */
+/* Share of its stiffness that a broken brace keeps, so that what it alone supported is no singular matrix. */
 static const double REMAINS = 1e-6;
 
 /* Of the nodes from the outermost to the middle. */
 typedef struct {
   ed_node node[ED_STRUT_MAX_PARTS + 1];
-  int number[ED_STRUT_MAX_PARTS + 1][3]; /* unknown, HELD or DRIVEN */
+  int number[ED_STRUT_MAX_PARTS + 1][3]; /* unknown, FIXED or DRIVEN */
 } half_nodes;
 
-enum { HELD = -1, DRIVEN = -2 };
+enum { FIXED = -1, DRIVEN = -2 };
 
 /* Places the nodes of half the brace on its camber, and numbers their degrees. */
 static void place_nodes(ed_strut *s, const ed_member *member, double length, int bar, half_nodes *nodes)
@@ -24,7 +24,7 @@ static void place_nodes(ed_strut *s, const ed_member *member, double length, int
   const double buckling = member->buckling_length * length;
   s->camber = member->camber * buckling;
   s->end_stiffness = fixed ? 0.0 : member->end_stiffness;
-  s->end_rotation = HELD;
+  s->end_rotation = FIXED;
   for (int i = 0; i <= s->parts; i++) {
     const int at = i - bar; /* of the nodes of the beams, from the end */
     const double share = (double)(at < 0 ? 0 : at) / beams;
@@ -34,9 +34,9 @@ static void place_nodes(ed_strut *s, const ed_member *member, double length, int
     /* the first mode: half a wave between pins, from chord to crest of a whole wave between fixed ends */
     node->y = s->camber * (fixed ? 0.5 - 0.5 * cos(M_PI * share) : sin(0.5 * M_PI * share));
     const int outermost = i == 0, end = at == 0, middle = i == s->parts;
-    number[0] = outermost ? DRIVEN : (middle ? HELD : s->unknowns++);
-    number[1] = at <= 0 ? HELD : s->unknowns++;
-    number[2] = middle || at < 0 || (end && fixed) ? HELD : s->unknowns++;
+    number[0] = outermost ? DRIVEN : (middle ? FIXED : s->unknowns++);
+    number[1] = at <= 0 ? FIXED : s->unknowns++;
+    number[2] = middle || at < 0 || (end && fixed) ? FIXED : s->unknowns++;
     if (number[0] >= 0)
       s->scale[number[0]] = 1.0;
     if (number[1] >= 0) {
@@ -68,7 +68,7 @@ static void make_parts(ed_strut *s, const ed_model *model, const ed_member *memb
       s->degree[p][i] = number == DRIVEN ? s->driven : number;
     }
     if (p < bar)
-      s->degree[p][2] = s->degree[p][5] = HELD; /* a bar turns no node */
+      s->degree[p][2] = s->degree[p][5] = FIXED; /* a bar turns no node */
   }
   const ed_model inside = {
       .materials = model->materials, .sections = model->sections, .nodes = (ed_node *)nodes->node, .members = members};

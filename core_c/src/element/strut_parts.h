@@ -17,7 +17,7 @@ struct ed_strut {
   double nudge[ED_STRUT_MAX_UNKNOWNS]; /* a hundredth of the camber */
   double scale[ED_STRUT_MAX_UNKNOWNS]; /* makes moments forces */
   ed_element part[ED_STRUT_MAX_PARTS];
-  int degree[ED_STRUT_MAX_PARTS][6]; /* unknown, driven, or negative: held */
+  int degree[ED_STRUT_MAX_PARTS][6]; /* unknown, driven, or negative: fixed */
 };
 
 /* In the block behind its head: elongation, force and stored energy of the last commit; whether the trial snapped through, and whether the

@@ -1,6 +1,6 @@
-/* Bows: what loads along the member, Legendre's polynomials P_k'' over its length, bend it to between held nodes. Moments of the member on
- * hinges are P_k - 1 (k even) and P_k - s (k odd), s = -1 .. 1; those that hold its ends come on top, through the springs. Loads of degree 0
- * to ED_BOWS - 1 leave of the force at which it buckles between held nodes: 5e-7 too much on hinges, 6e-4 with fixed ends. Shear
+/* Bows: what loads along the member, Legendre's polynomials P_k'' over its length, bend it to between fixed nodes. Moments of the member on
+ * hinges are P_k - 1 (k even) and P_k - s (k odd), s = -1 .. 1; moments that restrain its ends come on top, through the springs. Loads of
+ * degree 0 to ED_BOWS - 1 leave of the force at which it buckles between fixed nodes: 5e-7 too much on hinges, 6e-4 with fixed ends. Shear
  * deformation is Timoshenko's; the axial force acts along the slope of the axis (Engesser). */
 #include "space/bow.h"
 
@@ -67,7 +67,7 @@ static void bow(double force, double length, ed_space_plane p, const double *k, 
     ends[0][g] = 1.0 - x - shared; /* slope from the chord when an end section turns by 1 */
     ends[1][g] = x - shared;
     for (int b = 0; b < ED_BOWS; b++) {
-      /* on hinges, whose end sections turn by t1 and t2; then turned back as far as the springs hold them */
+      /* on hinges, whose end sections turn by t1 and t2; then turned back as far as the springs restrain them */
       const int odd = b % 2;
       const double t1 = odd ? -1.0 / 3.0 : 1.0, t2 = odd ? -1.0 / 3.0 : -1.0;
       const double hinged = integral[b] - (odd ? 0.5 * (s * s - 1.0) + 1.0 / 3.0 : s) - phi / 3.0 * (D[b] - odd);

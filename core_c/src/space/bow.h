@@ -25,7 +25,7 @@ void ed_member_bow(const ed_space_member *member, double axial, ed_space_bowed *
  * (6 each, global) and amplitudes of the bows. */
 void ed_member_add_geometric(const ed_space_member *member, const ed_space_bowed *bowed, const double *start, const double *end,
                              const double *amplitude, double *force, double *image);
-/* Stiffness under `factor` times the axial force, bows in equilibrium. 0: the member buckles between held nodes. */
+/* Stiffness under `factor` times the axial force, bows in equilibrium. 0: the member buckles between fixed nodes. */
 int ed_member_pressed(const ed_space_member *member, const ed_space_bowed *bowed, double factor, ed_space_stiffness *stiffness);
 
 #endif

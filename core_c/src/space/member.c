@@ -154,7 +154,7 @@ void ed_member_add_forces(const ed_space_member *m, const double *start, const d
 
 /* The member on hinges turns by t1, t2 at its ends under the load (about z for a load along y; about y the other way round); moments
  * that turn them back do so through the springs. Shear turns no end section of a member on hinges. */
-static void add_held(const ed_space_member *m, const double *load, double share, double t1, double t2, double *force)
+static void add_fixed_end_forces(const ed_space_member *m, const double *load, double share, double t1, double t2, double *force)
 {
   const ed_space_stiffness *k = &m->stiffness;
   for (int i = 0; i < 3; i++) {
@@ -173,7 +173,7 @@ void ed_member_add_uniform(const ed_space_member *m, const double *load, double 
   const double L = m->length, whole[3] = {load[0] * L, load[1] * L, load[2] * L};
   double local[3];
   ed_member_to_local(m, whole, local);
-  add_held(m, local, 0.5, L * L / 24.0, -L * L / 24.0, force);
+  add_fixed_end_forces(m, local, 0.5, L * L / 24.0, -L * L / 24.0, force);
 }
 
 void ed_member_add_point(const ed_space_member *m, double position, const double *load, double *force)
@@ -181,5 +181,5 @@ void ed_member_add_point(const ed_space_member *m, double position, const double
   const double L = m->length, a = position * L, b = L - a;
   double local[3];
   ed_member_to_local(m, load, local);
-  add_held(m, local, position, b * (L + b) * a / (6.0 * L), -a * (L + a) * b / (6.0 * L), force);
+  add_fixed_end_forces(m, local, position, b * (L + b) * a / (6.0 * L), -a * (L + a) * b / (6.0 * L), force);
 }

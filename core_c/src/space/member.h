@@ -38,7 +38,7 @@ void ed_member_add_end_moments(double length, double y1, double y2, double z1, d
 void ed_member_matrix(const ed_space_member *member, const ed_space_stiffness *k, double *matrix);
 /* Adds the end forces under displacements of both nodes (6 each, global). */
 void ed_member_add_forces(const ed_space_member *member, const double *start, const double *end, double *force);
-/* Adds the end forces of the member held at its nodes, under a force a length, and under a force at a fraction of its length, both in
+/* Adds the end forces of the member between fixed nodes, under a force a length, and under a force at a fraction of its length, both in
  * global components. */
 void ed_member_add_uniform(const ed_space_member *member, const double *load, double *force);
 void ed_member_add_point(const ed_space_member *member, double position, const double *load, double *force);

@@ -22,7 +22,7 @@ int ed_space_fail(ed_space *space, int status, const char *format, ...)
 static int set_nodes(ed_space *s, const ed_space_input *in)
 {
   for (int i = 0; i < s->n_floors; i++) {
-    s->floor[i] = (ed_space_floor){.x = in->masters[2 * i], .y = in->masters[2 * i + 1], .first = -1, .holder = {-1, -1, -1}};
+    s->floor[i] = (ed_space_floor){.x = in->masters[2 * i], .y = in->masters[2 * i + 1], .first = -1, .support = {-1, -1, -1}};
     if (!isfinite(s->floor[i].x) || !isfinite(s->floor[i].y))
       return ed_space_fail(s, ED_E_ARGUMENT, "the place of the master of diaphragm %d is not a finite number", i);
   }

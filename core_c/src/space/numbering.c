@@ -74,8 +74,8 @@ static void find_idle(ed_space *s)
         s->node[i].left_out[d] = 0;
 }
 
-/* Which supports at nodes of a floor hold its master. */
-static int hold_floors(ed_space *s)
+/* Which supports at nodes of a floor restrain its master. */
+static int restrain_floors(ed_space *s)
 {
   static const int order[] = {5, 0, 1}; /* rz first: it decides for the others */
   for (int pass = 0; pass < 3; pass++)
@@ -85,13 +85,13 @@ static int hold_floors(ed_space *s)
       if (node->floor < 0 || !node->fixed[d])
         continue;
       ed_space_floor *floor = &s->floor[node->floor];
-      if (d < 2 && floor->holder[2] < 0 && (d == 0 ? node->dy : node->dx) != 0.0)
+      if (d < 2 && floor->support[2] < 0 && (d == 0 ? node->dy : node->dx) != 0.0)
         return ed_space_fail(s, ED_E_ARGUMENT,
-                             "node %s of a diaphragm is held in %s away from its master; hold its rz as well, put the master on its line, or "
-                             "use a spring",
+                             "node %s of a diaphragm is restrained in %s away from its master; restrain its rz as well, put the master on its "
+                             "line, or use a spring",
                              node->name, DIRECTION[d]);
-      int *holder = &floor->holder[OF_FLOOR[d]];
-      *holder = *holder < 0 ? i : *holder;
+      int *support = &floor->support[OF_FLOOR[d]];
+      *support = *support < 0 ? i : *support;
     }
   return ED_OK;
 }
@@ -102,7 +102,7 @@ int ed_space_number(ed_space *s)
   if (!s->name)
     return ED_E_MEMORY;
   find_idle(s);
-  const int status = hold_floors(s);
+  const int status = restrain_floors(s);
   if (status != ED_OK)
     return status;
   int n = 0;
@@ -120,7 +120,7 @@ int ed_space_number(ed_space *s)
   for (int f = 0; f < s->n_floors; f++)
     for (int k = 0; k < 3; k++) {
       s->floor[f].equation[k] = -1;
-      if (s->floor[f].holder[k] >= 0)
+      if (s->floor[f].support[k] >= 0)
         continue;
       s->name[n] = 6 * s->n_nodes + 3 * f + k;
       s->floor[f].equation[k] = n++;

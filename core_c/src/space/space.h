@@ -25,8 +25,8 @@ typedef struct {
 typedef struct {
   double x, y;
   int first;       /* its first node, which it is named by */
-  int equation[3]; /* Ux, Uy, Rz; -1: held */
-  int holder[3];   /* node that holds it, -1: none */
+  int equation[3]; /* Ux, Uy, Rz; -1: restrained */
+  int support[3];   /* node that restrains it, -1: none */
 } ed_space_floor;
 
 struct ed_space {

@@ -46,8 +46,8 @@ static int check_nodal(ed_space *s, int n_cases, const double *nodal)
   return ED_OK;
 }
 
-/* Forces on the ends of members that are held at their nodes. */
-static void hold_members(const ed_space *s, int n_cases, const ed_space_loads *loads, double *end_forces)
+/* Forces on the ends of members between fixed nodes. */
+static void fixed_end_forces(const ed_space *s, int n_cases, const ed_space_loads *loads, double *end_forces)
 {
   const size_t members = (size_t)s->n_members;
   memset(end_forces, 0, (size_t)n_cases * members * 12 * sizeof *end_forces);
@@ -84,7 +84,7 @@ void ed_space_member_forces(const ed_space *s, const double *displacements, doub
   }
 }
 
-/* What floors that are held are held by: the sum of what is at their nodes, as it acts on the master, at the nodes that hold it. */
+/* Reactions of restrained floors: the sum of what is at their nodes, as it acts on the master, at the nodes that restrain it. */
 static void gather_floors(const ed_space *s, const double *rest, double *sums, double *reactions)
 {
   memset(sums, 0, 3 * (size_t)s->n_floors * sizeof *sums);
@@ -100,15 +100,15 @@ static void gather_floors(const ed_space *s, const double *rest, double *sums, d
   }
   for (int f = 0; f < s->n_floors; f++) {
     static const int direction[] = {0, 1, 5};
-    const int *holder = s->floor[f].holder;
+    const int *support = s->floor[f].support;
     double *sum = sums + 3 * (size_t)f;
-    if (holder[0] >= 0)
-      sum[2] += s->node[holder[0]].dy * sum[0];
-    if (holder[1] >= 0)
-      sum[2] -= s->node[holder[1]].dx * sum[1];
+    if (support[0] >= 0)
+      sum[2] += s->node[support[0]].dy * sum[0];
+    if (support[1] >= 0)
+      sum[2] -= s->node[support[1]].dx * sum[1];
     for (int k = 0; k < 3; k++)
-      if (holder[k] >= 0)
-        reactions[6 * (size_t)holder[k] + (size_t)direction[k]] += sum[k];
+      if (support[k] >= 0)
+        reactions[6 * (size_t)support[k] + (size_t)direction[k]] += sum[k];
   }
 }
 
@@ -152,7 +152,7 @@ int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_spac
     return ed_space_fail(s, ED_E_MEMORY, "out of memory");
   }
   double *own = forces + degrees, *sums = forces + 2 * degrees;
-  hold_members(s, n_cases, loads, end_forces);
+  fixed_end_forces(s, n_cases, loads, end_forces);
   for (size_t c = 0; c < (size_t)n_cases; c++) {
     memset(forces, 0, degrees * sizeof *forces);
     if (nodal)

@@ -45,7 +45,7 @@ static void move_linear(const ed_rig_model *m, ed_rig_state *s, double h, double
     *v_start = s->v;
 }
 
-static double held_flow(const ed_rig_model *m, double q, double force, int *saturated)
+static double limited_flow(const ed_rig_model *m, double q, double force, int *saturated)
 {
   if (isinf(m->velocity))
     return q;
@@ -64,7 +64,7 @@ static void move_servo(const ed_rig_model *m, ed_rig_state *s, double h, double 
   double q_1 = m->gain * e_1;
   if (m->valve_lag > 0.0) /* exact for an error that is linear over the sub-step */
     q_1 = s->left * q_0 + m->gain * ((s->mean - s->left) * e_0 + (1.0 - s->mean) * e_1);
-  q_1 = held_flow(m, q_1, force, saturated);
+  q_1 = limited_flow(m, q_1, force, saturated);
   *v_start = q_0;
   s->x += 0.5 * h * (q_0 + q_1);
   s->v = s->flow = q_1;

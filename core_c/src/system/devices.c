@@ -87,7 +87,7 @@ double ed_along_device(const ed_numbering *numbering, const ed_device *device, c
   return sum;
 }
 
-/* The same of a state, with what held degrees have of it. */
+/* The same of a state, with what supported degrees have of it. */
 double ed_state_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector, const double *of_supports)
 {
   double sum = ed_along_device(numbering, device, vector);

@@ -51,7 +51,7 @@ void ed_devices_free(ed_devices *devices);
 int ed_update_devices(ed_analysis *a, int rough); /* trial u, v -> states and forces; rough: as in ed_damper_try */
 /* Sum of coefficient * vector over the equations of a device. */
 double ed_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector);
-/* The same of a state, with what held degrees have of it. */
+/* The same of a state, with what supported degrees have of it. */
 double ed_state_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector, const double *of_supports);
 void ed_add_along_device(const ed_numbering *numbering, const ed_device *device, double factor, double *vector);
 double ed_device_force(const ed_devices *devices, const ed_state *state, int device);

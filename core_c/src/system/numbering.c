@@ -24,7 +24,7 @@ int ed_number(ed_analysis *a)
     return ED_E_MEMORY;
   for (int i = 0; i < degrees; i++)
     numbering->equation[i] = 0;
-  /* a support at any of the tied degrees holds them all */
+  /* a support at any of the tied degrees supports them all */
   for (int i = 0; i < degrees; i++)
     if (model->nodes[i / 3].fixed[i % 3])
       numbering->equation[root(model, i)] = -1;

@@ -6,9 +6,9 @@
 
 typedef struct {
   int n;                         /* equations */
-  int *equation;                 /* 3 n_nodes: -1 where held */
-  int n_supports;                /* held degrees, tied ones counted once */
-  int *support;                  /* 3 n_nodes: number of a held degree, -1 where free */
+  int *equation;                 /* 3 n_nodes: -1 where supported */
+  int n_supports;                /* supported degrees, tied ones counted once */
+  int *support;                  /* 3 n_nodes: number of a supported degree, -1 where free */
   double *mass;                  /* n */
   double *influence[2];          /* n: 1 where the equation moves with the ground along x, y */
   double length;                 /* mean element length: makes moments comparable with forces */

@@ -21,7 +21,7 @@ typedef struct {
   double *u, *v, *a;             /* n */
   double *resisting, *damping;   /* n: at this state */
   double *mean_velocity, *mean_velocity_before; /* n: displacement / time of the last two steps */
-  double *support_u, *support_v, *support_a; /* n_supports: where held degrees are, and how they move */
+  double *support_u, *support_v, *support_a; /* n_supports: where supported degrees are, and how they move */
   double *support_force;         /* n_supports: resisting force of elements and dampers there */
   double *p_delta;               /* per element: force and drift, 2 n_members */
   double *elements;
@@ -47,7 +47,7 @@ void ed_restore(ed_analysis *a);
 /* Whether every number of a state and of the layers is finite. */
 int ed_state_finite(const ed_storage *storage, const ed_state *state);
 
-/* Of any degree, held ones too. */
+/* Of any degree, supported ones too. */
 static inline double ed_displacement(const ed_numbering *numbering, const ed_state *state, int degree)
 {
   const int equation = numbering->equation[degree];

@@ -1,8 +1,8 @@
-/* Held degrees that move during a history, relative to the ground: elements and dampers see where they are, the equations of the
+/* Supported degrees that move during a history, relative to the ground: elements and dampers see where they are, the equations of the
  * free degrees stay as they are.
  *
  * Proportional and modal damping act on v - sum shape v_s. The shape of a support is how the structure follows it slowly, with what its
- * dampers hold back then. For damping proportional to the stiffness that the shape is of, this is the damping of all degrees, K_ff v +
+ * dampers resist then. For damping proportional to the stiffness that the shape is of, this is the damping of all degrees, K_ff v +
  * K_fs v_s. Damping proportional to mass, and of modes, has no other meaning where supports move apart (Chopra, Dynamics of
  * Structures, 9.7). */
 #include "system/analysis.h"
@@ -41,7 +41,7 @@ static int find_shape(ed_analysis *a, int support, double *shape)
 {
   const double factor = a->devices.velocity_factor, duration = a->devices.duration;
   a->devices.velocity_factor = 0.0;
-  a->run.kind = ED_RUN_STATIC; /* of dampers what they hold back slowly */
+  a->run.kind = ED_RUN_STATIC; /* of dampers what they resist slowly */
   int status = ed_first_slopes(a);
   a->run.kind = ED_RUN_HISTORY;
   a->devices.duration = duration;
@@ -69,7 +69,7 @@ int ed_history_support(ed_analysis *a, int node, int degree, const double *displ
     return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree, node);
   const int support = a->numbering.support[3 * node + degree];
   if (support < 0)
-    return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s is not held", degree, a->model->nodes[node].name);
+    return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s has no support", degree, a->model->nodes[node].name);
   for (int i = 0; i < run->n_motions; i++)
     if (run->motion[i].support == support)
       return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s has its motion already", degree, a->model->nodes[node].name);

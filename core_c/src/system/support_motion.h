@@ -1,4 +1,4 @@
-/* Held degrees that move in a history. */
+/* Supported degrees that move in a history. */
 #ifndef ED_SUPPORT_MOTION_H
 #define ED_SUPPORT_MOTION_H
 
