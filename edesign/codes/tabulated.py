@@ -115,11 +115,11 @@ class TabulatedSpectrum:
                 "the largest ordinate is that at 0 s, which no damping changes; `damping_correction` needs larger ones"
                 " [E-CURVE-04]"
             )
-        held = self._table_damping
-        if self.correction == "ec8" and damping_correction(held) <= SMALLEST_CORRECTION:
+        damping = self._table_damping
+        if self.correction == "ec8" and damping_correction(damping) <= SMALLEST_CORRECTION:
             raise InputError(
-                f"eta of EN 1998-1, 3.2.2.2(3), is {SMALLEST_CORRECTION:g} for {100.0 * held:g} % damping and for all "
-                "above; `damping_correction` does not lead from there to less [E-CURVE-04]"
+                f"eta of EN 1998-1, 3.2.2.2(3), is {SMALLEST_CORRECTION:g} for {100.0 * damping:g} % damping and for "
+                "all above; `damping_correction` does not lead from there to less [E-CURVE-04]"
             )
 
     @property

@@ -214,8 +214,8 @@ def test_annex_a_of_a_rafter() -> None:
     """The rafter of SSB04, Appendix D: IPE450, S355, 127 kN, 356 kNm uniform, 1.7 m. FERS 0.2.2 finds by Annex A k_yy
     1.0036 and k_zy 0.5256, to the digits printed."""
     uniform = {"C_my": 1.0, "C_mz": 1.0, "C_my_N": 0.2412, "C_mz_N": 0.2412}
-    held = Stability(1.7, 1.7, 1.7, **uniform)
-    member = SteelMember(steel_section("IPE450"), S355, held, 1, annex_a=True).constants
+    stability = Stability(1.7, 1.7, 1.7, **uniform)
+    member = SteelMember(steel_section("IPE450"), S355, stability, 1, annex_a=True).constants
     u = utilisations(member, 127e3, 356e3, 0.0)
     k_yy = (u[Check.EQ_6_61] - 127e3 / member.N_b_y_Rd) / u[Check.M_B]
     k_zy = (u[Check.EQ_6_62] - 127e3 / member.N_b_z_Rd) / u[Check.M_B]

@@ -26,8 +26,8 @@ class Stability:
     """Restraints of a member against buckling, and the shape of its moments.
 
     Attributes:
-        L_cr_y, L_cr_z: buckling lengths, m; 0: held all along, chi = 1.
-        L_LT: between restraints of the compressed flange and of twisting, m; 0: held all along, chi_LT = 1.
+        L_cr_y, L_cr_z: buckling lengths, m; 0: restrained all along, chi = 1.
+        L_LT: between restraints of the compressed flange and of twisting, m; 0: restrained all along, chi_LT = 1.
         C1, C2, z_g: of the critical moment; z_g in m.
         C_my, C_mz, C_mLT: equivalent uniform moment factors, Table B.3; 0.9 is that of sway members. With Annex A
             C_my and C_mz are C_mi,0 without compression.
@@ -97,7 +97,7 @@ class Member:
 
     @property
     def buckles_by_twisting(self) -> bool:
-        """Whether torsional and lateral torsional buckling are possible: no hollow section, and not held all along."""
+        """Whether torsional and lateral torsional buckling are possible: an I section, not restrained all along."""
         return self.section.kind == "I" and self.stability.L_LT > 0.0
 
     @property
@@ -286,7 +286,7 @@ class Strength:
         """
         s, member, trace = self.section, self.member, self.trace
         length = getattr(member.stability, f"L_cr_{axis}")
-        trace.add(f"L_cr,{axis}", length, "m", "" if length > 0.0 else "held all along")
+        trace.add(f"L_cr,{axis}", length, "m", "" if length > 0.0 else "restrained all along")
         slenderness, critical = 0.0, math.inf
         if length != 0.0:
             inertia = trace.add(f"I_{axis}", getattr(s, f"I_{axis}"), "m4")
@@ -348,7 +348,7 @@ class Strength:
         s, member, trace = self.section, self.member, self.trace
         modulus, W = self.modulus("y"), f"W_{member.theory},y"
         if not member.buckles_by_twisting:
-            why = "hollow section" if s.kind != "I" else "compressed flange held all along"
+            why = "hollow section" if s.kind != "I" else "compressed flange restrained all along"
             chi, symbol = trace.add("chi_LT", 1.0, "1", why, "6.3.2.1(2)"), "chi_LT"
         else:
             M_cr, C1 = self.M_cr() if critical is None else critical(self)
@@ -359,14 +359,14 @@ class Strength:
         return trace.add("M_b,Rd", value, "N*m", f"{symbol} {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
 
     def M_cr(self) -> tuple[float, float]:
-        """Return M_cr, N m, and C_1 of the member as it is held."""
-        s, member, held = self.section, self.member, self.member.stability
-        length = self.trace.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
+        """Return M_cr, N m, and C_1 of the member as it is restrained."""
+        s, member, stability = self.section, self.member, self.member.stability
+        length = self.trace.add("L_LT", stability.L_LT, "m", "between restraints of the compressed flange")
         self.torsion()
-        C1 = self.trace.add("C_1", held.C1, "1", "", "SN003")
+        C1 = self.trace.add("C_1", stability.C1, "1", "", "SN003")
         of = member.E, member.G, s.I_z, s.I_t, s.I_w, length
-        critical = lateral_torsional.critical_moment(*of, C1, held.C2, held.z_g)
-        load = ", C_2 and z_g of the load" if held.z_g else ""
+        critical = lateral_torsional.critical_moment(*of, C1, stability.C2, stability.z_g)
+        load = ", C_2 and z_g of the load" if stability.z_g else ""
         expression = f"C_1 pi^2 E I_z / L_LT^2 sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)){load}"
         return self.trace.add("M_cr", critical, "N*m", expression, "SN003"), C1
 

@@ -46,7 +46,7 @@ class ForcesAlong:
 
 @dataclass(frozen=True)
 class FreeBeam:
-    """A beam that is held sideways at its ends alone.
+    """A beam with lateral restraints at its ends alone.
 
     Attributes:
         length: between its ends, m.
@@ -303,32 +303,32 @@ def _bending_and_compression(equation: int) -> Callable[[_Check, int], float]:
 
 
 def _annex_b(w: _Check, y: Flexural, z: Flexural, n_y: float, n_z: float, pair: tuple[str, str]) -> InteractionFactors:
-    held = w.member.stability
+    stability = w.member.stability
     for symbol in ("C_my", "C_mz", "C_mLT"):
-        w.trace.add(symbol, getattr(held, symbol), "1", "", "Annex B, Table B.3")
+        w.trace.add(symbol, getattr(stability, symbol), "1", "", "Annex B, Table B.3")
     slender, kind = (y.slenderness, z.slenderness), (w.member.plastic, w.section.kind != "I", w.member.twists)
     return interaction.annex_b_factors(
-        held.C_my, held.C_mz, held.C_mLT, *slender, n_y, n_z, *kind, trace=w.trace, recorded=pair
+        stability.C_my, stability.C_mz, stability.C_mLT, *slender, n_y, n_z, *kind, trace=w.trace, recorded=pair
     )
 
 
 def _annex_a(
     w: _Check, y: Flexural, z: Flexural, effects: tuple[float, float, float, float], pair: tuple[str, str]
 ) -> InteractionFactors:
-    s, held, N_cr_T, N_Ed = w.section, w.member.stability, w.N_cr_T(), effects[0]
+    s, stability, N_cr_T, N_Ed = w.section, w.member.stability, w.N_cr_T(), effects[0]
     for axis, N_cr in (("y", y.N_cr), ("z", z.N_cr), ("T", N_cr_T)):
-        why = "" if N_cr < math.inf else "hollow section" if axis == "T" and s.kind != "I" else "held all along"
+        why = "" if N_cr < math.inf else "hollow section" if axis == "T" and s.kind != "I" else "restrained all along"
         if w.trace.add(f"N_Ed / N_cr,{axis}", N_Ed / N_cr, "1", why) >= 1.0:
             return interaction.beyond_critical(axis, *effects[2:], w.trace, pair)
     lambda_0, C_m_0 = w.lambda_0(), []
     for axis, C_m, slope, by in (
-        ("y", held.C_my, held.C_my_N, N_Ed / y.N_cr),
-        ("z", held.C_mz, held.C_mz_N, N_Ed / z.N_cr),
+        ("y", stability.C_my, stability.C_my_N, N_Ed / y.N_cr),
+        ("z", stability.C_mz, stability.C_mz_N, N_Ed / z.N_cr),
     ):
         expression = f"{C_m:.4g} {'-' if slope < 0.0 else '+'} {abs(slope):.4g} N_Ed / N_cr,{axis}"
         C_m_0.append(w.trace.add(f"C_m{axis},0", C_m + slope * by, "1", expression, "Annex A, Table A.2"))
     N_Rk = cross_section.axial_resistance(s.A, w.member.fy, w.member.gamma_M1)
-    of = s, y, z, N_cr_T, lambda_0, held.C1, N_Rk
+    of = s, y, z, N_cr_T, lambda_0, stability.C1, N_Rk
     return interaction.annex_a_factors(*of, *effects, C_m_0[0], C_m_0[1], w.member.plastic, w.trace, pair)
 
 

@@ -248,7 +248,7 @@ class MemberChecks(Model):
     Attributes:
         interaction: interaction factors k_ij of EN 1993-1-1, 6.3.3.
         buckling_length: buckling length over the length between nodes, by kind of member.
-        lateral_restraint: what holds the compressed flange.
+        lateral_restraint: what restrains the compressed flange.
         yield_by_thickness: f_y by the thickest part of a section: EN 10025-2 (`true`), EN 1993-1-1, Table 3.1, or not;
             the country chooses (3.2.1(1)).
         doubler_plates: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).

@@ -46,7 +46,7 @@ def _floors(building: Building) -> str:
 def _ground(building: Building) -> str:
     if building.supports in ("fixed", "pinned"):
         return f"Supports are {building.supports} on ground that does not deform."
-    return "Supports are held as given; neighbouring foundations do not move each other."
+    return "Supports are as given; neighbouring foundations do not move each other."
 
 
 def _analysis(design: Design) -> str:
@@ -84,7 +84,7 @@ def _stability(design: Design) -> str:
         f"{kind} {of.y:g} (y) and {of.z:g} (z)"
         for kind, of in (("columns", lengths.columns), ("beams", lengths.beams), ("braces", lengths.braces))
     ]
-    beams = "held by the slab all along" if restraint.beams == "slab" else "held at their ends"
+    beams = "restrained by the slab all along" if restraint.beams == "slab" else "restrained at their ends"
     columns = "at the floors" if restraint.columns == "floors" else "all along"
     method = {"annex_a": "Annex A", "annex_b": "Annex B"}[design.members.interaction]
     return (

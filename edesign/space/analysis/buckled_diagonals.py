@@ -83,8 +83,8 @@ def buckling_combinations(rows: Sequence[Combination]) -> tuple[Combination, ...
 @cache
 def _buckling_resistance(section: str, steel: Steel, L_cr_y: float, L_cr_z: float, gamma_M1: float) -> float:
     shear_modulus = steel.E / (2.0 * (1.0 + steel.nu))
-    held = Stability(L_cr_y=L_cr_y, L_cr_z=L_cr_z, L_LT=0.0)
+    stability = Stability(L_cr_y=L_cr_y, L_cr_z=L_cr_z, L_LT=0.0)
     member = Member(
-        steel_section(section), steel.fy, held, WITHOUT_EFFECT, E=steel.E, G=shear_modulus, gamma_M1=gamma_M1
+        steel_section(section), steel.fy, stability, WITHOUT_EFFECT, E=steel.E, G=shear_modulus, gamma_M1=gamma_M1
     )
     return min(Strength(member).flexural(axis).N_b_Rd for axis in ("y", "z"))

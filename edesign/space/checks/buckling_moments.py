@@ -47,7 +47,7 @@ class FreeBeamMoments:
 
 
 class FreeBeams:
-    """Finds M_b,Rd of beams that are held at their ends alone, whatever sections they have.
+    """Finds M_b,Rd of beams with lateral restraints at their ends alone, whatever sections they have.
 
     Args:
         frame: nodes and members.

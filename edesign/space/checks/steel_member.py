@@ -18,7 +18,7 @@ class SteelMember(Member):
     @cached_property
     def constants(self) -> MemberConstants:
         """Resistances, slendernesses and factors, SI."""
-        s, held, strength = self.section, self.stability, Strength(self)
+        s, stability, strength = self.section, self.stability, Strength(self)
         y, z = strength.flexural("y"), strength.flexural("z")
         return MemberConstants(
             N_Rd=strength.N_pl_Rd(),
@@ -36,9 +36,9 @@ class SteelMember(Member):
             M_z_Rk=cross_section.moment_resistance(strength.modulus("z"), self.fy, self.gamma_M1),
             lambda_y=y.slenderness,
             lambda_z=z.slenderness,
-            C_my=held.C_my,
-            C_mz=held.C_mz,
-            C_mLT=held.C_mLT,
+            C_my=stability.C_my,
+            C_mz=stability.C_mz,
+            C_mLT=stability.C_mLT,
             V_M=self.V_M,
             N_Rk=cross_section.axial_resistance(s.A, self.fy, self.gamma_M1),
             per_N_cr_y=1.0 / y.N_cr,
@@ -49,10 +49,10 @@ class SteelMember(Member):
             elastic_z=s.W_el_z / s.W_pl_z,
             a_LT=max(1.0 - s.I_t / s.I_y, 0.0),
             lambda_0=strength.lambda_0(),
-            LT_limit=0.2 * math.sqrt(held.C1),
+            LT_limit=0.2 * math.sqrt(stability.C1),
             area_by_modulus=s.A / s.W_el_y,
-            C_my_N=held.C_my_N,
-            C_mz_N=held.C_mz_N,
+            C_my_N=stability.C_my_N,
+            C_mz_N=stability.C_mz_N,
             shape=s.kind,
             class_3=not self.plastic,
             twists=self.twists,

@@ -57,14 +57,14 @@ ASCE = AsceSpectrum(10.0, 6.0, 6.0)
 
 
 @pytest.mark.parametrize(("spectrum", "correction"), [(EC8, "ec8"), (ASCE, "asce7")])
-@pytest.mark.parametrize("held", [0.02, 0.05, 0.10])
+@pytest.mark.parametrize("tabulated", [0.02, 0.05, 0.10])
 @pytest.mark.parametrize("wanted", [0.01, 0.05, 0.17, 0.50])
 def test_a_table_of_a_code_changes_with_damping_as_the_code(
-    spectrum: Spectrum, correction: Correction, held: float, wanted: float
+    spectrum: Spectrum, correction: Correction, tabulated: float, wanted: float
 ) -> None:
     """A table of the spectrum of one damping gives that of another: EN 1998-1, Eqs. 3.2-3.6, ASCE 41-17, 2.4.1.7.1."""
     T = np.linspace(0.0, 10.0, 2001)
-    found = of_code(spectrum.with_damping(held), correction).with_damping(wanted)
+    found = of_code(spectrum.with_damping(tabulated), correction).with_damping(wanted)
     np.testing.assert_allclose(found.acceleration(T), spectrum.with_damping(wanted).acceleration(T), rtol=1e-9)
     assert found.zero_period == pytest.approx(spectrum.zero_period) and found.damping == wanted
 

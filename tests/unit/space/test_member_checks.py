@@ -39,8 +39,8 @@ BEAM = SteelMember(steel_section("IPE400"), S275, Stability(7.2, 2.4, 2.4), 1, V
 BRACE = SteelMember(steel_section("SHS180x10"), S275, Stability(8.0, 8.0, 8.0, C_my=1.0, C_mz=1.0), 1)
 TUBE = SteelMember(steel_section("CHS168.3x8"), S275, Stability(4.0, 4.0, 4.0), 2)
 SLENDER = SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 6.0), 3)
-HELD = SteelMember(steel_section("IPE400"), S275, Stability(7.2, 2.4, 0.0), 1)
-MEMBERS = (COLUMN, BEAM, BRACE, TUBE, SLENDER, HELD)
+RESTRAINED = SteelMember(steel_section("IPE400"), S275, Stability(7.2, 2.4, 0.0), 1)
+MEMBERS = (COLUMN, BEAM, BRACE, TUBE, SLENDER, RESTRAINED)
 UNIFORM = {"C_my": 1.0, "C_mz": 1.0, "C_my_N": 0.2412, "C_mz_N": 0.2412}  # C_mi,0 of a uniform moment, Table A.2
 MEMBERS_A = (
     SteelMember(steel_section("HEB320"), S275, Stability(3.5, 3.5, 3.5, C1=1.77, **UNIFORM), 1, annex_a=True),
@@ -68,8 +68,8 @@ KINDS = {
     "I, short": SteelMember(steel_section("HEB320"), S275, Stability(1.2, 1.2, 1.2), 1),
     "I, long": SteelMember(steel_section("IPE400"), 355e6, Stability(9.0, 9.0, 14.0, C1=2.5), 1),
     "I, class 3": SLENDER,
-    "I, class 3, held all along": SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 0.0), 3),
-    "I, held all along": SteelMember(steel_section("IPE330"), S275, Stability(7.2, 0.0, 0.0, twists=False), 1),
+    "I, class 3, restrained all along": SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 0.0), 3),
+    "I, restrained all along": SteelMember(steel_section("IPE330"), S275, Stability(7.2, 0.0, 0.0, twists=False), 1),
     "I, slender web": SteelMember(steel_section("HEA900"), 460e6, Stability(6.0, 6.0, 6.0), 1, V_M=900e3, gamma_M1=1.1),
     "I, torsion governs": SteelMember(steel_section("HEB200"), S275, Stability(3.0, 1.0, 12.0), 1),
     "I, thick web": SteelMember(replace(steel_section("IPE400"), tw=0.02), S275, Stability(4.0, 4.0, 4.0), 1),
@@ -155,10 +155,10 @@ BRANCHES: dict[str, tuple[str, Taken]] = {
     "buckling about y": ("N_B", says(USE, "N_b,y,Rd")),
     "buckling about z": ("N_B", says(USE, "N_b,z,Rd")),
     "no buckling of a short member": ("EQ_6_61", says("chi by bending", "no buckling")),
-    "held against buckling": ("EQ_6_61", says("L_cr,z", "held all along")),
+    "restrained against buckling": ("EQ_6_61", says("L_cr,z", "restrained all along")),
     "torsional buckling": ("N_B", lambda m, s: "chi by torsion" in s and s["chi_z"].value < s["chi by bending"].value),
     "tension is no compression": ("N_B", value("N_Ed", lambda x: x == 0.0)),
-    "no lateral torsional buckling, held": ("M_B", says("chi_LT", "held all along")),
+    "no lateral torsional buckling, restrained": ("M_B", says("chi_LT", "restrained all along")),
     "no lateral torsional buckling, hollow": ("M_B", says("chi_LT", "hollow")),
     "lateral torsional buckling, plateau": ("M_B", says("chi_LT", "no buckling up to")),
     "lateral torsional buckling, rolled": ("M_B", says("chi_LT", "6.57")),
@@ -358,7 +358,12 @@ def test_thesis_sections_have_the_resistances_of_the_clauses() -> None:
     s, column = steel_section("HEB320"), COLUMN.constants
     assert column.N_Rd == s.A * S275 and column.M_y_Rd == s.W_pl_y * S275
     assert column.N_b_z_Rd < column.N_b_y_Rd < column.N_Rd
-    assert HELD.constants.M_b_Rd == HELD.constants.M_y_Rd and not HELD.twists and not BRACE.twists and COLUMN.twists
+    assert (
+        RESTRAINED.constants.M_b_Rd == RESTRAINED.constants.M_y_Rd
+        and not RESTRAINED.twists
+        and not BRACE.twists
+        and COLUMN.twists
+    )
     reduced = replace(COLUMN, gamma_M0=1.1, gamma_M1=1.2).constants
     assert reduced.N_Rd == pytest.approx(column.N_Rd / 1.1)
     assert reduced.N_b_z_Rd == pytest.approx(column.N_b_z_Rd / 1.2)
@@ -370,9 +375,9 @@ def test_thesis_sections_have_the_resistances_of_the_clauses() -> None:
 
 
 def test_torsional_buckling_counts_where_it_is_less() -> None:
-    held = replace(COLUMN, stability=Stability(3.0, 1.0, 12.0)).constants
+    torsional = replace(COLUMN, stability=Stability(3.0, 1.0, 12.0)).constants
     flexural = replace(COLUMN, stability=Stability(3.0, 1.0, 0.0)).constants
-    assert held.N_b_z_Rd < flexural.N_b_z_Rd and held.lambda_z == flexural.lambda_z
+    assert torsional.N_b_z_Rd < flexural.N_b_z_Rd and torsional.lambda_z == flexural.lambda_z
 
 
 def test_every_check_has_its_clause() -> None:
