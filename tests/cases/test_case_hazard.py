@@ -219,7 +219,7 @@ def suite_with(code: str, folder: Path) -> tuple[dict[str, Any], list[dict[str, 
     return about, about["criteria"]
 
 
-def test_a_suite_is_held_to_the_rules_of_asce_7(tmp_path: Path) -> None:
+def test_a_suite_is_checked_against_the_rules_of_asce_7(tmp_path: Path) -> None:
     """16.2.3.3: the mean of matched motions at least 110 % of the target; the factor on the suite sees to it."""
     about, criteria = suite_with("asce7-22", tmp_path)
     assert about["criteria_of"] == "ASCE/SEI 7-22"
@@ -230,7 +230,7 @@ def test_a_suite_is_held_to_the_rules_of_asce_7(tmp_path: Path) -> None:
     assert use["detail"] == "the standard has no rule for fewer"
 
 
-def test_a_suite_is_held_to_the_rules_of_ntc_2018(tmp_path: Path) -> None:
+def test_a_suite_is_checked_against_the_rules_of_ntc_2018(tmp_path: Path) -> None:
     """3.2.3.6: between 0.9 and 1.3 of the target from 0.15 s to 2 s; the mean of the peaks is not asked for."""
     about, criteria = suite_with("ntc-2018", tmp_path)
     assert about["criteria_of"] == "NTC 2018"

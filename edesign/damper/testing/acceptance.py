@@ -1,7 +1,7 @@
 """Acceptance of devices by their tests: criteria of ASCE/SEI 7, EN 15129 and NTC 2018 on the cycles of each run.
 
 The limits are those of the standards as the project knows them; a laboratory may set its own in `acceptance`. Which of
-them were held against a text is said in docs/how_to/damper_tests.md.
+them were compared with a text is said in docs/how_to/damper_tests.md.
 """
 
 from __future__ import annotations

@@ -234,7 +234,7 @@ class UserHazard(Hazard):
         damping_correction: code by which ordinates change with damping; without the key the tables hold for their
             damping alone.
         interpolation: how ordinates lie between the rows: as a power of the period, or on a straight line.
-        criteria: code whose rules a set of motions is held to.
+        criteria: code whose rules a set of motions is checked against.
         spectrum: table of all levels that have a `factor`.
         levels: levels by name, each with a factor on the spectrum or a table of its own.
     """

@@ -78,7 +78,7 @@ class IsolatedBase(Model):
         Q: variable load along the frame.
         mass: mass of the base, all of it; without the key that of its loads if `masses.from_loads` says so.
         beams: elastic beams from column base to column base, with which the column bases turn; this key or `rotation`.
-        rotation: what holds the column bases against turning, as a support would; this key or `beams`.
+        rotation: what restrains rotations of the column bases, as a support would; this key or `beams`.
     """
 
     G: LineLoad = 0.0

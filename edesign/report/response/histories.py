@@ -83,7 +83,7 @@ def variant_colors(archive: Archive) -> dict[str, str]:
         return dict.fromkeys(names, AFTER)
     others = [name for name in names if name != DIRECT]
     found = {name: VARIANTS[i % len(VARIANTS)] for i, name in enumerate(others)}
-    return found | {DIRECT: MEAN}  # what compensators are held against
+    return found | {DIRECT: MEAN}  # what compensators are compared with
 
 
 def by_level(chosen: Iterable[History]) -> dict[str, dict[str, list[History]]]:

@@ -1,1 +1,1 @@
-"""What the effects are held against: EN 1993-1-1 for members, EN 1998-1 for the building."""
+"""Checks of the effects: EN 1993-1-1 for members, EN 1998-1 for the building."""

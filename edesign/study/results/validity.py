@@ -29,7 +29,7 @@ AT = {
 def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantity] = ()) -> dict[str, str]:
     """Return the channels that `largest_drift` limits, storey drifts and rotations of member ends, in words.
 
-    A drift is the rotation of a column's chord, so that rotations in rad are held to the same number.
+    A drift is the rotation of a column's chord, so that rotations in rad have the same limit.
 
     Args:
         drifts: on its column lines, as `line_drifts` gives them.

@@ -179,7 +179,7 @@ def test_hysteresis_is_judged_once_it_has_forgotten(name: str) -> None:
 
 
 def test_what_was_at_rest_came_from_nowhere_else_however_wrong_the_law_is() -> None:
-    """A ramp that began at rest: the law that is held against it is half as stiff, so that much is left."""
+    """A ramp that began at rest: the law that it is compared with is half as stiff, so that much is left."""
     slow = {**SOLID, "c1": 6e6}  # relaxes in 1 s
     test = recorded(ZENER, slow, 2e-3 * (T + 10.0 * STEP), (np.array([-STEP]), np.zeros(1), np.full(1, 2e-3)))
     poor = {name: 0.5 * value for name, value in slow.items()}
