@@ -70,7 +70,7 @@ def calibrate(
     progress(f"fitting the {'building' if structure else 'law'} alone")
     found = searched(problem, settings, progress, campaign.path, "structure" if structure else "law")
     steps = Steps(progress, found.ending)
-    with steps.held():
+    with steps.deferring_interrupts():
         calibration = _outcome(campaign, found, settings, steps).calibration(steps)
     return replace(calibration, seconds=clock.perf_counter() - begin)
 

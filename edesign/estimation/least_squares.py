@@ -76,7 +76,7 @@ class Fit:
         noise: by which residuals were weighted.
         z: (p,) coordinates.
         predicted: (n_i,) of each test.
-        slopes: (n_i, p) d predicted / d z, with nuisance amplitudes held.
+        slopes: (n_i, p) d predicted / d z, with nuisance amplitudes fixed.
         evaluations: sets of parameters for which tests were predicted.
         steps: that the search tried.
         converged: whether the search ended by itself.
@@ -146,7 +146,7 @@ def fit(
     settings: Settings = SETTINGS,
     slopes: Tests | None = None,
 ) -> Fit:
-    """Search the parameters of largest posterior density: Levenberg-Marquardt, held inside the bounds.
+    """Search the parameters of largest posterior density: Levenberg-Marquardt, kept inside the bounds.
 
     Slopes are differences of one batch of predictions; between batches they are updated by what steps show. A search
     ends by itself where fresh slopes promise nothing more. Several starts are the caller's.
@@ -167,8 +167,8 @@ def fit(
         PredictionError: the model cannot predict at the start.
 
     Sources: Madsen, Nielsen and Tingleff (2004), Methods for non-linear least squares problems, sections 3.2 and 3.5;
-    More (1978), LNM 630, 105-116 (scaling); Kaufman (1975), BIT 15, 49-57 (slopes with nuisance amplitudes held); Stark
-    and Parker (1995), Computational Statistics 10, 129-141 (the step inside the bounds).
+    More (1978), LNM 630, 105-116 (scaling); Kaufman (1975), BIT 15, 49-57 (slopes with nuisance amplitudes fixed);
+    Stark and Parker (1995), Computational Statistics 10, 129-141 (the step inside the bounds).
     """
     search = _Search(model, noise, settings)
     most = settings.steps if steps is None else steps

@@ -112,17 +112,17 @@ class Library:
         fit = self._fit[choices]
         mean, variance = np.mean(fit, axis=1), np.var(fit, axis=1)
         square = np.mean(mean**2, axis=1) + self.options.scatter_weight * np.mean(variance, axis=1)
-        held = np.min(np.mean(self._checked[choices], axis=1), axis=1) / self.spectrum.set_rules.least_ratio
+        least = np.min(np.mean(self._checked[choices], axis=1), axis=1) / self.spectrum.set_rules.least_ratio
         if self._peaks is not None:
-            held = np.minimum(held, np.mean(self._peaks[choices], axis=1))  # below 1: a criterion fails by that much
+            least = np.minimum(least, np.mean(self._peaks[choices], axis=1))  # below 1: a criterion fails by that much
         common = np.ones(len(choices))
         own = self._own[choices]
         if self.options.scaling in ("common", "both"):
             low, high = self.options.scale_bounds
-            best = np.maximum(np.mean(mean, axis=1) / square, (1.0 + _MARGIN) / held)
+            best = np.maximum(np.mean(mean, axis=1) / square, (1.0 + _MARGIN) / least)
             common = np.minimum(np.maximum(best, low / np.min(own, axis=1)), high / np.max(own, axis=1))
         misfit = common**2 * square - 2.0 * common * np.mean(mean, axis=1) + 1.0
-        shortfall = np.maximum(0.0, 1.0 - common * held)
+        shortfall = np.maximum(0.0, 1.0 - common * least)
         shortfall[shortfall < _MARGIN] = 0.0
         return Scaling(common, common[:, None] * own, shortfall, misfit)
 

@@ -53,11 +53,11 @@ def shortfall_and_misfit(records: list[Record], T1: float) -> tuple[float, float
     own = np.clip(np.exp(-np.log(ratio).mean(axis=1)), 1.0 / 3.0, 3.0)
     scaled = own[:, None] * ratio
     peaks = np.mean([f * record.pga for f, record in zip(own, records, strict=True)]) / A_G_S
-    held = min(scaled.mean(axis=0).min() / 0.9, peaks)
+    least = min(scaled.mean(axis=0).min() / 0.9, peaks)
     square = np.mean(scaled.mean(axis=0) ** 2) + 0.2 * np.mean(scaled.var(axis=0))
-    common = max(scaled.mean() / square, 1.0 / held)
+    common = max(scaled.mean() / square, 1.0 / least)
     common = min(max(common, (1.0 / 3.0) / own.min()), 3.0 / own.max())
-    return max(0.0, 1.0 - common * held - 1e-9), common**2 * square - 2.0 * common * scaled.mean() + 1.0, common * own
+    return max(0.0, 1.0 - common * least - 1e-9), common**2 * square - 2.0 * common * scaled.mean() + 1.0, common * own
 
 
 def test_the_choice_is_the_best_of_all_with_one_of_each_earthquake(suite: Group) -> None:

@@ -36,11 +36,13 @@ class Steps:
     ending: Ending
     failed: dict[str, str] = field(default_factory=dict)
     _left: bool = False
-    _raising: Any = field(default=None, init=False)  # handler of interrupts outside of `held`; None: not in it
+    _raising: Any = field(
+        default=None, init=False
+    )  # handler of interrupts outside of `deferring_interrupts`; None: not in it
 
     @contextmanager
-    def held(self) -> Iterator[None]:
-        """Hold interrupts back from what no result can do without; steps that are taken meanwhile end by them."""
+    def deferring_interrupts(self) -> Iterator[None]:
+        """Keep interrupts from what no result can do without; steps that are taken meanwhile end by them."""
         handler = signal.getsignal(signal.SIGINT)
         if handler is None or threading.current_thread() is not threading.main_thread():  # which alone is interrupted
             yield

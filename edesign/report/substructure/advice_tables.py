@@ -75,7 +75,7 @@ def _delay_factor(one: ExpectedTest) -> float | None:
 
 
 def _modelled_as(one: ExpectedTest) -> str:
-    return f"{one.modelled_as}; held by its limits" if one.limited else one.modelled_as
+    return f"{one.modelled_as}; at its limits" if one.limited else one.modelled_as
 
 
 def _response_rms(row: _Expected) -> Value:

@@ -34,7 +34,7 @@ QUANTITIES = {
 """What tests by other methods show: name with the unit shown, and that unit."""
 ROUNDING = 1e-12
 """Ratios, s and J below it are rounding of a perfect rig."""
-LIMITED_THERE = "Of the rig: its motion, or the reading of the sensor, was held there; a force was not."
+LIMITED_THERE = "Of the rig: its motion, or the reading of the sensor, was cut off there; a force was not."
 LIMIT_TIMES = ("first", "last", "duration")
 """What is printed of a limit that was met, s."""
 MICRO_S2 = Unit("1e-6 s2", 1e-6)

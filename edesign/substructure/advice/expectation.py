@@ -374,12 +374,12 @@ class LinearModel:
         if direct is not None:
             return self._in_loop(name, compensator, direct)
         assert drive.target is not None
-        said, held, tracking = compensator.modelled_as, compensator.limited, (nan, nan)
+        said, limited, tracking = compensator.modelled_as, compensator.limited, (nan, nan)
         try:
             tracking = _tracking(drive.target[:, 0], self.laboratory.moved(name, drive.target).measured)
         except AnalysisError as error:
             said = f"{said}; {FAILS}: {error}"
-        return ExpectedTest(name, said, None, True, nan, math.inf, held, *tracking, nan, nan)
+        return ExpectedTest(name, said, None, True, nan, math.inf, limited, *tracking, nan, nan)
 
     def _in_loop(self, name: str, compensator: CompensatorTransfer, direct: Direct) -> ExpectedTest:
         step, loop = self.laboratory.file.loop.main_step, Loop(self.whole, self.seen(compensator))
@@ -394,10 +394,10 @@ class LinearModel:
                 tracking, wrong = self._errors(name, compensator, loop, verdict, direct)
             except AnalysisError as error:
                 said = f"{said}; {FAILS}: {error}"
-        held = compensator.limited
+        limited = compensator.limited
         left, factor = _delay_left(verdict, step)
         return ExpectedTest(
-            name, said, verdict, stable, left, factor if stable else 0.0, held, *tracking, *wrong, sampled=sampled
+            name, said, verdict, stable, left, factor if stable else 0.0, limited, *tracking, *wrong, sampled=sampled
         )
 
     def _errors(

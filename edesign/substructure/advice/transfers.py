@@ -287,12 +287,12 @@ def of_adaptive_series(
     adapts = float(np.max(np.abs(motion))) > described.threshold
     alpha = converged_series(described, rig, motion, step) if adapts else np.array(described.initial)
     limits = described.limits
-    held = np.clip(alpha, *np.transpose([limits.a0, limits.a1, limits.a2]))
+    clipped = np.clip(alpha, *np.transpose([limits.a0, limits.a1, limits.a2]))
     how = "converged" if adapts else "never adapts, below its threshold"
-    said = f"{how}: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
-    command = series_command(described, held, step)
-    limited, equation = bool(np.any(held != alpha)), _series_equation(held, described.derivatives, step)
-    return CompensatorTransfer(command, None, said, alpha=held, limited=limited, equation=equation)
+    said = f"{how}: {clipped[0]:.5g}, {1e3 * clipped[1]:.4g} ms, {1e6 * clipped[2]:.4g}e-6 s2"
+    command = series_command(described, clipped, step)
+    limited, equation = bool(np.any(clipped != alpha)), _series_equation(clipped, described.derivatives, step)
+    return CompensatorTransfer(command, None, said, alpha=clipped, limited=limited, equation=equation)
 
 
 def series_command(

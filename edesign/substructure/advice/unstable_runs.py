@@ -1,4 +1,4 @@
-"""Runs that reached their end though their loop is unstable: held by a limit of the rig, or growing slowly.
+"""Runs that reached their end though their loop is unstable: at a limit of the rig, or growing slowly.
 
 A run ends as unstable when it has grown by a factor. A loop that grows ends in a limit cycle where the rig is at its
 limits, or where a law softens; a record can end before; and a law that is linearised at one amplitude may not grow at
@@ -73,7 +73,7 @@ def _with_warning(run: VirtualTest, amplitude: float, expected: ExpectedTest, wh
     if expected.stable:
         return _unexpected(run, expected.response_rms, why_else)
     if run.saturated:
-        return without_result(run, "unstable", f"held by {in_words(run.saturated)}")
+        return without_result(run, "unstable", f"limited by {in_words(run.saturated)}")
     return _warned(run, f"reached its end, but its linearised loop is unstable: {growth_in_words(amplitude, expected)}")
 
 

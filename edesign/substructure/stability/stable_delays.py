@@ -61,13 +61,13 @@ def _stable(
 
 def _joined(intervals: Iterator[tuple[float, float]]) -> Iterator[tuple[float, float]]:
     """Intervals of which none begins where another ends."""
-    held: tuple[float, float] | None = None
+    joined: tuple[float, float] | None = None
     for begin, end in intervals:
-        if held is not None and held[1] == begin:
-            held = (held[0], end)
+        if joined is not None and joined[1] == begin:
+            joined = (joined[0], end)
             continue
-        if held is not None:
-            yield held
-        held = (begin, end)
-    if held is not None:
-        yield held
+        if joined is not None:
+            yield joined
+        joined = (begin, end)
+    if joined is not None:
+        yield joined

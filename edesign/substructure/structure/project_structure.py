@@ -76,7 +76,7 @@ class _Condensed:
         return np.asarray(0.5 * (reduced + reduced.T))
 
     def flexibility(self, direction: np.ndarray) -> float:
-        """Return the deformation along (n_equations,) by a unit force there, the degrees with mass held, m/N."""
+        """Return the deformation along (n_equations,) by a unit force there, the degrees with mass fixed, m/N."""
         if self.light_stiffness is None:
             return 0.0
         along = direction[self.light]
@@ -218,7 +218,7 @@ def _condense(project: Project, tangent: scipy.sparse.csc_matrix, masses: np.nda
     try:
         factors = scipy.sparse.linalg.splu(tangent[light][:, light].tocsc())
     except RuntimeError as error:
-        text = "degrees without mass are held by nothing once the damper stands in the laboratory [E-PART-01]"
+        text = "nothing restrains the degrees without mass once the damper stands in the laboratory [E-PART-01]"
         raise InputError(f"{project.path}: {text}") from error
     shape[light] = -factors.solve(tangent[light][:, heavy].toarray())
     return _Condensed(heavy, shape, light, factors)

@@ -151,9 +151,9 @@ def test_parameters_at_a_bound_count_as_known() -> None:
     noise = Noise.white([0.6] * 4)
     parameters = normal("abc")
     known = fit(linear([x[:, :2] for x in matrices], measured, parameters[:2]), noise, settings=TIGHT)
-    held = (*parameters[:2], replace(parameters[2], lower=0.0, upper=1.0, centre=0.5))
+    bounded = (*parameters[:2], replace(parameters[2], lower=0.0, upper=1.0, centre=0.5))
     truth: Fit = fit(
-        linear([np.hstack((x[:, :2], -1e3 * np.ones((len(x), 1)))) for x in matrices], measured, held),
+        linear([np.hstack((x[:, :2], -1e3 * np.ones((len(x), 1)))) for x in matrices], measured, bounded),
         noise,
         settings=TIGHT,
     )

@@ -177,12 +177,12 @@ def test_what_cannot_be_met_is_missed_by_as_little_as_possible() -> None:
     options = SelectionOptions("common", (0.5, 2.0))
     found = select(T, spectra, pgas, TARGET, T_1, 3, options)
 
-    def held(choice: tuple[int, ...]) -> float:
+    def least(choice: tuple[int, ...]) -> float:
         at = list(choice)
         ratio = 2.0 * spectra[at].mean(axis=0) / TARGET.acceleration(T)
         return min(1.0, float(ratio.min()) / 0.9, 2.0 * float(pgas[at].mean()) / 3.45)
 
-    assert held(found.chosen) == max(held(choice) for choice in combinations(range(9), 3))
+    assert least(found.chosen) == max(least(choice) for choice in combinations(range(9), 3))
 
 
 def test_two_records_never_meet_the_code() -> None:

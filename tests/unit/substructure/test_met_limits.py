@@ -95,7 +95,7 @@ def test_a_limit_cycle_is_reported_as_unstable_and_held(tmp_path: Path, limits: 
     with open_archive(ran(tmp_path, late, limits)) as archive:
         (run,) = runs(archive)
         assert run.text("outcome") == "unstable" and np.isnan(run.value("response_error"))
-        assert run.text("reason").startswith(f"held by the {reason}") and "first at" in run.text("reason")
+        assert run.text("reason").startswith(f"limited by the {reason}") and "first at" in run.text("reason")
         motion = np.abs(archive.group("tests/kick/none").variables["deformation"].values)
         assert np.max(motion[-1000:]) > 0.5 * np.max(motion)
 

@@ -445,7 +445,7 @@ def test_without_structure_the_best_tracking_is_taken() -> None:
     assert none.stability is None and math.isnan(none.response_rms) and not advice.tests[0].modes
     assert advice.governing is None
     printed = shown(advice)
-    assert "held by its limits" not in printed and "Stability" not in printed
+    assert "at its limits" not in printed and "Stability" not in printed
 
 
 def test_a_live_delay_counts_as_its_polynomial() -> None:
