@@ -42,7 +42,7 @@ def build_frame(
 
     The model has nodes, supports, members, diaphragms, masses, a leaning column and gravity loads. A place of the grid
     where no member ends gets no node and no support. The rotation of a node at which only pin-ended members end is
-    fixed: nothing else would hold it, and nothing turns it.
+    fixed: nothing else would restrain it, and nothing turns it.
 
     Args:
         model: an empty model to build in; a new one by default.
@@ -52,7 +52,7 @@ def build_frame(
         footings: by lines of columns; without one that is a footing in the project, the line is fixed. None: those of
             the project.
         weights: on the column bases of an isolated base under the gravity combination, N, by node, where its isolators
-            need them; None: the base is held horizontally, and has no isolators.
+            need them; None: the base is fixed horizontally, and has no isolators.
 
     Returns:
         The model of the frame, with the numbers of its parts in the core.
@@ -72,9 +72,9 @@ def build_frame(
     elif footings is None:
         braces = {name: law for name, law in (laws or {}).items() if law.restrained is not None}
         footings = project_footings(project, lambda found: _first_period(project, found, braces))
-    base_held = weights is None
-    supports, grounds, built_footings = _supports(frame, model, nodes, footings, isolation, base_held)
-    rigid = frame.diaphragm_floors if isolation is None or base_held else (0, *frame.diaphragm_floors)
+    fixed_base = weights is None
+    supports, grounds, built_footings = _supports(frame, model, nodes, footings, isolation, fixed_base)
+    rigid = frame.diaphragm_floors if isolation is None or fixed_base else (0, *frame.diaphragm_floors)
     for floor in rigid:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.levels[floor]]
         for node in tied[1:]:
@@ -174,20 +174,20 @@ def _supports(
     nodes: dict[str, int],
     footings: Mapping[str, FootingSprings],
     isolation: Isolation | None,
-    base_held: bool,
+    fixed_base: bool,
 ) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, Grounds], dict[str, BuiltFooting]]:
-    """Hold the column bases; returns what is held, where springs that hold it stand, and the footings.
+    """Support the column bases; returns the restrained degrees, the ground nodes of support springs, and the footings.
 
-    An isolated base is held by its isolators, or with `base_held` by fixed supports in their place.
+    Isolators support an isolated base, or with `fixed_base` fixed supports in their place.
     """
-    held = _held_rotations(frame)
+    unreleased = _unreleased_nodes(frame)
     turning = isolation is not None and isolation.base.beams is not None
     at_base = {names.node_name(line, 0): line for line in frame.lines}
     supports, grounds, built = {}, {}, {}
     for name, node in nodes.items():
         line = at_base.get(name)
         if line is None:
-            if name not in held:
+            if name not in unreleased:
                 model.fix(node, rz=True)
             continue
         support = frame.support(line) if isolation is None else isolated_support(frame, isolation, line)
@@ -196,13 +196,13 @@ def _supports(
             if line not in footings:
                 model.fix(node, True, True, True)
                 continue
-            model.fix(node, rz=name not in held)
+            model.fix(node, rz=name not in unreleased)
             place = frame.nodes[name]
-            grounds[name], built[name] = add_footing(model, name, node, place, footings[line], name in held)
+            grounds[name], built[name] = add_footing(model, name, node, place, footings[line], name in unreleased)
             continue
         springs = springs_of(support)
-        horizontal = "fixed" if isolation is not None and base_held else springs.horizontal
-        directions = [horizontal, springs.vertical, springs.rotation if name in held or turning else "fixed"]
+        horizontal = "fixed" if isolation is not None and fixed_base else springs.horizontal
+        directions = [horizontal, springs.vertical, springs.rotation if name in unreleased or turning else "fixed"]
         ux, uy, rz = (direction == "fixed" for direction in directions)
         model.fix(node, ux=ux, uy=uy, rz=rz)
         ux, uy, rz = (direction != "free" for direction in directions)
@@ -213,12 +213,12 @@ def _supports(
     return supports, grounds, built
 
 
-def _held_rotations(frame: Frame) -> set[str]:
+def _unreleased_nodes(frame: Frame) -> set[str]:
     """Nodes at which the end of a column or beam is not released."""
-    held = set()
+    unreleased = set()
     for name, (start, end) in frame.ends.items():
         if name.startswith("D_"):
             continue
         released = frame.released.get(name, (False, False))
-        held |= {node for node, free in zip((start, end), released, strict=True) if not free}
-    return held
+        unreleased |= {node for node, free in zip((start, end), released, strict=True) if not free}
+    return unreleased

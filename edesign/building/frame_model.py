@@ -83,12 +83,12 @@ class FrameModel:
         nodes: ids by name, floor by floor from the left.
         members: by name, columns, then beams, then braces.
         masses: kg that resist horizontal motion, by node.
-        supports: held degrees of freedom (ux, uy, rz) of each supported node, by name.
+        supports: restrained degrees of freedom (ux, uy, rz) of each supported node, by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
         panels: its panel zones by the node of their joint.
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
-        grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
+        grounds: of supported nodes on springs the other end of these, for each degree; None: no spring restrains it.
         leaning: its leaning column, whose nodes and struts are none of the above.
         footings: by the supported nodes that stand on them.
         isolated: its isolated base, whose devices are among its dampers; None: it stands on its supports.

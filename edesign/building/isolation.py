@@ -75,7 +75,7 @@ def base_masses(project: Project) -> dict[str, float]:
 
 
 def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSprings:
-    """Return how the base of a line is held in other directions than the horizontal one.
+    """Return how the base of a line is supported in other directions than the horizontal one.
 
     Args:
         frame: of the project.

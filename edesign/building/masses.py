@@ -45,19 +45,19 @@ def vertical_masses(project: Project) -> dict[str, float]:
 def still_beams(project: Project) -> list[str]:
     """Return the names of the loaded beams that vertical ground motion does not bend.
 
-    Masses stand at nodes. What a beam carries between two nodes that columns or braces hold up is at these nodes, and
+    Masses stand at nodes. What a beam carries between two nodes that columns or braces support is at these nodes, and
     shakes the columns alone. A beam that is divided by a node with mass that hangs in it vibrates on its own.
 
     Raises:
         InputError: loads upwards would give a negative mass.
     """
     frame, masses = project.frame, vertical_masses(project)
-    held = {node for name, ends in frame.ends.items() if name not in frame.beam_members for node in ends}
+    supported = {node for name, ends in frame.ends.items() if name not in frame.beam_members for node in ends}
     loaded = beam_loads(project, project.loads.gravity)
     return [
         name
         for name, beam in frame.beam_members.items()
-        if name in loaded and all(node in held or node not in masses for node in (beam.start, beam.end))
+        if name in loaded and all(node in supported or node not in masses for node in (beam.start, beam.end))
     ]
 
 

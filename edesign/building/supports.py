@@ -22,12 +22,12 @@ _WORDS = ("horizontal", "vertical", "rotation")
 def support_springs(
     model: Model, name: str, node: int, place: tuple[float, float], directions: Sequence[Direction]
 ) -> Grounds:
-    """Add the springs that hold a node.
+    """Add the springs that support a node.
 
     Args:
         name: of the supported node.
         place: x and y of the node, m.
-        directions: what holds ux, uy, rz; "fixed" and "free" get no spring.
+        directions: what restrains ux, uy, rz; "fixed" and "free" get no spring.
 
     Returns:
         For each degree the node of the ground that its spring stands on; None without one.
@@ -67,7 +67,7 @@ def add_footing(
     Args:
         name: of the supported node.
         place: x and y of the node, m.
-        turns: whether anything but the footing holds the rotation of the node; without, it is fixed.
+        turns: whether anything but the footing restrains the rotation of the node; without, it is fixed.
 
     Returns:
         The node of the ground for each degree, and the footing.

@@ -124,7 +124,7 @@ def _nodes(design: ElasticDesign) -> Group:
     group.add("position", ("node", "coordinate"), frame.coordinates, "m", "place of the node")
     group.add("mass", ("node",), frame.node_mass, "kg", "mass at the node, horizontally")
     group.coords["degree"] = Variable(("degree",), np.array(["ux", "uy", "uz", "rx", "ry", "rz"]), "", "degree")
-    group.add("fixed", ("node", "degree"), frame.fixed.astype(int), "1", "1: held by a support")
+    group.add("fixed", ("node", "degree"), frame.fixed.astype(int), "1", "1: restrained by a support")
     shape = modes.displacements[:count, :, :3].astype(np.float32)  # for drawings
     group.add("mode_shape", ("mode", "node", "coordinate"), shape, "kg^-1/2", "shape, generalised mass 1")
     return group

@@ -109,7 +109,7 @@ def test_moat_stops_the_base_and_the_frame_lifts_off(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("bases", ["rotation: fixed", BEAMS])
 def test_moments_of_the_bases_pull_at_isolators(tmp_path: Path, bases: str) -> None:
-    """Held bases keep their moments from the isolators, which is reported; beams bring them there: these are pulled."""
+    """Fixed bases keep their moments from the isolators, which is reported; beams bring them there, and pull."""
     path = of_case(
         CASE,
         tmp_path / "rubber",
@@ -134,7 +134,7 @@ def test_moments_of_the_bases_pull_at_isolators(tmp_path: Path, bases: str) -> N
     else:
         assert pulls > 0.0
         assert warning.kind == "isolator_tension"
-        assert f"with {pulls / 1e3:.4g} kN; it is held down" in warning.text
+        assert f"with {pulls / 1e3:.4g} kN; it is as stiff in tension" in warning.text
 
 
 def test_study_of_isolated_and_fixed(tmp_path: Path) -> None:

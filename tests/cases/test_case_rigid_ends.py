@@ -33,8 +33,8 @@ def test_moments_under_gravity(results_of: Results) -> None:
     of_beam, of_column, c = 2.0 * E * I_BEAM / L_CLEAR, E * I_COLUMN / H_CLEAR, A_COLUMN / H_CLEAR
     of_column *= 4.0 + 12.0 * c + 12.0 * c**2
     # about the node: the moment of the face, the shear times the arm, the load on the arm
-    held = W * (L_CLEAR**2 / 12.0 + 0.5 * L_CLEAR * A_BEAM + 0.5 * A_BEAM**2)
-    face = W * L_CLEAR**2 / 12.0 - of_beam * held / (of_beam + of_column)
+    fixed = W * (L_CLEAR**2 / 12.0 + 0.5 * L_CLEAR * A_BEAM + 0.5 * A_BEAM**2)
+    face = W * L_CLEAR**2 / 12.0 - of_beam * fixed / (of_beam + of_column)
     ends = dict(zip(group.coords["member"].values, _largest(group, "member_bending_moment"), strict=True))
     assert ends["B_1_1"] == pytest.approx([face, face], rel=1e-6)
 

@@ -29,7 +29,7 @@ Q, K_D, Y_LEAD = 40e3, 0.5e6, 6e-3
 R, MU, Y_SLIP = 4.0, 0.05, 1e-3
 WEIGHT = 2.0 * P + P_BASE  # N on a bearing under gravity
 DT = 0.002
-HELD, BEAMS = "rotation: fixed", "beams: {section: beam, material: steel}"
+FIXED, BEAMS = "rotation: fixed", "beams: {section: beam, material: steel}"
 
 PROJECT = f"""\
 edesign: 1
@@ -174,10 +174,10 @@ def theirs(law: str, beams: bool) -> dict[str, np.ndarray]:
 @pytest.mark.parametrize(
     ("law", "weight", "bases", "tolerance"),
     [
-        ("lead", "", HELD, 2e-4),
+        ("lead", "", FIXED, 2e-4),
         ("lead", "", BEAMS, 2e-4),
-        ("dish", "", HELD, 1e-2),
-        ("dish", ", weight: varying", HELD, 1e-2),
+        ("dish", "", FIXED, 1e-2),
+        ("dish", ", weight: varying", FIXED, 1e-2),
     ],
     ids=["lead", "lead under beams", "dish", "dish under the axial force"],
 )

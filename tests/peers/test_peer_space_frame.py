@@ -97,9 +97,9 @@ def test_static_cases(diaphragms: bool) -> None:
     axial = np.array([ops.eleResponse(m, "axialForce")[0] for m in bars])
     np.testing.assert_allclose(static.end_forces[0, bars, 6], axial, atol=1e-7 * np.max(np.abs(axial)))
     ops.reactions()
-    held = [i for i, fixed in enumerate(f.fixed) if all(fixed)]
-    reactions = np.array([ops.nodeReaction(i) for i in held])
-    np.testing.assert_allclose(static.reactions[0, held], reactions, atol=1e-7 * np.max(np.abs(reactions)))
+    supported = [i for i, fixed in enumerate(f.fixed) if all(fixed)]
+    reactions = np.array([ops.nodeReaction(i) for i in supported])
+    np.testing.assert_allclose(static.reactions[0, supported], reactions, atol=1e-7 * np.max(np.abs(reactions)))
     ops.wipe()
 
 

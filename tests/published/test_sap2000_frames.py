@@ -23,12 +23,12 @@ E_1 = 29500.0  # ksi
 
 
 def plane(A: float, inertia: float) -> dict[str, float]:
-    """A member that bends in its plane alone: all else is held or counts for nothing."""
+    """A member that bends in its plane alone: all else is restrained or counts for nothing."""
     return {"E": E_1, "G": E_1, "A": A, "I_y": inertia, "I_z": inertia, "I_t": inertia}
 
 
 def seven_storeys() -> tuple[Frame, np.ndarray]:
-    """The frame and its nodes (storeys + 1, 3). A floor moves along x as one: a diaphragm held in uy and rz."""
+    """The frame and its nodes (storeys + 1, 3). A floor moves along x as one: a diaphragm restrained in uy and rz."""
     f = Frame(masters=[(360.0, 0.0)] * 7)
     grid = np.zeros((8, 3), dtype=int)
     z = np.cumsum([0.0, *STOREY])

@@ -48,7 +48,7 @@ def seven_storeys(prefix: str = "") -> str:
         f"        I22={I33}   AS2=0   AS3=0"
         for name, (A, I33) in (COLUMNS | BEAMS).items()
     ]
-    floors, held = range(1, 8), "   ".join(f"{d}=Yes" for d in ("U1", "U2", "U3", "R1", "R2", "R3"))
+    floors, restrained = range(1, 8), "   ".join(f"{d}=Yes" for d in ("U1", "U2", "U3", "R1", "R2", "R3"))
     parts = {
         "PROGRAM CONTROL": ['ProgramName=SAP2000   Version=9.0.0   CurrUnits="Kip, in, F"'],
         "ACTIVE DEGREES OF FREEDOM": ["UX=Yes   UY=No   UZ=Yes   RX=No   RY=Yes   RZ=No"],
@@ -58,7 +58,7 @@ def seven_storeys(prefix: str = "") -> str:
         ],
         "FRAME SECTION PROPERTIES 01 - GENERAL": general,
         "JOINT COORDINATES": joints,
-        "JOINT RESTRAINT ASSIGNMENTS": [f"Joint={i}   {held}" for i in range(3)],
+        "JOINT RESTRAINT ASSIGNMENTS": [f"Joint={i}   {restrained}" for i in range(3)],
         "CONSTRAINT DEFINITIONS - DIAPHRAGM": [f"Name=D{k}   CoordSys=GLOBAL   Axis=Z   MultiLevel=No" for k in floors],
         "JOINT CONSTRAINT ASSIGNMENTS": [f"Joint={10 * k + i}   Constraint=D{k}" for k in floors for i in range(3)],
         "JOINT ADDED MASS ASSIGNMENTS": [

@@ -568,7 +568,7 @@ DAMPERS = (
     _row(
         "isolated",
         (", beams: {section: grid, material: concrete}", ""),
-        "with `beams`, which bring their moments to the isolators, or held by `rotation`, which lets these into the ground",
+        "with `beams`, which bring their moments to the isolators, or restrained by `rotation`, which lets these into the ground",
         ("Q: 12 kN/m}", "Q: 12 kN/m, beams: {section: grid, material: concrete}}"),
         ("Q: 12 kN/m}", "Q: 12 kN/m, rotation: fixed}"),
     ),

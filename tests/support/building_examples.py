@@ -108,7 +108,7 @@ design:
 
 _PORTALS = """\
 edesign_building: 1
-title: Portals along x, held across
+title: Portals along x, restrained across
 plan: {x: [@x@], y: [@y@]}
 storeys: [@storeys@]
 supports: fixed

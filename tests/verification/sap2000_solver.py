@@ -124,19 +124,19 @@ class Solved:
     def _reduction(self) -> np.ndarray:
         """All degrees by the free ones: restraints, inactive degrees, diaphragms."""
         n = self.K.shape[0]
-        held = np.zeros(n, bool)
+        fixed = np.zeros(n, bool)
         active = [value == "Yes" for value in list(self.t["ACTIVE DEGREES OF FREEDOM"][0].values())[:6]]
-        held |= ~np.tile(active, n // 6)
+        fixed |= ~np.tile(active, n // 6)
         for r in self.t["JOINT RESTRAINT ASSIGNMENTS"]:
             at = 6 * self.number[r["Joint"]]
-            held[at : at + 6] |= [r[k] == "Yes" for k in ("U1", "U2", "U3", "R1", "R2", "R3")]
+            fixed[at : at + 6] |= [r[k] == "Yes" for k in ("U1", "U2", "U3", "R1", "R2", "R3")]
         floors: dict[str, list[str]] = defaultdict(list)
         for r in self.t["JOINT CONSTRAINT ASSIGNMENTS"]:
             floors[r["Constraint"]].append(r["Joint"])
         tied = {6 * self.number[joint] + k for joints in floors.values() for joint in joints for k in (0, 1, 5)}
         columns = []
         for d in range(n):
-            if not held[d] and d not in tied:
+            if not fixed[d] and d not in tied:
                 columns.append(np.eye(n)[d])
         for joints in floors.values():
             for motion in range(3):
@@ -144,7 +144,7 @@ class Solved:
                 for joint in joints:
                     at, (x, y, _) = 6 * self.number[joint], self.joints[joint]
                     column[[at, at + 1, at + 5]] = ([1, 0, 0], [0, 1, 0], [-y, x, 1])[motion]
-                if not column[held].any():
+                if not column[fixed].any():
                     columns.append(column)
         return np.array(columns).T
 

@@ -36,7 +36,7 @@ class Frame:
         floor: int = -1,
         springs: tuple[float, ...] = (0.0,) * 6,
     ) -> int:
-        """Add a node, held in the directions of a text such as "ux uy rz" or "all"."""
+        """Add a node, fixed in the directions of a text such as "ux uy rz" or "all"."""
         names = ("ux", "uy", "uz", "rx", "ry", "rz")
         self.nodes.append((x, y, z))
         self.floors.append(floor)
@@ -64,7 +64,7 @@ class Frame:
         return len(self.rows) - 1
 
     def post(self) -> None:
-        """Add a column apart from all else, so that a frame with nothing but held nodes has something free."""
+        """Add a column apart from all else, so that a frame with nothing but fixed nodes has something free."""
         self.member(self.node(-50.0, 0, 0, fixed="all"), self.node(-50.0, 0, 1.0))
 
     def line(self, start: int, end: int, parts: int, fixed: str = "", **options: Any) -> list[int]:

@@ -278,7 +278,7 @@ def test_point_load_on_a_force_based_member_is_in_equilibrium() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_axial_loads_along_a_bar(kind: str) -> None:
-    """Elongation w L^2 / 2 EA of a bar held at i under a load along it."""
+    """Elongation w L^2 / 2 EA of a bar fixed at i under a load along it."""
     b, _ = beam(kind, CLAMP, GUIDED)
     b.model.uniform_load(b.pattern, b.elements[0], axial=1e5)
     _, area = i_layers(4, 16)

@@ -115,11 +115,11 @@ def chevrons(one: Project, storeys: list[int]) -> FrameModel:
     model = frame.model
     for storey in storeys:
         top = sum(HEIGHTS[:storey])
-        apex, held = (model.node(f"{name}{storey}", 0.5 * BAY, top) for name in ("apex", "held"))
+        apex, tied = (model.node(f"{name}{storey}", 0.5 * BAY, top) for name in ("apex", "tied"))
         model.fix(apex, rz=True)  # bars do not turn it
-        model.fix(held, uy=True, rz=True)
-        model.tie(held, frame.nodes[f"A{storey}"], ux=True)
-        model.link(f"spring{storey}", apex, held, (K, 0.0, 0.0))
+        model.fix(tied, uy=True, rz=True)
+        model.tie(tied, frame.nodes[f"A{storey}"], ux=True)
+        model.link(f"spring{storey}", apex, tied, (K, 0.0, 0.0))
         for line in "AB":
             model.truss(f"{line}{storey}", frame.nodes[f"{line}{storey - 1}"], apex, steel, AREA)
     return frame

@@ -122,7 +122,7 @@ def test_two_node_link_balances_its_shear() -> None:
     m = Model()
     i, j = m.node("i", 0.0, 0.0), m.node("j", 1.2, 1.6)  # length 2
     link = m.link("k", i, j, (3e6, 7e5, 2e4))
-    # translations are held by soft springs, rotations by stiff ones, so that the structure stands
+    # soft springs restrain translations, stiff ones rotations, so that the structure stands
     ground = m.node("ground", 0.0, 0.0), m.node("ground_j", 1.2, 1.6)
     for node, support in zip((i, j), ground, strict=True):
         m.fix(support, True, True, True)
@@ -138,7 +138,7 @@ def test_two_node_link_balances_its_shear() -> None:
     got = final(b, [channel("end_force", link, k, str(k)) for k in range(6)])
     assert got["1"] == pytest.approx(-got["4"], rel=1e-9)
     assert got["2"] + got["5"] == pytest.approx(-2.0 * got["4"], rel=1e-9)
-    # the soft springs across at i and j are equal and the link, with its turning held, is all but rigid: half
+    # the soft springs across at i and j are equal and the link, with its rotation fixed, is all but rigid: half
     # crosses it
     assert abs(got["4"]) == pytest.approx(0.5e3, rel=1e-5)
 

@@ -226,8 +226,8 @@ def test_isolators_hold_the_base_under_horizontal_loads_of_gravity() -> None:
 
 
 def test_beams_of_the_base_bring_the_moments_of_the_bases_to_the_isolators() -> None:
-    """8 kN at 2 m press and relieve the isolators, 8 m apart, by 2 kN; column bases that are held keep a part of the 16
-    kNm.
+    """8 kN at 2 m press and relieve the isolators, 8 m apart, by 2 kN; column bases that are fixed keep a part of the
+    16 kNm.
 
     Equal columns in a floor that does not bend share 8 kN; the one under 2 kN/m has w h^2 / 12 more at its column base,
     so the moments of both column bases are w h^2 / 4 + w h^2 / 12 (their shears at mid-height are half of all).

@@ -145,9 +145,9 @@ def test_the_tables_of_a_frame_alone_give_its_results(tmp_path: Path) -> None:
     displacements, reactions, periods = frame_results(project)
     of_tables = solved.displacements("G")
     close([of_tables[n][[0, 2]] for n in displacements], np.array(list(displacements.values())), OWN)
-    held = solved.reactions("G")
-    close([held[n][[0, 2]] for n in ("A0", "B0")], [reactions[n][:2] / 1e3 for n in ("A0", "B0")], OWN)
-    assert held["A0"][4] == pytest.approx(-reactions["A0"][2] / 1e3, rel=OWN)  # about Y, which points into the plane
+    found = solved.reactions("G")
+    close([found[n][[0, 2]] for n in ("A0", "B0")], [reactions[n][:2] / 1e3 for n in ("A0", "B0")], OWN)
+    assert found["A0"][4] == pytest.approx(-reactions["A0"][2] / 1e3, rel=OWN)  # about Y, which points into the plane
     close(solved.periods()[:4], periods, OWN)
 
 
@@ -159,8 +159,8 @@ def test_the_tables_of_a_building_alone_give_its_results(building: Building, tmp
     for name, displacements in cases.items():
         of_tables = solved.displacements(name)
         close([of_tables[n][:3] for n in displacements], [u[:3] for u in displacements.values()], OWN)
-    held = solved.reactions(next(iter(cases)))
-    close([held[n][:3] for n in ("B1.0", "C2.0")], [reactions[n][:3] / 1e3 for n in ("B1.0", "C2.0")], OWN)
+    found = solved.reactions(next(iter(cases)))
+    close([found[n][:3] for n in ("B1.0", "C2.0")], [reactions[n][:3] / 1e3 for n in ("B1.0", "C2.0")], OWN)
     close(solved.periods(), periods, OWN)
 
 

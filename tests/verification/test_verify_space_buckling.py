@@ -39,7 +39,7 @@ EULER = {
 def test_euler(name: str) -> None:
     """Critical forces from above, of one member each; two are better by some orders.
 
-    The bows of a member have polynomials to the sixth degree in the slope. Held ends ask most of them: Rayleigh's
+    The bows of a member have polynomials to the sixth degree in the slope. Fixed ends ask most of them: Rayleigh's
     quotient of the best polynomial is 5.9e-4 too large there, 1.1e-5 with one hinge, below 5e-7 elsewhere.
     """
     base, head, factor = EULER[name]
@@ -60,7 +60,7 @@ def test_cantilever_on_a_spring(k: float) -> None:
 
 
 def test_hinges_of_the_member() -> None:
-    """Hinges of the member between held nodes do what nodes that may turn do."""
+    """Hinges of the member between fixed nodes do what nodes that may turn do."""
     exact = pi**2 * EI / H**2
     assert column("all", "ux uy rx ry rz", 1, ends=HINGES) == pytest.approx(exact, rel=5e-7)  # as in test_euler
 
@@ -100,7 +100,7 @@ def test_sway_portal(fixed: bool, ratio: float) -> None:
 
 
 def test_bar_is_a_string() -> None:
-    """A rigid bar on a hinge, held aside by a spring at its top: P = k h."""
+    """A rigid bar on a hinge, restrained by a spring at its top: P = k h."""
     k = 3e5
     f = Frame()
     f.member(f.node(0, 0, 0, fixed="all"), f.node(0, 0, H, springs=(k, 2 * k, 0, 0, 0, 0)), axial_only=True)

@@ -99,7 +99,7 @@ def test_portals_lean_on_one_another(fixed: bool, slender: str, share: float) ->
 
 
 def in_elements(stiff: float, N: float, h: float, parts: int, fixed: bool) -> tuple[np.ndarray, np.ndarray]:
-    """K and -K_G of a column in cubic elements over displacement and rotation of its nodes; the column base is held."""
+    """K and -K_G of a column in cubic elements over displacement and rotation of its nodes; its base is fixed."""
     L = h / parts
     K = stiff / L**3 * np.array([[12, 6 * L, -12, 6 * L], [6 * L, 4 * L**2, -6 * L, 2 * L**2],
                                  [-12, -6 * L, 12, -6 * L], [6 * L, 2 * L**2, -6 * L, 4 * L**2]])  # fmt: skip
@@ -109,8 +109,8 @@ def in_elements(stiff: float, N: float, h: float, parts: int, fixed: bool) -> tu
     for part in range(parts):
         at = slice(2 * part, 2 * part + 4)
         whole[:, at, at] += [K, G]
-    held = 2 if fixed else 1
-    return whole[0, held:, held:], whole[1, held:, held:]
+    first = 2 if fixed else 1
+    return whole[0, first:, first:], whole[1, first:, first:]
 
 
 @pytest.mark.parametrize("fixed", [True, False])

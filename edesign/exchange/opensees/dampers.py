@@ -142,10 +142,10 @@ class DamperBuilder:
         to.append(command("element", *words, comment=name))
 
     def _brace(self, name: str, node: int, stiffness: float, along: Direction, found: Dampers) -> int:
-        """Add a spring in series; across it the node is held to the spring's end, where no force acts."""
+        """Add a spring in series; across it the node is tied to the spring's end, where no force acts."""
         s = self._to
         far = s.add_node(f"{name}, behind its spring", s.places[node])
-        s.joined.hold((far, 2))
+        s.joined.fix((far, 2))
         material, tag = s.tags.next("material"), s.tags.next("element")
         found.place.append(
             command("uniaxialMaterial", "Elastic", material, stiffness, comment=f"{name}: spring in series")
@@ -174,7 +174,7 @@ class DamperBuilder:
             copy = self._to.tied_copy(
                 f"{name}, moving with {self._to.names[start]}", start, (0, 1), self._to.places[end]
             )
-            self._to.joined.hold((copy, 2))
+            self._to.joined.fix((copy, 2))
             return copy, end, _along(*along)
         degrees = {degree for _, _, degree in terms}
         if degrees == {2} or (len(degrees) == 1 and len(terms) <= 2):
@@ -202,7 +202,7 @@ class DamperBuilder:
         if -1 not in ends:
             near = s.add_node(f"{name}, ground", s.places[far])
             for at in range(3):
-                s.joined.hold((near, at))
+                s.joined.fix((near, at))
             return near, far
         if s.places[ends[-1]] == s.places[far]:
             return ends[-1], far
@@ -216,14 +216,14 @@ class DamperBuilder:
         if place is None:
             places = [s.places[node] for node in nodes]
             place = (sum(x for x, _ in places) / len(places), places[0][1])
-        if len({s.joined.leader((node, 0)) for node in nodes}) == 1 or all(s.joined.is_held((n, 0)) for n in nodes):
+        if len({s.joined.leader((node, 0)) for node in nodes}) == 1 or all(s.joined.is_fixed((n, 0)) for n in nodes):
             mean = s.tied_copy(name, nodes[0], (0,), place)
         else:
             mean = self._lever(name, nodes, place, found)
-            s.joined.hold((mean, 1))
+            s.joined.fix((mean, 1))
             return mean
-        s.joined.hold((mean, 1))
-        s.joined.hold((mean, 2))
+        s.joined.fix((mean, 1))
+        s.joined.fix((mean, 2))
         return mean
 
     def _lever(self, name: str, nodes: list[int], place: tuple[float, float], found: Dampers) -> int:
@@ -235,7 +235,7 @@ class DamperBuilder:
             found.place.append(command("geomTransf", "Linear", LEVER, comment="of stiff levers"))
         for node, side in zip(nodes, (-1.0, 1.0), strict=True):
             end = s.tied_copy(f"{name}, moving with {s.names[node]}", node, (0,), (place[0], place[1] + side))
-            s.joined.hold((end, 1))
+            s.joined.fix((end, 1))
             pair = (end, mean) if side < 0.0 else (mean, end)
             tag, i, j = s.tags.next("element"), s.nodes[pair[0]], s.nodes[pair[1]]
             words = ("elasticBeamColumn", tag, i, j, self._stiff, 1.0, self._stiff, LEVER)
@@ -246,7 +246,7 @@ class DamperBuilder:
         """The point at which stiff bars from the lower ends of a chevron meet."""
         s = self._to
         apex = s.add_node(f"{name}, apex of the chevron", place)
-        s.joined.hold((apex, 2))
+        s.joined.fix((apex, 2))
         material = s.tags.next("material")
         length = hypot(place[0] - s.places[lower_ends[0]][0], place[1] - s.places[lower_ends[0]][1])
         words = ("Elastic", material, self._stiff * length)

@@ -1,4 +1,4 @@
-"""Which degrees of freedom move as one, and which are held."""
+"""Which degrees of freedom move as one, and which are fixed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Degree = tuple[int, int]
 class JoinedDegrees:
     """Degrees of freedom that are tied to one another, chains and stars alike, each group under one leader.
 
-    OpenSees wants every tied degree to name a free one. A group with a held degree is held as a whole.
+    OpenSees wants every tied degree to name a free one. A group with a fixed degree is fixed as a whole.
     """
 
     def __init__(self, calls: Iterable[Call]) -> None:
@@ -30,7 +30,7 @@ class JoinedDegrees:
             elif call.name == "fix":
                 for at, name in enumerate(DEGREES):
                     if call[name]:
-                        self.hold((call["node"], at))
+                        self.fix((call["node"], at))
 
     def leader(self, degree: Degree) -> Degree:
         """Return the degree that a degree moves with."""
@@ -44,18 +44,18 @@ class JoinedDegrees:
         if first != second:
             self._above[first] = second
 
-    def hold(self, degree: Degree) -> None:
-        """Hold a degree, and all that move with it."""
+    def fix(self, degree: Degree) -> None:
+        """Fix a degree, and all that move with it."""
         self._fixed.add(degree)
 
-    def is_held(self, degree: Degree) -> bool:
-        """Say whether a degree, or one that it moves with, is held."""
+    def is_fixed(self, degree: Degree) -> bool:
+        """Say whether a degree, or one that it moves with, is fixed."""
         return self.leader(degree) in {self.leader(one) for one in self._fixed}
 
     def independent(self, nodes: Iterable[int]) -> int:
-        """Return how many degrees of freedom nodes have that are neither held nor tied to others."""
-        held = {self.leader(one) for one in self._fixed}
-        return len({self.leader((node, at)) for node in nodes for at in range(3)} - held)
+        """Return how many degrees of freedom nodes have that are neither fixed nor tied to others."""
+        fixed = {self.leader(one) for one in self._fixed}
+        return len({self.leader((node, at)) for node in nodes for at in range(3)} - fixed)
 
     def commands(self, nodes: Iterable[int], tags: dict[int, int], names: dict[int, str]) -> list[Command]:
         """Return the supports and ties of nodes.
@@ -65,11 +65,11 @@ class JoinedDegrees:
             tags: of OpenSees, by id.
             names: by id.
         """
-        held = {self.leader(one) for one in self._fixed}
+        supported = {self.leader(one) for one in self._fixed}
         fixes, ties = [], []
         for node in nodes:
             leaders = [self.leader((node, at)) for at in range(3)]
-            fixed = [int(leader in held) for leader in leaders]
+            fixed = [int(leader in supported) for leader in leaders]
             if any(fixed):
                 fixes.append(command("fix", tags[node], *fixed, comment=names[node]))
             to: dict[int, list[int]] = defaultdict(list)

@@ -78,7 +78,7 @@ class StructureBuilder:
     def _mass(self, call: Call) -> None:
         words = (call["mx"], call["my"], call["mrz"])
         degrees = [(call["node"], at) for at, value in enumerate(words) if value > 0.0]
-        self._to.moving |= {self._to.joined.leader(one) for one in degrees if not self._to.joined.is_held(one)}
+        self._to.moving |= {self._to.joined.leader(one) for one in degrees if not self._to.joined.is_fixed(one)}
         self._to.masses.append(command("mass", self._to.nodes[call["node"]], *words, comment=self._named(call["node"])))
 
     def _named(self, node: int) -> str:

@@ -210,8 +210,8 @@ def _reacting(frame: FrameModel, structure: Structure, support: str, degree: int
 
 def _base(frame: FrameModel, structure: Structure) -> tuple[int, ...]:
     """Tags of the nodes whose horizontal reactions are the base shear, that of the leaning column among them."""
-    held = [name for name, fixed in frame.supports.items() if fixed[0]]
-    found = [tag for name in held for tag in _reacting(frame, structure, name, 0)]
+    supports = [name for name, fixed in frame.supports.items() if fixed[0]]
+    found = [tag for name in supports for tag in _reacting(frame, structure, name, 0)]
     if frame.leaning is not None:
         found += [structure.nodes[one] for one in (frame.leaning.base, *structure.copies[frame.leaning.base])]
     return tuple(found)
@@ -220,8 +220,10 @@ def _base(frame: FrameModel, structure: Structure) -> tuple[int, ...]:
 def _outputs(frame: FrameModel, structure: Structure) -> dict[str, Value | dict[str, Value]]:
     """Which nodes the results are of."""
     reactions: dict[str, Value] = {
-        name: tuple(tuple(_reacting(frame, structure, name, degree)) if held[degree] else () for degree in range(3))
-        for name, held in frame.supports.items()
+        name: tuple(
+            tuple(_reacting(frame, structure, name, degree)) if restrained[degree] else () for degree in range(3)
+        )
+        for name, restrained in frame.supports.items()
     }
     floors = range(1, frame.frame.n_storeys + 1)
     return {

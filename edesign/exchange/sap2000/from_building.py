@@ -128,8 +128,8 @@ def _ends(member: Member) -> tuple[tuple[SixFlags, SixFlags], tuple[Six, Six]]:
         loose_y, loose_z = (member.axial_only or not math.isinf(value) for value in (about_y, about_z))
         twist = member.axial_only and end == 0
         released.append((False, False, False, twist, loose_z, loose_y))
-        held = (0.0 if member.axial_only or math.isinf(value) else value for value in (about_z, about_y))
-        springs.append((0.0, 0.0, 0.0, 0.0, *held))
+        stiffnesses = (0.0 if member.axial_only or math.isinf(value) else value for value in (about_z, about_y))
+        springs.append((0.0, 0.0, 0.0, 0.0, *stiffnesses))
     return (released[0], released[1]), (springs[0], springs[1])  # type: ignore[return-value]
 
 

@@ -192,19 +192,19 @@ def _supports(project: Project, model: Sap2000Model) -> None:
     base = {names.node_name(line, 0): line for line in frame.lines}
     for node in frame.nodes:
         if node not in base:
-            if node not in bent:  # nothing turns it, and nothing else holds it
+            if node not in bent:  # nothing turns it, and nothing else restrains it
                 model.restraints[node] = (False, False, False, False, True, False)
             continue
         support = frame.support(base[node])
         assert not isinstance(support, FootingSupport)
         springs = springs_of(support)
-        held = (springs.horizontal, springs.vertical, springs.rotation if node in bent else "fixed")
-        if not all(isinstance(direction, (str, float)) for direction in held):
+        restraints = (springs.horizontal, springs.vertical, springs.rotation if node in bent else "fixed")
+        if not all(isinstance(direction, (str, float)) for direction in restraints):
             where = project.where("frame", "supports", base[node])
             raise InputError(f"{where}: springs that yield or lift off are no springs of SAP2000's joints [E-SAP-29]")
-        ux, uz, ry = (direction == "fixed" for direction in held)
+        ux, uz, ry = (direction == "fixed" for direction in restraints)
         model.restraints[node] = (ux, False, uz, False, ry, False)
-        kx, kz, kr = (direction if isinstance(direction, float) else 0.0 for direction in held)
+        kx, kz, kr = (direction if isinstance(direction, float) else 0.0 for direction in restraints)
         if kx or kz or kr:
             model.springs[node] = (kx, 0.0, kz, 0.0, kr, 0.0)
 

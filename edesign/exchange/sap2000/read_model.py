@@ -131,8 +131,8 @@ def _joints(tables: Tables, units: Units, model: Sap2000Model) -> None:
             f"{tables.path}: the table JOINT COORDINATES is missing or empty: there is no structure [E-SAP-07]"
         )
     for row in keyed(tables, "JOINT RESTRAINT ASSIGNMENTS", "Joint", lambda row: row).values():
-        held = six_flags(row.yes(name) for name in DIRECTIONS)
-        model.restraints[known_name(row, "Joint", model.joints, "joint")] = held
+        restraints = six_flags(row.yes(name) for name in DIRECTIONS)
+        model.restraints[known_name(row, "Joint", model.joints, "joint")] = restraints
         model.rows["restraint", row.text("Joint")] = row
     for row in keyed(tables, "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED", "Joint", lambda row: row).values():
         if row.text("CoordSys", "GLOBAL").upper() not in ("GLOBAL", "LOCAL"):  # joints have no local axes of their own
@@ -154,7 +154,7 @@ def _frames(tables: Tables, units: Units, model: Sap2000Model) -> None:
         "FRAME RELEASE ASSIGNMENTS 2 - PARTIAL FIXITY",
     )
     loose = keyed(tables, general, "Frame", lambda row: [row.yes(name) for name in flags])
-    held = keyed(tables, partial, "Frame", lambda row: [row.number(name, 0.0) for name in flags])
+    stiffnesses = keyed(tables, partial, "Frame", lambda row: [row.number(name, 0.0) for name in flags])
     factors = ([units.force / units.length] * 3 + [units.moment] * 3) * 2
 
     def frame(row: Row) -> FrameObject:
@@ -171,7 +171,7 @@ def _frames(tables: Tables, units: Units, model: Sap2000Model) -> None:
         if np.linalg.norm(np.subtract(model.joints[i], model.joints[j])) < 1e-6:
             raise row.error(f"frame {name} has no length: joints {i} and {j} are in one place [E-SAP-09]")
         released = loose.get(name, [False] * 12)
-        springs = [value * factor for value, factor in zip(held.get(name, [0.0] * 12), factors, strict=True)]
+        springs = [value * factor for value, factor in zip(stiffnesses.get(name, [0.0] * 12), factors, strict=True)]
         springs = [spring if free else 0.0 for spring, free in zip(springs, released, strict=True)]
         return FrameObject(
             name,

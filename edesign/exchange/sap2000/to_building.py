@@ -87,15 +87,15 @@ class _BuildingText:
     def _supports(self) -> list[str]:
         found = {}
         for joint, point in self.grid.points.items():
-            held = self.model.restraints.get(joint, (False,) * 6)
+            restraints = self.model.restraints.get(joint, (False,) * 6)
             springs = self.model.springs.get(joint, (0.0,) * 6)
             if point[2] > 0:
-                if any(held) or any(springs):
+                if any(restraints) or any(springs):
                     raise self.model.error(
                         "joint", joint, "it is supported above the base, which buildings do not have [E-SAP-24]"
                     )
                 continue
-            found[ColumnLine(*point[:2])] = _support(held, springs)
+            found[ColumnLine(*point[:2])] = _support(restraints, springs)
         if joint := next((j for j in self.grid.middles if any(self.model.restraints.get(j, ()))), ""):
             raise self.model.error(
                 "joint", joint, "it is supported above the base, which buildings do not have [E-SAP-24]"
@@ -239,14 +239,14 @@ def _blocks(bays: set[tuple[int, int]]) -> list[str]:
     return [f"{{x: {selection(list(xs), [], str)}, y: {selection(ys, [], str)}}}" for xs, ys in rows.items()]
 
 
-def _support(held: tuple[bool, ...], springs: tuple[float, ...]) -> str:
-    if all(held):
+def _support(restraints: tuple[bool, ...], springs: tuple[float, ...]) -> str:
+    if all(restraints):
         return "fixed"
-    soft = any(stiffness and not fixed for stiffness, fixed in zip(springs, held, strict=True))
-    if held == (True, True, True, False, False, True) and not soft:
+    soft = any(stiffness and not fixed for stiffness, fixed in zip(springs, restraints, strict=True))
+    if restraints == (True, True, True, False, False, True) and not soft:
         return "pinned"
     parts = [
         f"{key}: {'fixed' if fixed else quantity(stiffness, unit) if stiffness else 'free'}"
-        for key, fixed, stiffness, unit in zip(_KEYS, held, springs, _UNITS, strict=True)
+        for key, fixed, stiffness, unit in zip(_KEYS, restraints, springs, _UNITS, strict=True)
     ]
     return f"{{{', '.join(parts)}}}"

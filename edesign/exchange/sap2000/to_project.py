@@ -78,9 +78,9 @@ class _ProjectText:
         degrees = (self.across, 2, 4 if self.across == 0 else 3)
         found = {}
         for joint, point in self.grid.points.items():
-            held = self.model.restraints.get(joint, (False,) * 6)
+            restraints = self.model.restraints.get(joint, (False,) * 6)
             springs = self.model.springs.get(joint, (0.0,) * 6)
-            three = [(held[d], springs[d]) for d in degrees]
+            three = [(restraints[d], springs[d]) for d in degrees]
             if point[2] > 0:
                 self._check_above_base(joint, three)
                 continue
@@ -96,10 +96,15 @@ class _ProjectText:
             ] + ([f"    default: {next(iter(found.values()))}"] if next(iter(found.values())).startswith("{") else [])
         return ["  supports:", *(f"    {line_name(line)}: {kind}" for line, kind in sorted(found.items()))]
 
-    def _check_above_base(self, joint: str, held: Sequence[tuple[bool, float]]) -> None:
-        """Refuse supports above the base; a rotation that nothing turns may be held."""
+    def _check_above_base(self, joint: str, supports: Sequence[tuple[bool, float]]) -> None:
+        """Refuse supports above the base; a rotation that nothing turns may be restrained."""
         turns_freely = all(self._is_pinned_at(frame.name, joint) for frame in self.grid.frames_at(joint))
-        if held[0][0] or held[1][0] or (held[2][0] and not turns_freely) or any(spring for _, spring in held):
+        if (
+            supports[0][0]
+            or supports[1][0]
+            or (supports[2][0] and not turns_freely)
+            or any(spring for _, spring in supports)
+        ):
             raise self.model.error(
                 "joint", joint, "it is supported above the base, which projects do not have [E-SAP-24]"
             )
@@ -256,8 +261,8 @@ class _ProjectText:
         return f"{line_name(self._line(point))}{point[2]}"
 
 
-def _support(held: Sequence[tuple[bool, float]]) -> str:
-    (ux, kx), (uz, kz), (ry, kr) = held
+def _support(supports: Sequence[tuple[bool, float]]) -> str:
+    (ux, kx), (uz, kz), (ry, kr) = supports
     if not any((kx and not ux, kz and not uz, kr and not ry)):
         kind = {(True, True, True): "fixed", (True, True, False): "pinned", (False, True, False): "roller"}
         if (ux, uz, ry) in kind:

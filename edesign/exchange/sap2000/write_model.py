@@ -128,13 +128,13 @@ def _geometry(model: Sap2000Model) -> Iterator[tuple[str, Records]]:
     yield "CONNECTIVITY - LINK", ({"Link": k.name, "JointI": k.i, "JointJ": k.j} for k in model.links.values())
     yield (
         "JOINT RESTRAINT ASSIGNMENTS",
-        ({"Joint": n, **dict(zip(DIRECTIONS, held, strict=True))} for n, held in model.restraints.items()),
+        ({"Joint": n, **dict(zip(DIRECTIONS, flags, strict=True))} for n, flags in model.restraints.items()),
     )
     yield (
         "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED",
         (
-            {"Joint": n, "CoordSys": "GLOBAL", **{d: v / _KILO for d, v in zip(DIRECTIONS, held, strict=True)}}
-            for n, held in model.springs.items()
+            {"Joint": n, "CoordSys": "GLOBAL", **{d: v / _KILO for d, v in zip(DIRECTIONS, stiffnesses, strict=True)}}
+            for n, stiffnesses in model.springs.items()
         ),
     )
     yield (
@@ -189,10 +189,10 @@ def _released(frame: FrameObject) -> Mapping[str, Value]:
 
 
 def _partial(frame: FrameObject) -> Mapping[str, Value]:
-    held = {
+    stiffnesses = {
         f"{name}{end}": frame.springs[i][n] / _KILO
         for i, end in enumerate("IJ")
         for n, name in enumerate(RELEASES)
         if frame.springs[i][n] > 0.0
     }
-    return {"Frame": frame.name, **held}
+    return {"Frame": frame.name, **stiffnesses}

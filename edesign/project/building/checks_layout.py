@@ -151,8 +151,8 @@ def _stand(building: Building, problems: Problems) -> None:
 def _braces(building: Building, problems: Problems) -> None:
     """Braces end at nodes that columns or beams have, and the bay of a brace has its beam."""
     layout = building.layout
-    held = {(line, floor) for line, storey in layout.column_at for floor in (storey - 1, storey)}
-    held |= {(line, place.floor) for place in layout.beam_at for line in place.lines}
+    present = {(line, floor) for line, storey in layout.column_at for floor in (storey - 1, storey)}
+    present |= {(line, place.floor) for place in layout.beam_at for line in place.lines}
     numbers = {id(run): i for i, run in enumerate(building.braces)}
     reported: set[tuple[int, str]] = set()
     for place, run in layout.brace_at.items():
@@ -164,7 +164,7 @@ def _braces(building: Building, problems: Problems) -> None:
             continue
         points = {point for pair in ways(place, run).values() for point in pair}
         for line, floor in sorted((line, floor) for line, floor in points if line is not None):
-            if (line, floor) not in held:
+            if (line, floor) not in present:
                 reported.add((i, f"{place} ends at {node_name(line, floor)}, where no column or beam is [E-BLDG-02]"))
     for i, message in sorted(reported):
         problems.at_value(("braces", i), message)
@@ -173,19 +173,19 @@ def _braces(building: Building, problems: Problems) -> None:
 def _resisting(building: Building, problems: Problems) -> None:
     """In each storey and direction something resists horizontal forces.
 
-    That is a brace, or what holds the ends of columns from turning: beams with a moment at an end at the floor above or
+    That is a brace, or what restrains rotations of column ends: beams with a moment at an end at the floor above or
     below, or the column bases of the first storey.
     """
     layout = building.layout
     for along in DIRECTIONS:
         turning = "rx" if along == "y" else "ry"
-        held = {place.storey for place in layout.brace_at if place.along == along}
+        resisting = {place.storey for place in layout.brace_at if place.along == along}
         if any(getattr(building.support(line), turning) != "free" for line in layout.node_lines[0]):
-            held.add(1)
+            resisting.add(1)
         for beam, run in layout.beam_at.items():
             if beam.along == along and (run.ends.start != "pinned" or run.ends.end != "pinned"):
-                held |= {beam.floor, beam.floor + 1}
-        loose = [storey for storey in range(1, building.n_storeys + 1) if storey not in held]
+                resisting |= {beam.floor, beam.floor + 1}
+        loose = [storey for storey in range(1, building.n_storeys + 1) if storey not in resisting]
         if loose:
             first = next((i for i, run in enumerate(building.beams) if run.along == along), 0)
             storeys = f"storey {loose[0]}" if len(loose) == 1 else f"storeys {', '.join(map(str, loose))}"

@@ -1,4 +1,4 @@
-"""Columns, beams and braces of a building, how their ends are held, and which members are missing."""
+"""Columns, beams and braces of a building, how their ends are joined, and which members are missing."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, Column
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName
-from edesign.project.notation.units import held
+from edesign.project.notation.units import restraint
 from edesign.project.notation.written import Written, as_kept, either, quantity, words_or
 from edesign.project.reading.base import Model
 
@@ -26,7 +26,7 @@ def _ends(value: Any) -> Any:
 
 End = Annotated[
     Literal["rigid", "pinned"] | float,
-    held(ROTATIONAL_STIFFNESS, "an end is `rigid`, `pinned`, or has a stiffness", "rigid", "pinned"),
+    restraint(ROTATIONAL_STIFFNESS, "an end is `rigid`, `pinned`, or has a stiffness", "rigid", "pinned"),
 ]
 """Of a member about its strong axis: `rigid`, `pinned`, or a rotational stiffness, N m/rad."""
 

@@ -1,21 +1,21 @@
-"""What holds the column bases."""
+"""Supports of the column bases."""
 
 from __future__ import annotations
 
 from typing import Annotated, Literal
 
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
-from edesign.project.notation.units import held
+from edesign.project.notation.units import restraint
 from edesign.project.reading.base import Model
 from edesign.project.reading.one_of import OneOf
 
 DIRECTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
 
 
-Held = Literal["fixed", "free"] | float
+Restraint = Literal["fixed", "free"] | float
 _DIRECTION = "a direction is `fixed`, `free`, or has a stiffness", "fixed", "free"
-Translation = Annotated[Held, held(STIFFNESS, *_DIRECTION)]
-Rotation = Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)]
+Translation = Annotated[Restraint, restraint(STIFFNESS, *_DIRECTION)]
+Rotation = Annotated[Restraint, restraint(ROTATIONAL_STIFFNESS, *_DIRECTION)]
 
 
 class Springs(Model):
@@ -37,14 +37,14 @@ class Springs(Model):
     ry: Rotation = "fixed"
     rz: Rotation = "fixed"
 
-    def all(self) -> tuple[Held, ...]:
+    def all(self) -> tuple[Restraint, ...]:
         """The restraints of ux, uy, uz, rx, ry and rz."""
         return self.ux, self.uy, self.uz, self.rx, self.ry, self.rz
 
 
 FIXED = Springs()
 PINNED = Springs(rx="free", ry="free")
-"""A pin about both horizontal axes; the turn about the vertical axis is held."""
+"""A pin about both horizontal axes; the turn about the vertical axis is fixed."""
 
 Support = Annotated[Literal["fixed", "pinned"] | Springs, OneOf()]
 

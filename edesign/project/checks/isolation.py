@@ -110,14 +110,15 @@ def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator
 
 
 def _other_bases(project: Project, problems: Problems, isolation: Isolation, taken: dict[str, int]) -> None:
-    """Column bases without an isolator do not hold the base; isolators stand under column bases that exist."""
+    """Column bases without an isolator do not restrain the base; isolators stand under column bases that exist."""
     frame = project.frame
     column_bases = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
-    held = [line for line in column_bases if line not in taken and _holds(frame.support(line))]
-    if held:
-        one = len(held) == 1
-        kinds = ", ".join(f"{line} {support_name(frame.support(line))}" for line in held)
-        message = f"line{'s' * (not one)} {listed(held)} {'has' if one else 'have'} no isolator and would hold the base"
+    restrained = [line for line in column_bases if line not in taken and _restrains(frame.support(line))]
+    if restrained:
+        one = len(restrained) == 1
+        kinds = ", ".join(f"{line} {support_name(frame.support(line))}" for line in restrained)
+        lines = f"line{'s' * (not one)} {listed(restrained)} {'has' if one else 'have'} no isolator"
+        message = f"{lines} and would restrain the base"
         problems.at_key(
             (*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller` [E-ISOL-01]"
         )
@@ -128,13 +129,13 @@ def _other_bases(project: Project, problems: Problems, isolation: Isolation, tak
             problems.at_value((*_AT, "isolators", i, "lines"), message)
 
 
-def _holds(support: SupportKind | SupportSprings | FootingSupport) -> bool:
-    """Whether a support holds its column base horizontally."""
+def _restrains(support: SupportKind | SupportSprings | FootingSupport) -> bool:
+    """Whether a support restrains its column base horizontally."""
     return isinstance(support, FootingSupport) or springs_of(support).horizontal != "free"
 
 
 def _base(project: Project, problems: Problems, isolation: Isolation) -> None:
-    """The base has a mass in analyses that have masses, and beams between column bases, which nothing else holds."""
+    """The base has a mass in analyses with masses, and beams between column bases, which nothing else restrains."""
     base, masses = isolation.base, project.masses
     column_bases = [line for line in project.frame.lines if names.node_name(line, 0) in project.frame.nodes]
     if base.beams is not None and base.rotation is not None:
@@ -143,7 +144,7 @@ def _base(project: Project, problems: Problems, isolation: Isolation) -> None:
     if base.beams is None and base.rotation is None:
         message = "how do the column bases turn? with `beams`, which bring their moments to the isolators"
         problems.at_key(
-            (*_AT, "base"), f"{message}, or held by `rotation`, which lets these into the ground [E-ISOL-02]"
+            (*_AT, "base"), f"{message}, or restrained by `rotation`, which lets these into the ground [E-ISOL-02]"
         )
     if base.beams is not None and len(column_bases) == 1:
         problems.at_key(

@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field
 
 from edesign.project.frame.sections import SectionAxis
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
-from edesign.project.notation.units import PositiveFactor, held, parse_ratio
+from edesign.project.notation.units import PositiveFactor, parse_ratio, restraint
 from edesign.project.notation.written import Written, ratio, words_or
 from edesign.project.reading.base import Model, refuse
 
@@ -17,11 +17,11 @@ CAMBER = 1e-3
 
 LARGEST_CAMBER = 0.1
 
-ELEMENTS = {"pinned": 4, "held": 8}
-"""Beams over the buckling length of pinned braces, and of those whose ends are held.
+ELEMENTS = {"pinned": 4, "restrained": 8}
+"""Beams over the buckling length of pinned braces, and of those whose ends are restrained.
 
 Within a beam the moment is linear, so that n beams over a half wave have an Euler load of (pi / n)^2 / 12 too much: 5 %
-with four, between two neighbouring buckling curves of EN 1993-1-1. Held ends leave half of the beams to the half wave.
+with four, between two neighbouring buckling curves of EN 1993-1-1. Fixed ends leave half of the beams to the half wave.
 """
 
 
@@ -66,7 +66,7 @@ class BraceBuckling(Model):
     axis: SectionAxis = "weak"
     ends: Annotated[
         Literal["pinned", "fixed"] | float,
-        held(ROTATIONAL_STIFFNESS, "the ends are `pinned`, `fixed`, or have a stiffness", "pinned", "fixed"),
+        restraint(ROTATIONAL_STIFFNESS, "the ends are `pinned`, `fixed`, or have a stiffness", "pinned", "fixed"),
     ] = "pinned"
     elements: Annotated[int, Field(ge=2, le=16), AfterValidator(_even)] | None = None
     fracture: Fracture | None = None
@@ -74,4 +74,4 @@ class BraceBuckling(Model):
     @property
     def n_elements(self) -> int:
         """The number of elements over the buckling length."""
-        return self.elements or ELEMENTS["pinned" if self.ends == "pinned" else "held"]
+        return self.elements or ELEMENTS["pinned" if self.ends == "pinned" else "restrained"]

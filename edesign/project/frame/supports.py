@@ -1,4 +1,4 @@
-"""What holds the column bases of a plane frame."""
+"""Supports of the column bases of a plane frame."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from edesign.project.notation.units import (
     PositiveMoment,
     PositiveRotationalStiffness,
     PositiveStiffness,
-    held,
+    restraint,
 )
 from edesign.project.reading.base import Model
 from edesign.project.reading.one_of import OneOf
@@ -58,10 +58,10 @@ class YieldingRotation(Model):
     hardening: Hardening = 0.0
 
 
-Held = Literal["fixed", "free"] | float
+Restraint = Literal["fixed", "free"] | float
 _DIRECTION = "a direction is `fixed`, `free`, a stiffness, or a mapping with one", "fixed", "free"
-_Translation = Annotated[Held, held(STIFFNESS, *_DIRECTION)]
-_Rotation = Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)]
+_Translation = Annotated[Restraint, restraint(STIFFNESS, *_DIRECTION)]
+_Rotation = Annotated[Restraint, restraint(ROTATIONAL_STIFFNESS, *_DIRECTION)]
 Horizontal = Annotated[_Translation | YieldingTranslation, OneOf()]
 Vertical = Annotated[_Translation | VerticalSpring, OneOf()]
 Turning = Annotated[_Rotation | YieldingRotation, OneOf()]

@@ -166,7 +166,7 @@ def parse_signed_ratio(value: Any) -> float:
     return result
 
 
-def held(kind: Kind, what: str, *words: str) -> Written:
+def restraint(kind: Kind, what: str, *words: str) -> Written:
     """Return the reader of a restraint: one of some words, or a stiffness greater than zero.
 
     Args:

@@ -80,11 +80,11 @@ def _look(
         )
         for one in members
     )
-    return found, tuple(repr(held) for _, held in _bases(building, along, number))
+    return found, tuple(repr(support) for _, support in _bases(building, along, number))
 
 
 def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
-    """Places along a frame of its column bases, m, with what holds them."""
+    """Places along a frame of its column bases, m, with their supports."""
     lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
     return [(building.grid(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
 
@@ -129,13 +129,16 @@ def _is_weak(member: Member, k: int) -> bool:
 def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> list[Entry]:
     entries = []
     by_kind: dict[str, tuple[Springs, list[float]]] = {}
-    for x, held in _bases(building, along, number):
-        by_kind.setdefault(repr(held), (held, []))[1].append(x)
-    for held, places in by_kind.values():
-        kind = "fixed" if held == FIXED else "pinned" if held == PINNED else "springs"
+    for x, support in _bases(building, along, number):
+        by_kind.setdefault(repr(support), (support, []))[1].append(x)
+    for support, places in by_kind.values():
+        kind = "fixed" if support == FIXED else "pinned" if support == PINNED else "springs"
         for x in places:
             SIGNS[kind](sheet, grid.across * x, 0.0)
-        parts = [f"{key} {_held(key, value)}" for key, value in zip(type(held).model_fields, held.all(), strict=True)]
+        parts = [
+            f"{key} {_restraint(key, value)}"
+            for key, value in zip(type(support).model_fields, support.all(), strict=True)
+        ]
         words = f"{kind} support" if kind != "springs" else f"support: {', '.join(parts)}"
         up = 0.025 if kind == "fixed" else 0.075
         sign = SIGNS[kind]
@@ -145,7 +148,7 @@ def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, nu
     return entries
 
 
-def _held(key: str, value: str | float) -> str:
+def _restraint(key: str, value: str | float) -> str:
     if isinstance(value, str):
         return value
     return f"{short(value / 1e6)} MN{'/m' if key.startswith('u') else ' m/rad'}"

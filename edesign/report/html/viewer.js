@@ -110,7 +110,7 @@
       });
     }
 
-    /* What holds the column bases, and tuned masses on the floors, which move beside them. */
+    /* Supports of the column bases, and tuned masses on the floors, which move beside them. */
     drawOthers(k, scale, share, at, moved, hung) {
       const next = Math.min(k + 1, this.scene.n - 1), { base, masses, supports } = this.about;
       this.base.setAttribute("d", path(base.map(i => [at[i][0], -at[i][1]])));

@@ -1,4 +1,4 @@
-"""What holds the column bases of a frame: signs of supports, footings and isolators, and what they are in words."""
+"""Supports of the column bases of a frame: signs of supports, footings and isolators, and what they are in words."""
 
 from __future__ import annotations
 
@@ -97,20 +97,20 @@ def _footing(footing: Footing) -> str:
     return ", ".join(parts)
 
 
-def _translation(held: Horizontal | Vertical) -> str:
-    if isinstance(held, YieldingTranslation):
-        parts = [f"{short(held.stiffness / 1e6)} MN/m"]
-        parts += [f"yields at {short(held.resistance / 1e3)} kN"] if held.resistance is not None else []
-        parts += ["lifts off"] if isinstance(held, VerticalSpring) and held.uplift else []
+def _translation(restraint: Horizontal | Vertical) -> str:
+    if isinstance(restraint, YieldingTranslation):
+        parts = [f"{short(restraint.stiffness / 1e6)} MN/m"]
+        parts += [f"yields at {short(restraint.resistance / 1e3)} kN"] if restraint.resistance is not None else []
+        parts += ["lifts off"] if isinstance(restraint, VerticalSpring) and restraint.uplift else []
         return ", ".join(parts)
-    return held if isinstance(held, str) else f"{short(held / 1e6)} MN/m"
+    return restraint if isinstance(restraint, str) else f"{short(restraint / 1e6)} MN/m"
 
 
-def _rotation(held: Turning) -> str:
-    if isinstance(held, YieldingRotation):
-        limit = f", yields at {short(held.resistance / 1e3)} kN m" if held.resistance is not None else ""
-        return f"{short(held.stiffness / 1e6)} MN m/rad{limit}"
-    return held if isinstance(held, str) else f"{short(held / 1e6)} MN m/rad"
+def _rotation(restraint: Turning) -> str:
+    if isinstance(restraint, YieldingRotation):
+        limit = f", yields at {short(restraint.resistance / 1e3)} kN m" if restraint.resistance is not None else ""
+        return f"{short(restraint.stiffness / 1e6)} MN m/rad{limit}"
+    return restraint if isinstance(restraint, str) else f"{short(restraint / 1e6)} MN m/rad"
 
 
 # --- an isolated base
@@ -129,7 +129,7 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
     base = isolation.base
     beams = f"beams {base.beams.section} {base.beams.material}" if base.beams is not None else "rigid along the frame"
     if base.rotation is not None:
-        beams += f", column bases held: rotation {_rotation(base.rotation)}"
+        beams += f", column bases: rotation {_rotation(base.rotation)}"
     yield Entry(f"isolated base: {beams}", lambda on, x, y: on.line((x, y), (x + 0.25, y), color=SOFT, width=3.0))
     shifts: dict[str, int] = {}
     for item in (*isolation.isolators, *isolation.beside):

@@ -57,7 +57,7 @@ class MovingDamper:
 
 @dataclass(frozen=True)
 class Support:
-    """What holds a column base: `fixed`, `pinned`, `roller`, `springs`, `footing`, and the position of its node."""
+    """The support of a column base: `fixed`, `pinned`, `roller`, `springs`, `footing`, and the position of its node."""
 
     kind: str
     node: int

@@ -22,7 +22,7 @@ _TURNS = {"x": 4, "y": 3}  # degree of a support that turns under horizontal for
 
 
 def hinged_bases(frame: SpaceFrame, axis: Axis) -> np.ndarray:
-    """Return the numbers of the columns on supports that hold them against turning along an axis.
+    """Return the numbers of the columns on supports that restrain rotation by forces along an axis.
 
     Args:
         frame: of the building.
@@ -32,8 +32,8 @@ def hinged_bases(frame: SpaceFrame, axis: Axis) -> np.ndarray:
         (n,) numbers.
     """
     turn = _TURNS[axis]
-    held = frame.fixed[:, turn] | (frame.springs[:, turn] > 0.0)
-    return np.array([number for number in frame.columns if held[frame.members[number].start]], dtype=int)
+    restrained = frame.fixed[:, turn] | (frame.springs[:, turn] > 0.0)
+    return np.array([number for number in frame.columns if restrained[frame.members[number].start]], dtype=int)
 
 
 def base_criteria(

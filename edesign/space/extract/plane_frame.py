@@ -157,9 +157,9 @@ class PlaneFrame:
             InputError: it is a spring, which project files do not have.
         """
         springs = self.building.support(self.lines[i])
-        held = (springs.ux, springs.ry) if self.along == "x" else (springs.uy, springs.rx)
+        restraints = (springs.ux, springs.ry) if self.along == "x" else (springs.uy, springs.rx)
         kinds = {("fixed", "fixed"): "fixed", ("fixed", "free"): "pinned", ("free", "free"): "roller"}
-        kind = kinds.get((str(held[0]), str(held[1])))
+        kind = kinds.get((str(restraints[0]), str(restraints[1])))
         if springs.uz != "fixed" or kind is None:
             raise self._refuse(
                 f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller [E-SPACE-04]",

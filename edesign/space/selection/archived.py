@@ -9,7 +9,7 @@ from edesign.space.selection.select import Selection
 
 
 def selection_group(selection: Selection) -> Group:
-    """Return what was chosen for each group of members, and what holds it up."""
+    """Return what was chosen for each group of members, and what its next lighter section would break."""
     rows = selection.groups
     group = Group(
         attributes={

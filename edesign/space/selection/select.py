@@ -176,12 +176,12 @@ def _selection(
     evaluate: Evaluator, order: Sequence[tuple[int, int]], found: Found, before: dict[str, str]
 ) -> Selection:
     building, choice = evaluate.analysis.building, found.best.choice
-    held = [_held_by(evaluate, order, choice, number) for number in range(len(choice))]
+    limits = [_held_by(evaluate, order, choice, number) for number in range(len(choice))]
     sections = evaluate.sections(choice)
     designed = with_sections(building, sections)
     design = elastic_design(designed)
     rows = []
-    for group, number, held_by in zip(evaluate.groups, choice, held, strict=True):
+    for group, number, held_by in zip(evaluate.groups, choice, limits, strict=True):
         governing = governing_check(design, group.name)
         rows.append(
             GroupChoice(group, before[group.name], sections[group.name], group.mass[number], governing, held_by)

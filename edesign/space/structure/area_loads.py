@@ -4,8 +4,8 @@ A floor that spans one way rests on the two beams across its span, or on seconda
 two other beams as point loads. A floor that spans two ways is cut by lines at 45 degrees from its corners: each beam
 takes the load between it and the nearest lines, a triangle on a short beam, a trapezoid on a long one.
 
-Source: statics; the lines at 45 degrees are those of a slab that is held alike on its four sides, as in tables for the
-loads of edge beams.
+Source: statics; the lines at 45 degrees are those of a slab with the same support on its four sides, as in tables for
+the loads of edge beams.
 """
 
 from __future__ import annotations

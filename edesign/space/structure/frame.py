@@ -93,7 +93,7 @@ class SpaceFrame:
         coordinates: (n_nodes, 3) m.
         node_floor: (n_nodes,) floor of the rigid diaphragm, 1 at the bottom; `NO_DIAPHRAGM` without one.
         levels: (n_floors + 1,) level of each floor above the base, m; the base is first.
-        fixed: (n_nodes, 6) True where ux, uy, uz, rx, ry, rz is held.
+        fixed: (n_nodes, 6) True where ux, uy, uz, rx, ry, rz is restrained.
         springs: (n_nodes, 6) stiffness of elastic supports, N/m and N m/rad; 0 elsewhere.
         members: columns, beams, braces.
         cases: load cases by name.

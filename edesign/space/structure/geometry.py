@@ -72,9 +72,9 @@ def _supports(building: Building, nodes: Mapping[str, int]) -> tuple[np.ndarray,
     springs = np.zeros((len(nodes), 6))
     for line in building.layout.node_lines[0]:
         node = nodes[node_name(line, 0)]
-        for axis, held in enumerate(building.support(line).all()):
-            fixed[node, axis] = held == "fixed"
-            springs[node, axis] = held if isinstance(held, float) else 0.0
+        for axis, restraint in enumerate(building.support(line).all()):
+            fixed[node, axis] = restraint == "fixed"
+            springs[node, axis] = restraint if isinstance(restraint, float) else 0.0
     return fixed, springs
 
 

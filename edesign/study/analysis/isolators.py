@@ -34,14 +34,14 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
     most_of = {isolator.name: float(force) for isolator, force in zip(isolated.isolators, most, strict=True)}
     pressed = float(np.abs(least).max())
     return [
-        *_held_down(project.frame, isolation, isolated, most_of, pressed),
+        *_pulled(project.frame, isolation, isolated, most_of, pressed),
         *_moments_in_the_ground(project.frame, isolation, group, isolated, most_of, pressed),
         *_moments_of_displacement(project.frame, group, isolated),
         *_weights(group, isolated, most_of, pressed),
     ]
 
 
-def _held_down(
+def _pulled(
     frame: Frame, isolation: Isolation, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
     """Isolators that are pulled and as stiff then as under pressure; pendulums that slide on are reported elsewhere."""
@@ -57,8 +57,8 @@ def _held_down(
     worst = max(pulled, key=lambda name: most_of[name])
     count = "1 isolator is" if len(pulled) == 1 else f"{len(pulled)} isolators are"
     text = (
-        f"{count} pulled, {worst} with {most_of[worst] / 1e3:.4g} kN; it is held down as it is held up, which bearings "
-        "of rubber and sliders are not (`uplift: true` of `vertical` lets it lift off)"
+        f"{count} pulled, {worst} with {most_of[worst] / 1e3:.4g} kN; it is as stiff in tension as in "
+        "compression, which bearings of rubber and sliders are not (`uplift: true` of `vertical` lets it lift off)"
     )
     return [AnalysisWarning("isolator_tension", text, 1.0 + most_of[worst] / max(pressed, most_of[worst]))]
 

@@ -50,13 +50,13 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     return group
 
 
-def fundamental_period(project: Project, base_held: bool = False) -> float | None:
+def fundamental_period(project: Project, fixed_base: bool = False) -> float | None:
     """Return the first period of the frame under gravity, s; None if it has no masses.
 
     The frame has its buckling-restrained braces and isolators, and no other dampers.
 
     Args:
-        base_held: whether an isolated base is held horizontally, in place of its isolators.
+        fixed_base: whether an isolated base is fixed horizontally, in place of its isolators.
 
     Raises:
         AnalysisError: the frame is unstable, or the period cannot be found.
@@ -64,7 +64,7 @@ def fundamental_period(project: Project, base_held: bool = False) -> float | Non
     if project.masses is None:
         return None
     try:
-        structure = frame_alone(project, base_held=base_held)
+        structure = frame_alone(project, fixed_base=fixed_base)
         structure.apply_gravity()
         return float(structure.modes(1).period[0])
     except AnalysisError as error:

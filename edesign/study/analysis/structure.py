@@ -115,23 +115,23 @@ class Structure:
         return response
 
 
-def frame_alone(project: Project, dampers: bool = True, base_held: bool = False) -> Structure:
+def frame_alone(project: Project, dampers: bool = True, fixed_base: bool = False) -> Structure:
     """Build the frame without tuned masses and dampers, whose modes determine damping, lateral forces and periods.
 
     Args:
         dampers: whether it has its dampers, of which buckling-restrained braces and isolators are part of the frame.
             Other dampers of the law of an isolator stand in the model and act neither in modes nor under gravity.
-        base_held: whether an isolated base is held horizontally, in place of its isolators.
+        fixed_base: whether an isolated base is fixed horizontally, in place of its isolators.
 
     Raises:
         InputError, CoreError: as `make_structure`.
     """
     laws = device_laws(project) if dampers else {}
-    isolation = project.isolation if dampers and not base_held else None
+    isolation = project.isolation if dampers and not fixed_base else None
     base = {item.law for item in (*isolation.isolators, *isolation.beside)} if isolation is not None else set()
     kept = {name: law for name, law in laws.items() if law.restrained is not None or name in base}
     weights = None if isolation is None else _weights_on_isolators(project, kept)
-    return make_structure(project, build_frame(project, laws=kept if base_held else kept or None, weights=weights))
+    return make_structure(project, build_frame(project, laws=kept if fixed_base else kept or None, weights=weights))
 
 
 def elastic_frame(project: Project, dampers: bool = True) -> Structure:
@@ -183,7 +183,7 @@ def make_frame(project: Project, dampers: bool = False, outside: Collection[str]
 def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
     """Return the weight under the gravity combination on each isolator whose forces depend on it.
 
-    The base is held horizontally for it.
+    The base is fixed horizontally for it.
 
     Args:
         project: the project with an isolated base.

@@ -73,10 +73,10 @@ def _still_warnings(projects: Iterable[Project]) -> list[str]:
     ]
 
 
-def _held_period(project: Project) -> float | None:
-    """T1 of an isolated frame with its base held, s; None if it cannot be found."""
+def _fixed_base_period(project: Project) -> float | None:
+    """T1 of an isolated frame with its base fixed, s; None if it cannot be found."""
     try:
-        return fundamental_period(project, base_held=True)
+        return fundamental_period(project, fixed_base=True)
     except AnalysisError:
         return None  # it may sway on its isolators alone
 
@@ -113,7 +113,7 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
     except AnalysisError:
         period = None  # the analyses will say why
     frame = make_frame(project, dampers=True)
-    found = implausible(project, period if project.isolation is None else _held_period(project))
+    found = implausible(project, period if project.isolation is None else _fixed_base_period(project))
     found += slender_braces(project, frame) + _damping_warnings(project, laws) + tuned_mass_advice(project)
     found += _staying_elastic(project, frame)
     given = project.integration.time_step if project.integration is not None else None

@@ -63,7 +63,7 @@ def implausible(project: Project, period: float | None) -> list[str]:
     """Return one sentence for each property of a frame outside the range of built steel frames.
 
     Args:
-        period: T1 under gravity, of an isolated frame with its base held, s; None without masses, or if it is not
+        period: T1 under gravity, of an isolated frame with its base fixed, s; None without masses, or if it is not
             known.
 
     Raises:

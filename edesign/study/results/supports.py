@@ -14,8 +14,8 @@ def base_shear(frame: FrameModel, history: bool) -> Quantity:
     Args:
         history: whether values over time are kept.
     """
-    held = [name for name, fixed in frame.supports.items() if fixed[0]]
-    terms = tuple((-factor, kind, node, at) for name in held for factor, kind, node, at in frame.reaction(name, 0))
+    supports = [name for name, fixed in frame.supports.items() if fixed[0]]
+    terms = tuple((-factor, kind, node, at) for name in supports for factor, kind, node, at in frame.reaction(name, 0))
     if frame.leaning is not None:
         terms += ((-1.0, "reaction", frame.leaning.base, 0),)
     name = "base shear: minus the sum of the horizontal reactions"

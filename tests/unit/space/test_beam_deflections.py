@@ -63,8 +63,8 @@ def test_simply_supported_with_loads_at_thirds() -> None:
     assert of_beam(design, "BY_A_1_1")[1] == pytest.approx(across, rel=1e-9)
 
 
-def test_ends_that_are_held() -> None:
-    """A beam whose columns hold its ends: v of hinges less M L2 / 8 EI of the end moments that statics gives (1e-9)."""
+def test_ends_that_are_restrained() -> None:
+    """A beam whose columns restrain its ends: v of hinges less M L2 / 8 EI of the end moments by statics (1e-9)."""
     text = HALL.replace("ends: pinned, group: BX", "ends: rigid, group: BX")
     design = design_of(text)
     number = number_of(design.frame, "BX_1_1_1")
@@ -84,8 +84,8 @@ def test_fixed_ends() -> None:
     total, _ = of_beam(design_of(text), "BX_1_1_1")
     of = steel_section("IPE240")
     P, w, EI, GA = P_G + P_Q, 1e3, E * of.I_y, G * of.A_z
-    held = 5.0 * P * L**3 / (648.0 * EI) + w * L**4 / (384.0 * EI) + (P * L / 3.0 + w * L**2 / 8.0) / GA
-    assert total == pytest.approx(held, rel=0.01)
+    hinged = 5.0 * P * L**3 / (648.0 * EI) + w * L**4 / (384.0 * EI) + (P * L / 3.0 + w * L**2 / 8.0) / GA
+    assert total == pytest.approx(hinged, rel=0.01)
 
 
 def test_one_load_out_of_the_middle() -> None:

@@ -52,7 +52,7 @@ def test_slender_braces_are_reported_before_the_run() -> None:
     assert 0.75 * EULER < lowest < EULER
 
 
-def test_a_brace_that_is_held_at_mid_length() -> None:
+def test_a_brace_with_a_support_at_mid_length() -> None:
     made = project(BRACED.replace("section: HEA160", "buckling_length_factor: 0.5, section: HEA160"))
     half = [bar.strut for bar in frame_bars(made, make_frame(made)) if bar.kind == "brace"]
     assert half[0] is not None and half[0].length == pytest.approx(0.5 * np.hypot(6.0, 4.0))

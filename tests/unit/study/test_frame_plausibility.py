@@ -118,8 +118,8 @@ def test_check_warns(tmp_path: Path) -> None:
     assert "is implausible" in check_project(made)["warnings"]
 
 
-def test_an_isolated_frame_is_judged_with_its_base_held() -> None:
-    """Column bases that cannot turn on a base that is held are column bases on fixed supports."""
+def test_an_isolated_frame_is_judged_on_a_fixed_base() -> None:
+    """Column bases that cannot turn on a fixed base are column bases on fixed supports."""
     isolators = """\
 dampers:
   laws:
@@ -132,8 +132,8 @@ analyses:
 """
     low = FRAME.replace("[4 m, 3.5 m, 3.5 m]", "[3 m]")
     on_supports, isolated = project(low), project(low.replace("analyses:\n", isolators))
-    held = fundamental_period(isolated, base_held=True)
-    assert held == pytest.approx(fundamental_period(on_supports), rel=1e-9)
+    fixed = fundamental_period(isolated, fixed_base=True)
+    assert fixed == pytest.approx(fundamental_period(on_supports), rel=1e-9)
     period = fundamental_period(isolated)
     assert period is not None and period > 2.0 * math.sqrt(0.3 * 3.0 / 1.5)  # which would be refused of a frame
     assert not any(" T1 " in f" {line}" for line in frame_warnings(isolated, {}))

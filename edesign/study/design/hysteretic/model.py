@@ -145,7 +145,7 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         return self.building.frame.modes(1.0 / flexibility)
 
     def yield_drift(self, yield_force: np.ndarray) -> np.ndarray:
-        """Return the drift over height at which dampers and braces of each storey yield, (s,), with held bases.
+        """Return the drift over height at which dampers and braces of each storey yield, (s,), with fixed column bases.
 
         Args:
             yield_force: of all dampers of each storey along its drift, (s,) N.

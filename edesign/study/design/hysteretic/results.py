@@ -63,7 +63,7 @@ def _of_core(model: HystereticModel, sizing: HystereticSizing, name: str) -> np.
 
 _SHEAR_SHARE = "yield force of the dampers of the storey over its shear"
 _DEVICE_YIELD_DEFORMATION = "deformation at which it yields, the largest of the storey"
-_YIELD_DRIFT = "drift over height at which dampers and braces yield, their column bases held"
+_YIELD_DRIFT = "drift over height at which dampers and braces yield, their column bases fixed"
 _DESIGN_STROKE = "deformation of the dampers at the amplitude of the design, first mode"
 _DESIGN_CORE_STRAIN = "strain of the steel core at that amplitude"
 _ELASTIC_PERIOD = "natural period with dampers that do not yield, and braces"

@@ -71,8 +71,8 @@ def accelerations(made: Made, ground: np.ndarray) -> np.ndarray:
 
     start = np.zeros(2 * n + made.states)
     y = solve_ivp(rate, (0.0, time[-1]), start, t_eval=time, rtol=1e-6, atol=1e-9, max_step=STEP).y
-    held = [made.force(y[:n, i], y[n : 2 * n, i], y[2 * n :, i])[:n] for i in range(time.size)]
-    return np.asarray(-np.array(held) / made.masses)
+    forces = [made.force(y[:n, i], y[n : 2 * n, i], y[2 * n :, i])[:n] for i in range(time.size)]
+    return np.asarray(-np.array(forces) / made.masses)
 
 
 def linear(masses: np.ndarray, stiffness: np.ndarray, damping: np.ndarray) -> Made:
@@ -99,13 +99,13 @@ def damped_by_stiffness() -> Made:
 def isolated(strength: float = 0.0, yielding: float = 0.004) -> Made:
     """Two floors on a linear layer, with a Bouc-Wen force (Wen 1976, n = 1) beside it."""
     stiffness = chain(np.array([LAYER["k"], STOREYS[1]]))
-    above = 2.0 * RATIO * np.sqrt(STOREYS[1] * MASSES[1])  # critical damping of the floor on the layer's, held
+    above = 2.0 * RATIO * np.sqrt(STOREYS[1] * MASSES[1])  # critical damping of the floor on the layer's, fixed
     damping = chain(np.array([LAYER["c"], above]))
 
     def force(q: np.ndarray, v: np.ndarray, z: np.ndarray) -> np.ndarray:
-        held = stiffness @ q + damping @ v
-        held[0] += strength * z[0]
-        return np.append(held, (v[0] - 0.5 * abs(v[0]) * z[0] - 0.5 * v[0] * abs(z[0])) / yielding)
+        forces = stiffness @ q + damping @ v
+        forces[0] += strength * z[0]
+        return np.append(forces, (v[0] - 0.5 * abs(v[0]) * z[0] - 0.5 * v[0] * abs(z[0])) / yielding)
 
     return Made(MASSES[:2], force, 1)
 

@@ -277,10 +277,10 @@ def test_no_motion_makes_a_mass_likely_that_no_floor_has(folder: Path) -> None:
 def test_mass_and_stiffness_are_confounded(folder: Path) -> None:
     # base motion sees the ratio of stiffness to mass only: of a building that is fitted, all masses are no effect
     assert "mass_error.total" not in {one.label for one in blank_problem(load(folder, FIXED)).effects}
-    held = problem(
+    fixed = problem(
         folder, FIXED.replace("modes: [1, 2]}", "modes: [1, 2]}\n  refit: false"), ("mass_error.total", (0.3,))
     )
-    free = replace(held, refit=True).model(())
+    free = replace(fixed, refit=True).model(())
     (predicted,) = free.predict(np.array([[1.0 / 1.3, 1.0]]))
     assert not isinstance(predicted, PredictionError) and nrms(predicted[0], free.measured[0]) < 1e-20
 
