@@ -239,12 +239,12 @@ def test_readme_names_units_signs_and_order(tmp_path: Path) -> None:
 def test_files_of_others_are_left_as_they_are(tmp_path: Path) -> None:
     """One that edesign did not write, one of another compensator; nothing else is written then."""
     (tmp_path / "timing.c").write_text("int mine;\n", encoding="utf-8")
-    with pytest.raises(InputError, match=r"timing\.c: edesign did not write this file"):
+    with pytest.raises(InputError, match=r"timing\.c: .*E-FILE-07"):
         export(ALL["cubic"], STEP, tmp_path, "cubic")
     assert [path.name for path in tmp_path.iterdir()] == ["timing.c"]
     export(ALL["cubic"], STEP, tmp_path, "cubic", overwrite=True)
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
-    with pytest.raises(InputError, match="this is of the compensator `cubic`"):
+    with pytest.raises(InputError, match="`cubic`.*E-FILE-07"):
         export(ALL["ats"], STEP, tmp_path, "ats")
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 

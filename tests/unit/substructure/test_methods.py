@@ -192,11 +192,11 @@ def test_a_dashpot_shortens_the_largest_step():
     """Of a free mass it is m / c, g = 1 above; a test that is slower sees so much less of the dashpot."""
     free = oscillator(2.0, 0.0, 0.0)
     dashpot = CoreDamper("viscous", (100.0,))
-    with pytest.raises(InputError, match=r"allows at most 20 ms"):
+    with pytest.raises(InputError, match=" 20 ms.*E-RTS-03"):
         pseudo_dynamic_test(free, dashpot, 0.021, kick(10), time_scale=1.0)
     pseudo_dynamic_test(free, dashpot, 0.019, kick(10), time_scale=1.0)
     pseudo_dynamic_test(free, dashpot, 0.19, kick(10), time_scale=10.0)
-    with pytest.raises(InputError, match=r"allows at most 200 ms"):
+    with pytest.raises(InputError, match=" 200 ms.*E-RTS-03"):
         pseudo_dynamic_test(free, dashpot, 0.21, kick(10), time_scale=10.0)
 
 
@@ -320,13 +320,13 @@ def test_growing_test_ends_at_the_abort_displacement():
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"step": 3.0}, "allows at most 2000 ms"),
+        ({"step": 3.0}, " 2000 ms.*E-RTS-03"),
         ({"step": 0.0}, "step"),
         ({"time_scale": 0.0}, "time_scale"),
         ({"abort": 0.0}, "abort"),
-        ({"ground": np.zeros(10)}, "all samples are zero"),
-        ({"ground": np.array([1.0, math.nan])}, "sample 2 is not finite"),
-        ({"ground": np.array([1.0])}, "two samples"),
+        ({"ground": np.zeros(10)}, "ground motion: .*zero.*E-SIGNAL-02"),
+        ({"ground": np.array([1.0, math.nan])}, "ground motion: sample 2 .*E-SIGNAL-02"),
+        ({"ground": np.array([1.0])}, r"ground motion: .*shape \(1,\).*E-SIGNAL-01"),
     ],
 )
 def test_impossible_pseudo_dynamic_test(given, words):
@@ -539,7 +539,7 @@ def test_history_of_a_table_with_a_frame_and_a_damper():
 def test_bare_table_is_stable_below_its_leakage():
     """s^3 + leakage s^2 + omega^2 s + gain omega^2, Routh; here under a payload of hardly any mass."""
     feather, ground = of_ratio(1e-6, 3.0, 0.02), noise(200, 1e-3, 5.0)
-    with pytest.raises(InputError, match="unstable.*20 Hz"):
+    with pytest.raises(InputError, match="20 Hz.*E-RIG-05"):
         shaking_table_test(feather, None, 1e-3, ground, ShakingTable(2000.0, 20.0, 60.0, leakage=59.0))
     shaking_table_test(feather, None, 1e-3, ground, ShakingTable(2000.0, 20.0, 60.0, leakage=61.0))
     assert ShakingTable(2000.0, 20.0, 60.0).fading == 120.0
@@ -574,7 +574,7 @@ def test_iteration_brings_the_table_to_the_ground_motion():
         ({"leakage": -1.0}, {}, "leakage"),
         ({}, {"iterations": -1}, "iterations"),
         ({}, {"band": 0.0}, "0 Hz"),
-        ({"leakage": 60.0}, {"iterations": 1}, "bare table is unstable"),
+        ({"leakage": 60.0}, {"iterations": 1}, "bare table.*E-RIG-05"),
     ],
 )
 def test_impossible_shaking_table_test(table, given, words):

@@ -327,7 +327,7 @@ def test_wrong_arrays_are_named(change):
 
 
 def test_undamped_structure_is_refused():
-    with pytest.raises(InputError, match="mode 1 .* has no damping"):
+    with pytest.raises(InputError, match="mode 1 .*E-PART-04"):
         loop_stability(single(1.0, 0.0, 30.0, linear_specimen(10.0)))
 
 
@@ -514,5 +514,5 @@ def test_a_growing_loop_changes_without_end():
 def test_forces_that_do_not_fit_are_refused():
     loop = single(THESIS_MASS, THESIS_DAMPING, THESIS_STIFFNESS, linear_specimen(4.346e6))
     for wrong in (np.zeros(99), np.full(100, np.nan)):
-        with pytest.raises(InputError, match="one length and finite"):
+        with pytest.raises(InputError, match="two rows.*E-SIGNAL-01"):
             DisturbedLoops(loop.whole, 1e-3).change(loop, loop_stability(loop), wrong, np.zeros(100))

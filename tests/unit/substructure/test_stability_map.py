@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from linear_specimens import linear_specimen
+from messages import says
 from unit.substructure.delayed_oscillator import critical_delay
 
 from edesign.cli.main import main
@@ -232,8 +233,8 @@ def test_check_draws_the_map(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert all(f">{name}<" in text for name in ("without compensation", "smith", "pi_phase_lead", "pulse"))
     capsys.readouterr()
     assert main(["rts", "check", str(file), "--figure", str(tmp_path / "map.gif")]) == 2
-    assert "map.gif: a figure ends in .svg, .png, .pdf" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "map.gif: .png, E-FILE-08")
     command = one.file.text.replace("kind: rts, record: pulse, free_vibration: 2.0 s", COMMAND)
     file.write_text(command, encoding="utf-8")
     assert main(["rts", "check", str(file), "--figure", str(tmp_path / "none.svg")]) == 2
-    assert "no map without a test with a loop" in capsys.readouterr().err and not (tmp_path / "none.svg").exists()
+    assert says(capsys.readouterr().err, "--figure: E-CLI-08") and not (tmp_path / "none.svg").exists()

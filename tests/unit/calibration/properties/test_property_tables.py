@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from messages import says
 from scipy.integrate import quad
 
 from edesign.calibration import calibrate, load
@@ -269,10 +270,14 @@ def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("[20 %, 40 %]", "[20 %, 45 %]", "no row at 45 %"),
-        ("hold_out: {temperatures: [25 degC, 35 degC], strains: [20 %, 40 %]}", "hold_out: {}", "no row is held out"),
-        ("[20 %, 40 %]", "[10 %, 20 %, 30 %, 40 %, 50 %]", "are left to be fitted to"),
-        ("thesis_appendix_a", "missing.csv", "there is no file"),
+        ("[20 %, 40 %]", "[20 %, 45 %]", "properties.hold_out.strains[1] 45 % E-CALIB-05"),
+        (
+            "hold_out: {temperatures: [25 degC, 35 degC], strains: [20 %, 40 %]}",
+            "hold_out: {}",
+            "properties: `hold_out: E-CALIB-02",
+        ),
+        ("[20 %, 40 %]", "[10 %, 20 %, 30 %, 40 %, 50 %]", "properties: left E-CALIB-02"),
+        ("thesis_appendix_a", "missing.csv", "properties.table E-FILE-01"),
         (", parameters: thesis_table_4_2", "", "parameters"),
     ],
 )
@@ -282,4 +287,4 @@ def test_wrong_campaigns_are_reported_with_their_place(tmp_path: Path, old: str,
     path.write_text(THESIS.replace(old, new))
     with pytest.raises(InputError) as caught:
         load_property_campaign(path)
-    assert message in str(caught.value) and f"{path}:" in str(caught.value)
+    assert says(str(caught.value), message) and f"{path}:" in str(caught.value)

@@ -169,7 +169,7 @@ def test_bins_hold_equal_values_together() -> None:
 
 def test_records_that_do_not_fit_are_refused() -> None:
     time = np.arange(20.0)
-    with pytest.raises(InputError, match="19 samples of measured, 20 of time"):
+    with pytest.raises(InputError, match="test a: 19 samples of measured, 20 .*E-CALIB-03"):
         Residual("a", 0, "fit", time, time, time, time[1:], time, 20.0)
-    with pytest.raises(InputError, match="sample 3 is nan"):
+    with pytest.raises(InputError, match="test a: predicted: sample 3 .*E-CALIB-03"):
         Residual("a", 0, "fit", time, time, time, time, np.where(time == 2.0, np.nan, time), 20.0)
