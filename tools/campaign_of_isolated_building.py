@@ -76,17 +76,21 @@ def isolation_layer_tests(campaign: StructureCampaign, temperature_C: float = 20
         InputError: the base is fixed, or a channel is missing.
     """
     if not campaign.building.isolated:
-        raise InputError(f"{campaign.path}: a building on a fixed base has no isolation layer")
+        raise InputError(f"{campaign.path}: a building on a fixed base has no isolation layer [E-FILE-05]")
     found = []
     for test in campaign.tests:
         drift = test.column("displacement", 0)
         if drift is None:
-            raise InputError(f"{test.source}: the drift of the layer is needed: the displacement of floor 1")
+            raise InputError(
+                f"{test.source}: the drift of the layer is needed: the displacement of floor 1 [E-TABLE-10]"
+            )
         force = np.zeros(test.base.size)
         for floor, mass in enumerate(campaign.building.masses):
             acceleration = test.column("acceleration", floor)
             if acceleration is None:
-                raise InputError(f"{test.source}: the acceleration of floor {floor + 1} is needed for the force")
+                raise InputError(
+                    f"{test.source}: the acceleration of floor {floor + 1} is needed for the force [E-TABLE-10]"
+                )
             force -= mass * acceleration
         found.append(
             DamperTest(test.name, test.time, drift, force, temperature_C, None, test.title, test.use, test.source)

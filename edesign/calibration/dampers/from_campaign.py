@@ -231,7 +231,7 @@ def _check_forces(problem: DamperProblem, campaign: Campaign, predicted: Sequenc
     if flipped:
         text = (
             "the force is negative where the damper is stretched; a positive force must belong to a positive "
-            "displacement: say `reversed: [force]`, or change the sign of one of the channels"
+            "displacement: say `reversed: [force]`, or change the sign of one of the channels [E-CALIB-07]"
         )
         raise InputError(_of_tests(flipped, campaign, text))
     wrong = [i for i, scale in enumerate(scales) if not 1 / _ABSURD < scale < _ABSURD]
@@ -250,12 +250,13 @@ def _cause_text(time: np.ndarray, force: np.ndarray, predicted: np.ndarray) -> s
         return ""
     at = int(np.argmax(np.abs(about)))
     if np.std(force) > _ABSURD * np.std(predicted):
-        return f"the force is {1e-3 * force[at]:.3g} kN at {time[at]:.6g} s, and usual elsewhere: is that a spike?"
+        at_peak = f"the force is {1e-3 * force[at]:.3g} kN at {time[at]:.6g} s"
+        return f"{at_peak}, and usual elsewhere: is that a spike? [E-CALIB-03]"
     means = 1e-3 * float(np.mean(force)), 1e-3 * float(np.mean(predicted))
     text = f"the mean force is {means[0]:.3g} kN where the declared law gives {means[1]:.3g} kN, and about it all fits"
     if abs(means[0]) > abs(means[1]):
-        return f"{text}: has the force channel an offset? Take it off in the file"
-    return f"{text}: has the displacement an offset? See the key `displacement_zero`"
+        return f"{text}: has the force channel an offset? Take it off in the file [E-CALIB-03]"
+    return f"{text}: has the displacement an offset? See the key `displacement_zero` [E-CALIB-03]"
 
 
 def _usual(values: np.ndarray) -> float:
@@ -266,13 +267,14 @@ def _scale_text(scale: float) -> str:
     thousand = next((f for f in (1e-6, 1e-3, 1e3, 1e6) if 1 / 5.0 < scale / f < 5.0), None)
     text = f"the force is {scale:.3g} times what the declared law gives"
     if thousand == 1e3:
-        return f"{text}, a scale of 1000: is it in N and declared as kN, or the displacement in m and declared as mm?"
+        cause = "is it in N and declared as kN, or the displacement in m and declared as mm?"
+        return f"{text}, a scale of 1000: {cause} [E-CALIB-07]"
     if thousand == 1e-3:
         cause = "is it in kN or MN and declared as N or kN, or the displacement in mm and declared as m?"
-        return f"{text}, a scale of 1/1000: {cause}"
+        return f"{text}, a scale of 1/1000: {cause} [E-CALIB-07]"
     if thousand is not None:
-        return f"{text}, a scale of {thousand:g}: are the units of the columns right?"
-    return f"{text}: are the units of the columns and the parameters of the law right?"
+        return f"{text}, a scale of {thousand:g}: are the units of the columns right? [E-CALIB-07]"
+    return f"{text}: are the units of the columns and the parameters of the law right? [E-CALIB-07]"
 
 
 def _of_tests(tests: Sequence[DamperTest], campaign: Campaign, what: str) -> str:

@@ -93,7 +93,7 @@ def judge(
             print(f"written: {written}")
     bad = [one for one in found if one.good is not True and (one.test is None or one.response is not None)]
     if check and bad:
-        raise AnalysisError("; ".join(f"{one.source}: {one.verdict}" for one in bad))
+        raise AnalysisError("; ".join(f"{one.source}: {one.verdict}" for one in bad) + " [E-RUN-03]")
 
 
 def _displacement(name: str) -> Displacement:

@@ -250,7 +250,7 @@ def test_nothing_to_test() -> None:
         ("name: cycles", "name: @white", "tests[1].name E-NAME-02"),
         ("name: white", "name: @white noise", "tests[0].name E-VALUE-01"),
         ("kind: effective_force", "kind: @effectiv_force", "did you mean `effective_force`?"),
-        ("displacement: 5.5 mm", "displacement: @130 mm", "tests[0].command.displacement E-VALUE-02"),
+        ("displacement: 5.5 mm", "displacement: @130 mm", "tests[0].command.displacement E-RIG-06"),
         ("displacement: 5.5 mm", "displacement: @0.5 um", "tests[0].command.displacement E-RIG-06"),
         ("displacement: 4 mm", "displacement: @20 mm", "tests[1].command.displacement 0.628 E-RIG-06"),
         ("displacement: 1 mm", "displacement: @10 mm", "tests[2].command.displacement 0.565 E-RIG-06"),

@@ -44,13 +44,13 @@ def test_hum_is_found_with_its_frequency(hummed):
 def test_a_force_of_the_wrong_sign_or_unit_is_refused(tmp_path):
     right = campaign(tmp_path, tests=4)
     turned = replace(right, tests=tuple(one.with_force(-one.force) for one in right.tests))
-    with pytest.raises(InputError, match="all 4 tests: the force is negative"):
+    with pytest.raises(InputError, match="all 4 tests: .*`reversed: .*E-CALIB-07"):
         damper_problem(turned)
     large = replace(right, tests=(right.tests[0].with_force(1e3 * right.tests[0].force), *right.tests[1:]))
-    with pytest.raises(InputError, match="a scale of 1000: is it in N and declared as kN, or the displacement in m"):
+    with pytest.raises(InputError, match="a scale of 1000: .*E-CALIB-07"):
         damper_problem(large)
     small = replace(right, tests=tuple(one.with_force(1e-3 * one.force) for one in right.tests))
-    with pytest.raises(InputError, match="a scale of 1/1000: .* or the displacement in mm and declared as m?"):
+    with pytest.raises(InputError, match="a scale of 1/1000: .*E-CALIB-07"):
         damper_problem(small)
 
 
@@ -59,12 +59,10 @@ def test_an_offset_is_not_reported_as_a_wrong_unit(tmp_path):
     size = max(float(np.max(np.abs(one.force))) for one in right.tests)
     first, *others = right.tests
     forces = replace(right, tests=(first.with_force(first.force + 200.0 * size), *others))
-    with pytest.raises(
-        InputError, match=r"test_01: the mean force is \d.* kN where .* has the force channel an offset"
-    ):
+    with pytest.raises(InputError, match=r"test_01: .* \d.* kN .*force channel.*E-CALIB-03"):
         damper_problem(forces)
     moved = replace(first, displacement=first.displacement + 200.0 * size / K)
-    with pytest.raises(InputError, match="has the displacement an offset"):
+    with pytest.raises(InputError, match="`displacement_zero` .*E-CALIB-03"):
         damper_problem(replace(right, tests=(moved, *others)))
 
 
@@ -81,5 +79,5 @@ def test_a_spike_is_reported_with_its_time(tmp_path):
     first, *others = right.tests
     force = first.force.copy()
     force[100] = 1e9
-    with pytest.raises(InputError, match=rf"the force is 1e\+06 kN at {first.time[100]:.6g} s, .* a spike"):
+    with pytest.raises(InputError, match=rf"1e\+06 kN at {first.time[100]:.6g} s.*E-CALIB-03"):
         damper_problem(replace(right, tests=(first.with_force(force), *others)))
