@@ -209,7 +209,8 @@ def _read(parameter: Parameter, value: object, found: Mapping[str, float]) -> fl
         if not exponents:
             raise
         names = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
-        raise PydanticCustomError("parameter", "{m}", {"m": f"{error.message()}; {names} here"}) from None
+        sentence, _, code = error.message().rpartition(" [")
+        raise PydanticCustomError("parameter", "{m}", {"m": f"{sentence}; {names} here [{code}"}) from None
     # pint takes 1 Hz as 1/s; as a circular frequency it is 2 pi rad/s
     return 2.0 * math.pi * result if parameter.unit == "rad/s" and re.search(r"Hz\b", str(text)) else result
 

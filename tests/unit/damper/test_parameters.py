@@ -50,10 +50,12 @@ def test_spellings_of_an_exponent(text: str) -> None:
 
 
 def test_exponent_that_is_not_the_parameter() -> None:
-    with pytest.raises(ParameterError, match=r"length\^0.62 .* for example `1 kN\*\(s/mm\)\^0.374`; alpha = 0.374"):
+    with pytest.raises(
+        ParameterError, match=r"length\^0.62 .* for example `1 kN\*\(s/mm\)\^0.374`; alpha = 0.374 .*E-UNIT-02"
+    ):
         read_parameters(POWER, {"c": "2 kN*(s/mm)^0.38", "alpha": 0.374})
     # nor is the unit of a linear dashpot that of a power of 0.374
-    with pytest.raises(ParameterError, match="alpha = 0.374 here"):
+    with pytest.raises(ParameterError, match="alpha = 0.374 .*E-UNIT-02"):
         read_parameters(POWER, {"c": "2 kN*s/mm", "alpha": 0.374})
 
 
@@ -82,12 +84,12 @@ def test_hertz_as_circular_frequency() -> None:
     [
         ({"k": "8 kN/mm", "c": 5.0}, "parameter `c`: .*E-UNIT-01"),
         ({"k": "8 kN/mm", "c": "5 kN"}, "parameter `c`: .*E-UNIT-02"),
-        ({"k": "8 kN/mm", "d": "5 kN"}, r"`d`: there is no such parameter .*there are: k, c"),
+        ({"k": "8 kN/mm", "d": "5 kN"}, r"parameter `d`: .*there are: k, c.*E-LAW-02"),
         ({"k": "8 kNmm/", "c": "1 kN*s/m"}, "parameter `k`: .*E-UNIT-02"),
         ({"k": "8,5 kN/mm", "c": "1 kN*s/m"}, "parameter `k`: .*E-VALUE-01"),
         ({"k": "8 kN/mm", "c": True}, "parameter `c`: .*E-VALUE-01"),
-        ({"k": "8 kN/mm"}, "parameter `c`: this parameter .* is missing"),
-        ({"k": "-8 kN/mm", "c": "1 kN*s/m"}, "at least 0 is allowed"),
+        ({"k": "8 kN/mm"}, "parameter `c`: .*E-LAW-02"),
+        ({"k": "-8 kN/mm", "c": "1 kN*s/m"}, "parameter `k`: .*E-LAW-03"),
     ],
 )
 def test_bad_values(values: dict[str, object], message: str) -> None:
@@ -116,9 +118,7 @@ def test_lists_are_of_branches() -> None:
     assert listed == pytest.approx({"k0": 4e6, "k1": 6e6, "c1": 0.6e6, "k2": 8e6, "c2": 0.15e6})
     one = {"k0": "4 kN/mm", "k": "6 kN/mm", "c": "0.6 kN*s/mm"}
     assert read_parameters(LAWS["generalised_maxwell"], one)["k1"] == 6e6
-    with pytest.raises(
-        ParameterError, match="parameter `k`: as many values of each are needed, and there are 2 of `k`"
-    ):
+    with pytest.raises(ParameterError, match="parameter `k`: .*there are 2 of `k`.*E-VALUE-04"):
         read_parameters(LAWS["generalised_maxwell"], one | {"k": ["6 kN/mm", "8 kN/mm"]})
     with pytest.raises(ParameterError, match="parameter `c`: `3 m` .*E-UNIT-02"):
         read_parameters(LAWS["generalised_maxwell"], one | {"c": "3 m"})
@@ -127,5 +127,5 @@ def test_lists_are_of_branches() -> None:
 def test_a_parameter_of_a_kindred_law_names_that_law() -> None:
     with pytest.raises(InputError, match=r"there are: c\); the law `viscous_power` has them all"):
         read_parameters(LAWS["viscous"], {"c": "5 kN*s/m", "alpha": 0.3})
-    with pytest.raises(InputError, match=r"there are: c\)$"):
+    with pytest.raises(InputError, match=r"there are: c\) \[E-LAW-02\]$"):
         read_parameters(LAWS["viscous"], {"c": "5 kN*s/m", "nothing": 0.3})

@@ -279,8 +279,7 @@ def test_every_kind_has_a_section_of_the_documentation() -> None:
     """docs/theory/compensators.md, with a weakness each, and every key of the file but those explained once."""
     page = (Path(__file__).parents[3] / "docs" / "theory" / "compensators.md").read_text(encoding="utf-8")
     sections = {text.split("\n", 1)[0]: text for text in page.split("\n## ")[1:]}
-    for tagged in get_args(get_args(kinds.Compensator)[0]):
-        model = get_args(tagged)[0]
+    for model in get_args(get_args(kinds.Compensator)[0]):
         (kind,) = get_args(model.model_fields["kind"].annotation)
         assert "**Weakness**" in sections[kind]
         shared = {"kind", *(kinds.AtsCompensator.model_fields if kind == "modified_ats" else ())}
