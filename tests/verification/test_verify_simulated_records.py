@@ -11,6 +11,7 @@ import math
 import numpy as np
 import pytest
 from shared_records import SHARED, needs_recordings
+from support.messages import says
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.read import read_record_file
@@ -155,17 +156,17 @@ def test_real_records_as_a_set() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((3.9, 10e3, None, 1), "the magnitude 3.9 is out of range: 4 to 8"),
-        ((math.nan, 10e3, None, 1), "the magnitude nan"),
-        ((6.5, 301e3, None, 1), "the distance 301 km is out of range: 0 to 300 km"),
-        ((6.5, -1.0, None, 1), "the distance -0.001 km"),
-        ((6.5, 10e3, 150.0, 1), "v_S30 150 m/s is out of range: 180 to 1500 m/s"),
-        ((6.5, 10e3, None, -1), "the seed `-1` is out of range: a whole number, 0 or greater"),
-        ((6.5, 10e3, None, 1.5), "the seed `1.5`"),
-        ((6.5, 10e3, None, 1, 0.05), "the time step 0.05 s is out of range: 0.001 to 0.02 s"),
+        ((3.9, 10e3, None, 1), "magnitude 3.9 4 to 8"),
+        ((math.nan, 10e3, None, 1), "magnitude nan"),
+        ((6.5, 301e3, None, 1), "distance 301 0 to 300 km"),
+        ((6.5, -1.0, None, 1), "distance -0.001 km"),
+        ((6.5, 10e3, 150.0, 1), "v_S30 150 180 to 1500 m/s"),
+        ((6.5, 10e3, None, -1), "seed `-1`"),
+        ((6.5, 10e3, None, 1.5), "seed `1.5`"),
+        ((6.5, 10e3, None, 1, 0.05), "time step 0.05 0.001 to 0.02 s"),
     ],
 )
 def test_outside_the_range(arguments: tuple, message: str) -> None:
     with pytest.raises(InputError) as caught:
         simulate(*arguments)
-    assert message in str(caught.value)
+    assert says(str(caught.value), f"{message} E-SIM-01")
