@@ -21,7 +21,7 @@ NONE = "The check of the input and the analyses gave no warnings."
 _WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?): (?P<what>.+)", re.DOTALL)
 
 WARNINGS = TableSpec[tuple[str, str]](
-    "warnings",
+    "report_warnings",
     "",
     (text("applies to", itemgetter(0)), text("warning", itemgetter(1), broken=1)),
     keys=2,
