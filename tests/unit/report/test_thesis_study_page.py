@@ -22,7 +22,7 @@ def test_blocks_are_replaced_again_and_again() -> None:
     first = "<!-- begin Table 1 -->\n\na\n\nb\n\n<!-- end -->"
     assert once == f"# Page\n\n{first}\n\ntext\n<!-- begin Table 2 -->\n\nc\n\n<!-- end -->\n"
     assert replaced(once, blocks) == once
-    with pytest.raises(InputError, match="Table 3"):
+    with pytest.raises(InputError, match="Table 3.*E-NAME-01"):
         replaced(page.replace("Table 2", "Table 3"), blocks)
 
 
