@@ -25,7 +25,7 @@ ERRORS = {"InputError", "AnalysisError", "ArchiveError", "CampaignError", "Suite
 ERRORS |= {"NotTranslated", "DamagedArchive", "RefusedClient", "RefusedMotion", "SessionError", "RtsFileError"}
 ERRORS |= {"NotFound", "PackageNotInstalled"}
 """Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
-CODED = {*ERRORS, "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}
+CODED = {*ERRORS, "CoreError", "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}
 """Errors whose text has a code already: a sentence that passes it on needs none."""
 METHODS = {"Fault", "refuse", "_refuse", "at_value", "at_item", "at_key", "under", "error", "_failure", "_damaged"}
 """Functions that take the sentence of a problem."""

@@ -140,7 +140,7 @@ def test_braces_that_act_from_the_beginning(name: str, pinned: bool) -> None:
 
 
 def test_without_their_braces_such_frames_are_refused() -> None:
-    with pytest.raises(InputError, match=r"mechanism.*`carries_gravity: true`.*E-GRAV-01"):
+    with pytest.raises(InputError, match=r"`carries_gravity: true`.*mechanism.*E-CORE-06"):
         check_inputs(frame(False, PINS), [])
 
 

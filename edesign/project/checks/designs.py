@@ -35,8 +35,10 @@ _LEAST = {"least_area": ("area", "`area` or `thickness`"), "least_coefficient": 
 """What distributions that meet a drift sum up, and what rounds of histories may change in them."""
 _FIXED = "fixed properties do not change with temperature; give a table or `law` [E-DESIGN-03]"
 _UNCHANGED = {
-    "viscous": "a viscous law changes with its coefficient alone; give factors for the temperatures [E-DESIGN-03]",
-    "hysteretic": "a hysteretic law changes with its force alone; give factors for the temperatures [E-DESIGN-03]",
+    "viscous": "a viscous law changes with its coefficient alone; give factors that hold for the temperatures"
+    " [E-DESIGN-03]",
+    "hysteretic": "a hysteretic law changes with its force alone; give factors that hold for the temperatures"
+    " [E-DESIGN-03]",
 }
 """Why a method has no bounds by temperature."""
 

@@ -86,11 +86,9 @@ def _other_codes(hazard: Hazard, problems: Problems, keys: Keys, pushover: Pusho
 
 def _given(project: Project, problems: Problems, keys: Keys, i: int, pattern: GivenPattern, targets: bool) -> None:
     if len(pattern.given) != 1:
-        message = (
-            f"a pattern has one of the keys {listed(GivenPattern.model_fields)}, not {listed(pattern.given)}"
-            " [E-VALUE-01]"
-        )
-        problems.at_item(keys, i, message if pattern.given else message.partition(", not")[0])
+        seen = f", not {listed(pattern.given)}" if pattern.given else ""
+        message = f"a pattern has one of the keys {listed(GivenPattern.model_fields)}{seen} [E-VALUE-01]"
+        problems.at_item(keys, i, message)
         return
     if pattern.floors is not None:
         storeys = project.frame.n_storeys

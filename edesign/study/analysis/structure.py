@@ -55,7 +55,9 @@ class Structure:
                 return self.steady_modes(count, isolators, amplitudes, damper_stiffness)[0]
         try:
             return self.analysis.modes(count, damper_stiffness)
-        except (ValueError, RuntimeError) as error:
+        except ValueError as error:
+            raise AnalysisError(f"modes: {error} [E-MODAL-03]") from error
+        except CoreError as error:
             raise AnalysisError(f"modes: {error}") from error
 
     def steady_modes(
@@ -109,7 +111,7 @@ class Structure:
         """
         response = self.analysis.static(self.frame.gravity, factor=1.0, steps=GRAVITY_STEPS, channels=channels)
         if response.status != "completed":
-            raise AnalysisError(f"under the gravity loads: {response.reason} [E-GRAV-01]")
+            raise AnalysisError(f"under the gravity loads: {response.reason.partition(' [E-')[0]} [E-GRAV-01]")
         if not response.finite:
             raise AnalysisError("under the gravity loads: a result is not a finite number [E-GRAV-01]")
         return response

@@ -84,11 +84,10 @@ def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
         laws = device_laws(project)
         runs = project.dampers.devices if project.dampers is not None else ()
         idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
-        hint = (
-            "; a frame that stands by its buckling-restrained braces needs `carries_gravity: true` with them"
-            " [E-GRAV-01]"
-        )
-        raise InputError(f"{project.where('frame')}: frame: {error}{hint if idle else ''}") from error
+        where = f"{project.where('frame')}: frame"
+        if idle:
+            raise InputError(f"{where}: braces that it stands by need `carries_gravity: true`: {error}") from error
+        raise InputError(f"{where}: {error}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
         _check_series(project)

@@ -129,7 +129,7 @@ def _period(project: Project) -> float | None:
     try:
         return fundamental_period(project)
     except AnalysisError as error:
-        raise AnalysisError(f"{error}. A unit may be wrong: {sizes(project)}") from error
+        raise AnalysisError(str(error).replace(" [E-", f". A unit may be wrong: {sizes(project)} [E-")) from error
 
 
 def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:

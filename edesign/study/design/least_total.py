@@ -23,7 +23,8 @@ class OutOfReach(AnalysisError):
     """
 
     def __init__(self, message: str, nearest: np.ndarray) -> None:
-        super().__init__(f"{message}; this is an estimate by the response spectrum: with `verify` histories decide")
+        estimate = "this is an estimate by the response spectrum: with `verify` histories decide"
+        super().__init__(f"{message}; {estimate} [E-DESIGN-04]")
         self.nearest = nearest
 
 

@@ -134,7 +134,7 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
     try:
         structure = make_structure(project.model_copy(update={"dampers": trial}), dampers=True)
     except InputError as error:  # the devices stand in no file: the place is the item of the catalogue
-        found = re.search(r"dampers\.devices\[(\d+)\]([\w.]*): (.*)", str(error), re.DOTALL)
+        found = re.search(r"dampers\.devices\[(\d+)\]([\w.]*): (.*) \[E-", str(error), re.DOTALL)
         if found is None:
             raise
         option, (bay, storey), _ = wanted[int(found[1])]
