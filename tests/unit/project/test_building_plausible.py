@@ -6,6 +6,7 @@ import math
 
 import pytest
 from building_examples import SMALL, building
+from messages import says
 
 from edesign.building.sections.profiles import profile_names
 from edesign.building.sections.steel_section import steel_section
@@ -19,39 +20,35 @@ GIVEN = SMALL.replace("{from_loads: {}}", "{given: [{floors: 1-2, mass: 9 t}]}")
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [  # `@` marks the place that is named
-        ("fy: 275 MPa", "fy: @275 Pa", "materials.S275.fy: `275 Pa` is no yield strength of structural steel: 150 to"),
-        ("fy: 275 MPa", "fy: @275 Pa", "did you mean `275 MPa`?"),
+        ("fy: 275 MPa", "fy: @275 Pa", "materials.S275.fy 150 700 MPa E-UNIT-03"),
+        ("fy: 275 MPa", "fy: @275 Pa", "materials.S275.fy `275 MPa` E-UNIT-03"),
         ("fy: 275 MPa", "fy: @27.5 kN/cm^2 ", ""),
         ("fy: 275 MPa", "fy: @235 N/mm^2", ""),
-        ("fy: 275 MPa", "fy: @355 GPa", "did you mean `355 MPa`?"),
-        ("fy: 275 MPa", "fy: 275 MPa, E: @210 MPa", "materials.S275.E: `210 MPa` is no modulus of elasticity of steel"),
-        ("fy: 275 MPa", "fy: 275 MPa, E: @210 MPa", "did you mean `210 GPa`?"),
-        ("fy: 275 MPa", "fy: 275 MPa, E: @70 GPa", "EN 1993-1-1 does not check other materials"),
-        ("fy: 275 MPa", "fy: 275 MPa, density: @7850 g/m^3", "did you mean `7850 kg/m^3`?"),
-        ("[4 m, 3 m]", "[@4 mm, 3 m]", "storeys[0]: `4 mm` is no height of a storey: 0.5 to 150 m is allowed"),
-        ("[4 m, 3 m]", "[@4 mm, 3 m]", "did you mean `4 m`?"),
-        ("[4 m, 3 m]", "{count: 2, height: @3500 m}", "storeys.height: `3500 m` is no height of a storey"),
-        ("[4 m, 3 m]", "{count: 2, height: @3500 m}", "did you mean `3500 mm`?"),
-        ("[6 m, 4 m]", "[6 m, @7200 m]", "plan.x[1]: `7200 m` is no width of a bay"),
-        ("width: 5 m", "width: @7200 m", "plan.y.width: `7200 m` is no width of a bay"),
-        ("G: 4 kN/m^2", "G: @4.5 N/m^2", "loads.areas[0].G: `4.5 N/m^2` is no load of a floor or roof"),
-        ("G: 4 kN/m^2", "G: @4.5 MN/m^2", "did you mean `4.5 kN/m^2`?"),
-        ("Q: 2 kN/m^2", "Q: @2 N/m^2", "loads.areas[0].Q: `2 N/m^2` is no load of a floor or roof"),
-        ("  areas:", "  perimeter: [{G: @1.2 N/m}]\n  areas:", "did you mean `1.2 kN/m`?"),
-        ("  areas:", "  beams: [{along: x, G: @12 MN/m}]\n  areas:", "loads.beams[0].G: `12 MN/m` is no load along"),
-        (
-            "design:\n",
-            "design:\n  overstrength: @1.25 %\n",
-            "design.overstrength: `1.25 %` is no overstrength factor",
-        ),
-        ("design:\n", "design:\n  partial_factors: {M0: @100}\n", "`100` is no partial factor of resistance"),
+        ("fy: 275 MPa", "fy: @355 GPa", "materials.S275.fy `355 MPa` E-UNIT-03"),
+        ("fy: 275 MPa", "fy: 275 MPa, E: @210 MPa", "materials.S275.E E-UNIT-03"),
+        ("fy: 275 MPa", "fy: 275 MPa, E: @210 MPa", "materials.S275.E `210 GPa` E-UNIT-03"),
+        ("fy: 275 MPa", "fy: 275 MPa, E: @70 GPa", "materials.S275.E 1993-1-1 E-UNIT-03"),
+        ("fy: 275 MPa", "fy: 275 MPa, density: @7850 g/m^3", "materials.S275.density `7850 kg/m^3` E-UNIT-03"),
+        ("[4 m, 3 m]", "[@4 mm, 3 m]", "storeys[0] 0.5 150 E-UNIT-03"),
+        ("[4 m, 3 m]", "[@4 mm, 3 m]", "storeys[0] `4 m` E-UNIT-03"),
+        ("[4 m, 3 m]", "{count: 2, height: @3500 m}", "storeys.height E-UNIT-03"),
+        ("[4 m, 3 m]", "{count: 2, height: @3500 m}", "storeys.height `3500 mm` E-UNIT-03"),
+        ("[6 m, 4 m]", "[6 m, @7200 m]", "plan.x[1] E-UNIT-03"),
+        ("width: 5 m", "width: @7200 m", "plan.y.width E-UNIT-03"),
+        ("G: 4 kN/m^2", "G: @4.5 N/m^2", "loads.areas[0].G E-UNIT-03"),
+        ("G: 4 kN/m^2", "G: @4.5 MN/m^2", "loads.areas[0].G `4.5 kN/m^2` E-UNIT-03"),
+        ("Q: 2 kN/m^2", "Q: @2 N/m^2", "loads.areas[0].Q E-UNIT-03"),
+        ("  areas:", "  perimeter: [{G: @1.2 N/m}]\n  areas:", "loads.perimeter[0].G `1.2 kN/m` E-UNIT-03"),
+        ("  areas:", "  beams: [{along: x, G: @12 MN/m}]\n  areas:", "loads.beams[0].G E-UNIT-03"),
+        ("design:\n", "design:\n  overstrength: @1.25 %\n", "design.overstrength E-UNIT-03"),
+        ("design:\n", "design:\n  partial_factors: {M0: @100}\n", "design.partial_factors.M0 E-UNIT-03"),
         (
             "design:\n",
             "design:\n  members: {buckling_length: {braces: {z: @1e6}}}\n",
-            "design.members.buckling_length.braces.z: `1e6` is no buckling length",
+            "design.members.buckling_length.braces.z E-UNIT-03",
         ),
-        ("a_gR: 0.24 g", "a_gR: @24 g", "hazard.a_gR: `24 g` is no reference ground acceleration"),
-        ("  areas:", "  nodes: [{at: A1, floors: 1, G: @5 N}]\n  areas:", "did you mean `5 kN`?"),
+        ("a_gR: 0.24 g", "a_gR: @24 g", "hazard.a_gR E-UNIT-03"),
+        ("  areas:", "  nodes: [{at: A1, floors: 1, G: @5 N}]\n  areas:", "loads.nodes[0].G `5 kN` E-UNIT-03"),
     ],
 )
 def test_what_no_steel_building_has_is_refused(old: str, new: str, said: str) -> None:
@@ -65,12 +62,12 @@ def test_what_no_steel_building_has_is_refused(old: str, new: str, said: str) ->
     before = SMALL.replace(old, new).partition("@")[0]
     place = (before.count("\n") + 1, len(before) - before.rfind("\n"))
     assert [(p.mark.line, p.mark.column) for p in caught.value.problems] == [place]
-    assert said in str(caught.value)
+    assert says(str(caught.value), said)
 
 
 @pytest.mark.parametrize("mass", ["9 kg", "9000 t", "18 g"])
 def test_masses_that_no_floor_has_are_refused(mass: str) -> None:
-    with pytest.raises(BuildingError, match=r"masses.given\[0\]: floor 1 has .* kg/m\^2, which no floor has") as caught:
+    with pytest.raises(BuildingError, match=r"masses.given\[0\].*E-UNIT-03") as caught:
         building(GIVEN.replace("9 t", mass))
     assert len(caught.value.problems) == 2  # floors 1 and 2
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from messages import says
 
 from edesign.building.project_file import load_study
 from edesign.errors import InputError
@@ -49,46 +50,36 @@ def test_a_variant_that_is_named_takes_with_it_what_is_made_of_it() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "key", "said"),
     [
-        (BOUNDS, "{}", "variants.damped.bounds", "nothing is given"),
-        ("upper: 1.3", "upper: 0.9", "variants.damped.bounds.upper", "must be at least 1"),
-        (
-            "{upper: 1.3,",
-            "{upper: 1.3, temperatures: [30 degC, 0 degC],",
-            "variants.damped.bounds.temp",
-            "runs backwards",
-        ),
+        (BOUNDS, "{}", "variants.damped.bounds", "E-KEY-02"),
+        ("upper: 1.3", "upper: 0.9", "variants.damped.bounds.upper", "E-VALUE-02"),
+        ("{upper: 1.3,", "{upper: 1.3, temperatures: [30 degC, 0 degC],", "variants.damped.bounds.temp", "E-VALUE-04"),
         (
             "softer: {dampers: project,",
             "softer: {dampers: none, bounds: {upper: 2},",
             "variants.softer.bounds",
-            "no dampers",
+            "E-DAMPER-04",
         ),
-        ("S275.E: 200", "S355.E: 200", "variants.softer.values.materials.S355.E", "there is no `S355`"),
-        ("E: 200 GPa", "E: 200 kN", "variants.softer.values.materials.S275.E", "is a force"),
-        ("materials.S275.E: 200 GPa", "hazard.a_gR: 0.2 g", "variants.softer.values.hazard.a_gR", "same for all"),
-        (DASHPOT, "dampers.laws.fluit.parameters.c", "vary[0].place", "did you mean `fluid`?"),
+        ("S275.E: 200", "S355.E: 200", "variants.softer.values.materials.S355.E", "`S355` E-NAME-01"),
+        ("E: 200 GPa", "E: 200 kN", "variants.softer.values.materials.S275.E", "force E-UNIT-02"),
+        ("materials.S275.E: 200 GPa", "hazard.a_gR: 0.2 g", "variants.softer.values.hazard.a_gR", "E-VARIANT-01"),
+        (DASHPOT, "dampers.laws.fluit.parameters.c", "vary[0].place", "`fluid` E-NAME-01"),
         (
             "variants: damped, place: dampers",
             "variants: dampd, place: dampers",
             "vary[0].variants",
-            "did you mean `damped`?",
+            "`damped` E-NAME-01",
         ),
-        ("IPE80, IPE120]", "IPE80, IPE121]", "vary[1].values[1]", "IPE121"),
+        ("IPE80, IPE120]", "IPE80, IPE121]", "vary[1].values[1]", "`IPE120` E-NAME-01"),
         (
             '"frame.braces[0].section", values: [IPE80, IPE120]',
             "frame.storeys, values: [[4 m]]",
             "vary[1].values[0]",
             "",
         ),
-        ("name: brace", "name: c", "vary[1].name", "comes twice"),
-        ("roof_acceleration,", "roof_acceleraton,", "vary[0].measures[1]", "did you mean `roof_acceleration`?"),
-        (
-            "roof_acceleration,",
-            "{x: damper_force},",
-            "vary[0].measures[1]",
-            "such as `interstorey_drift`, not a mapping",
-        ),
-        ("  softer: {", "  damped_c_2: {", "vary[0].name", "makes a variant `damped_c_2`, which there is"),
+        ("name: brace", "name: c", "vary[1].name", "E-NAME-02"),
+        ("roof_acceleration,", "roof_acceleraton,", "vary[0].measures[1]", "`roof_acceleration` E-NAME-01"),
+        ("roof_acceleration,", "{x: damper_force},", "vary[0].measures[1]", "E-VALUE-01"),
+        ("  softer: {", "  damped_c_2: {", "vary[0].name", "E-NAME-02"),
         ("values: [40 kN*s/m, 150 kN*s/m, 600 kN*s/m]", "values: []", "vary[0].values", ""),
     ],
 )
@@ -97,21 +88,21 @@ def test_what_is_wrong(old: str, new: str, key: str, said: str, study: Study) ->
     with pytest.raises(StudyError) as caught:
         parse_study(TEXT.replace(old, new), CASE / "sweep.yaml", study.base)
     first = caught.value.problems[0]
-    assert first.keys_text.startswith(key) and said in first.message, str(caught.value)
+    assert first.keys_text.startswith(key) and says(first.message, said), str(caught.value)
 
 
 def test_dampers_of_a_design_and_of_none_have_no_values(study: Study) -> None:
     text = TEXT.replace("  softer: {dampers: project, values: {materials.S275.E: 200 GPa}}", "  bare: {dampers: none}")
     text = text.replace("name: c, variants: damped", "name: c, variants: [damped, bare]")
-    with pytest.raises(StudyError, match="the variant `bare` has no dampers"):
+    with pytest.raises(StudyError, match=r"vary\[0\].place.*E-DAMPER-04"):
         parse_study(text, CASE / "sweep.yaml", study.base)
 
 
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("600 kN*s/m]", "600 kN]", r"vary\[0\].values\[2\]: .*`600 kN` is a force"),
-        (DASHPOT, "dampers.laws.fluid.parameters.d", r"vary\[0\].values\[0\]: .*no such parameter .there are: c."),
+        ("600 kN*s/m]", "600 kN]", r"vary\[0\].values\[2\].*force.*E-UNIT-02"),
+        (DASHPOT, "dampers.laws.fluid.parameters.d", r"vary\[0\].values\[0\].* c.*E-LAW-02"),
     ],
 )
 def test_laws_of_other_values_are_checked_before_the_run(old: str, new: str, said: str, study: Study) -> None:

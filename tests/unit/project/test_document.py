@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from messages import says
 
 from edesign.calibration.properties.campaign import load_property_campaign
 from edesign.calibration.structures.campaign import load_structure_campaign
@@ -70,7 +71,7 @@ def test_campaigns_know_the_block(load: Callable[[Path], Any], tmp_path: Path) -
     """Their readers name the key that is misspelt, and nothing of the block itself."""
     path = tmp_path / "campaign.yaml"
     path.write_text("document: {clients: A}\n", encoding="utf-8")
-    with pytest.raises(InputError, match="document.clients: unknown key; did you mean `client`") as caught:
+    with pytest.raises(InputError, match="document.clients.*`client`.*E-KEY-01") as caught:
         load(path)
     assert "document: unknown" not in str(caught.value)
 
@@ -89,16 +90,16 @@ def test_a_study_says_it_over_its_project() -> None:
 @pytest.mark.parametrize(
     ("wrong", "reported"),
     [
-        ("{autor: A. Petrou}", "document.autor: unknown key; did you mean `author`?"),
-        ("{revision: 2}", "document.revision: text (put quotes around text that looks like a number) is needed"),
-        ("{project_number: 0123}", "document.project_number: text (put quotes around"),
-        ("{date: 31.03.2026}", "document.date: `31.03.2026` is no date; write year, month and day, such as 2026-03-31"),
-        ("{date: 2026-02-30}", "`2026-02-30` is no date"),
-        ('{date: "20260331"}', "`20260331` is no date"),
-        ('{client: "  "}', "document.client: the text is empty"),
-        ('{client: "A\\nB"}', "document.client: the text has several lines"),
-        (f"{{client: {'x' * (LONGEST + 1)}}}", f"document.client: the text is longer than {LONGEST} characters"),
-        ("Chania", "document: a mapping"),
+        ("{autor: A. Petrou}", "document.autor `author` E-KEY-01"),
+        ("{revision: 2}", "document.revision E-VALUE-01"),
+        ("{project_number: 0123}", "document.project_number E-VALUE-01"),
+        ("{date: 31.03.2026}", "document.date E-VALUE-01"),
+        ("{date: 2026-02-30}", "document.date E-VALUE-01"),
+        ('{date: "20260331"}', "document.date E-VALUE-01"),
+        ('{client: "  "}', "document.client E-VALUE-01"),
+        ('{client: "A\\nB"}', "document.client E-VALUE-01"),
+        (f"{{client: {'x' * (LONGEST + 1)}}}", f"document.client {LONGEST} E-VALUE-01"),
+        ("Chania", "document E-VALUE-01"),
     ],
 )
 def test_what_is_no_document_is_refused(wrong: str, reported: str, projects: Path) -> None:
@@ -107,5 +108,5 @@ def test_what_is_no_document_is_refused(wrong: str, reported: str, projects: Pat
     path.write_text(f"{text}\ndocument: {wrong}\n", encoding="utf-8")
     with pytest.raises(InputError) as caught:
         load_project(path)
-    assert reported in str(caught.value)
+    assert says(str(caught.value), reported)
     assert f"{path}:" in str(caught.value)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+from messages import says
 
 from edesign.project import Problem, parse_project
 from edesign.project.actions.hazard import EC8Hazard
@@ -63,61 +64,35 @@ def test_a_zone_is_a_number_or_a_name(small: str, zone: str) -> None:
 
 
 ONE_PROBLEM = {
-    "unknown code": ("code: ec8-2004", "code: «ec8-2005", "hazard.code", "did you mean `ec8-2004`?"),
-    "missing ground": ("hazard:\n", "«hazard:\n", "hazard.ground", "missing; allowed: `A`", ("  ground: C\n", "")),
-    "unknown ground": ("ground: C", "ground: «F", "hazard.ground", "`F` is unknown"),
-    "special ground": ("ground: C", "ground: «S1", "hazard.ground", "`S1` is unknown"),
-    "type that is no number": ("spectrum: 1", "spectrum: «true", "hazard.spectrum", "1 or 2"),
-    "unknown type": ("spectrum: 1", "spectrum: «3", "hazard.spectrum", "1 or 2"),
-    "zone that is no name": ("zone: 3", "zone: «[3]", "hazard.zone", "its number or name"),
-    "zone without a country": (
-        "hazard:\n",
-        "«hazard:\n",
-        "hazard.country",
-        "belongs to a",
-        ("  country: greece\n", ""),
-    ),
-    "zone and acceleration": (
-        "zone: 3",
-        "zone: 3\n  «a_gR: 0.36 g",
-        "hazard.a_gR",
-        "`zone` and `a_gR` exclude each other",
-    ),
-    "neither": ("hazard:\n", "«hazard:\n", "hazard", "`country` and `zone`, or", ("  zone: 3\n", "")),
-    "bare acceleration": ("zone: 3", "a_gR: «0.36", "hazard.a_gR", "needs a unit"),
-    "zero acceleration": ("zone: 3", "a_gR: «0 g", "hazard.a_gR", "greater than zero"),
-    "misspelt key": (
-        "behaviour_factor",
-        "«behavior_factor",
-        "hazard.behavior_factor",
-        "did you mean `behaviour_factor`?",
-    ),
-    "q below one": ("behaviour_factor: 4", "behaviour_factor: «0.5", "hazard.behaviour_factor", "at least 1"),
-    "bare period": ("T_D: 2.5 s", "T_D: «2.5", "hazard.parameters.T_D", "needs a unit"),
-    "unknown parameter": ("T_D: 2.5 s", "«T_E: 6 s", "hazard.parameters.T_E", "did you mean"),
-    "corners in disorder": (
-        "T_D: 2.5 s",
-        "T_D: «0.1 s",
-        "hazard.parameters.T_D",
-        "less than T_B = 0.2 s",
-    ),
-    "damping in per cent without the sign": ("ground: C", "ground: C\n  damping: «5", "hazard.damping", "at most 1"),
-    "zero k": ("ground: C", "ground: C\n  k: «0", "hazard.k", "greater than 0"),
-    "empty level": ("own: {gamma_I: 1.3}", "«own: {}", "hazard.levels.own", "give one of `probability`"),
-    "two ways": (
-        "{gamma_I: 1.3}",
-        "{«gamma_I: 1.3, probability: 5 %}",
-        "hazard.levels.own.gamma_I",
-        "`probability` and `gamma_I` exclude each other",
-    ),
-    "sure event": ("probability: 2 %", "probability: «100 %", "hazard.levels.MCE.probability", "less than 1"),
-    "impossible event": ("probability: 2 %", "probability: «0 %", "hazard.levels.MCE.probability", "greater than 0"),
-    "bare return period": ("2475 years", "«2475", "hazard.levels.rare.return_period", "needs a unit"),
-    "short return period": ("2475 years", "«2475 s", "hazard.levels.rare.return_period", "shorter than a year"),
-    "unknown class": ("IV}", "«V}", "hazard.levels.hospital.importance_class", "`V` is unknown"),
-    "zero factor": ("gamma_I: 1.3", "gamma_I: «0", "hazard.levels.own.gamma_I", "greater than 0"),
-    "bad level name": ("own: {", "«my own: {", "hazard.levels.my own", "letters"),
-    "list for mapping": ("own: {gamma_I: 1.3}", "own: «[1.3]", "hazard.levels.own", "a mapping"),
+    "unknown code": ("code: ec8-2004", "code: «ec8-2005", "hazard.code", "`ec8-2004` E-VALUE-03"),
+    "missing ground": ("hazard:\n", "«hazard:\n", "hazard.ground", "`A` E-KEY-02", ("  ground: C\n", "")),
+    "unknown ground": ("ground: C", "ground: «F", "hazard.ground", "E-VALUE-03"),
+    "special ground": ("ground: C", "ground: «S1", "hazard.ground", "E-VALUE-03"),
+    "type that is no number": ("spectrum: 1", "spectrum: «true", "hazard.spectrum", "E-VALUE-03"),
+    "unknown type": ("spectrum: 1", "spectrum: «3", "hazard.spectrum", "E-VALUE-03"),
+    "zone that is no name": ("zone: 3", "zone: «[3]", "hazard.zone", "E-VALUE-01"),
+    "zone without a country": ("hazard:\n", "«hazard:\n", "hazard.country", "E-KEY-02", ("  country: greece\n", "")),
+    "zone and acceleration": ("zone: 3", "zone: 3\n  «a_gR: 0.36 g", "hazard.a_gR", "E-KEY-03"),
+    "neither": ("hazard:\n", "«hazard:\n", "hazard", "`country` E-KEY-03", ("  zone: 3\n", "")),
+    "bare acceleration": ("zone: 3", "a_gR: «0.36", "hazard.a_gR", "E-UNIT-01"),
+    "zero acceleration": ("zone: 3", "a_gR: «0 g", "hazard.a_gR", "E-VALUE-02"),
+    "misspelt key": ("behaviour_factor", "«behavior_factor", "hazard.behavior_factor", "`behaviour_factor` E-KEY-01"),
+    "q below one": ("behaviour_factor: 4", "behaviour_factor: «0.5", "hazard.behaviour_factor", "E-VALUE-02"),
+    "bare period": ("T_D: 2.5 s", "T_D: «2.5", "hazard.parameters.T_D", "E-UNIT-01"),
+    "unknown parameter": ("T_D: 2.5 s", "«T_E: 6 s", "hazard.parameters.T_E", "E-KEY-01"),
+    "corners in disorder": ("T_D: 2.5 s", "T_D: «0.1 s", "hazard.parameters.T_D", "0.2 E-VALUE-04"),
+    "damping in per cent without the sign": ("ground: C", "ground: C\n  damping: «5", "hazard.damping", "E-VALUE-02"),
+    "zero k": ("ground: C", "ground: C\n  k: «0", "hazard.k", "E-VALUE-02"),
+    "empty level": ("own: {gamma_I: 1.3}", "«own: {}", "hazard.levels.own", "`probability` E-KEY-02"),
+    "two ways": ("{gamma_I: 1.3}", "{«gamma_I: 1.3, probability: 5 %}", "hazard.levels.own.gamma_I", "E-KEY-03"),
+    "sure event": ("probability: 2 %", "probability: «100 %", "hazard.levels.MCE.probability", "E-VALUE-02"),
+    "impossible event": ("probability: 2 %", "probability: «0 %", "hazard.levels.MCE.probability", "E-VALUE-02"),
+    "bare return period": ("2475 years", "«2475", "hazard.levels.rare.return_period", "E-UNIT-01"),
+    "short return period": ("2475 years", "«2475 s", "hazard.levels.rare.return_period", "E-VALUE-01"),
+    "unknown class": ("IV}", "«V}", "hazard.levels.hospital.importance_class", "E-VALUE-03"),
+    "zero factor": ("gamma_I: 1.3", "gamma_I: «0", "hazard.levels.own.gamma_I", "E-VALUE-02"),
+    "bad level name": ("own: {", "«my own: {", "hazard.levels.my own", "E-VALUE-02"),
+    "list for mapping": ("own: {gamma_I: 1.3}", "own: «[1.3]", "hazard.levels.own", "E-VALUE-01"),
 }
 
 
@@ -130,4 +105,4 @@ def test_one_problem(broken: Broken, case: str) -> None:
         text = text.replace(before, after)
     (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{text}"))
     assert problem.keys_text == keys
-    assert words in problem.message
+    assert says(problem.message, words)

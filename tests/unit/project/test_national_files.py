@@ -83,16 +83,16 @@ def test_a_country_of_the_user(small: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("zones:", "zoness:", r"annex.yaml:1:1: zoness: unknown key; did you mean `zones`\?"),
-        ("  unit: g\n", "  unit: G\n", r"annex.yaml:4:9: zones.unit: `G` is unknown"),
-        ("  unit: g\n", "", r"annex.yaml:1:1: zones.unit: this key is missing"),
-        ("    1:\n", "    3:\n", r"annex.yaml:\d+:\d+: horizontal.value.3: there is no type of spectrum `3`"),
-        ("      B: {S: 1.3", "      F: {S: 1.3", r"horizontal.value.1.F: there is no ground type `F`"),
-        ("T_B: 0.1, ", "", r"annex.yaml:\d+:\d+: horizontal.value.1.B.T_B: this key is missing"),
-        ("II: 1.0", "II: 1.1", r"importance_factors.value.II: gamma_I of class II is 1.0 by definition"),
-        ("value: 0.1}", "value: 2}", r"lower_bound_factor.value: .*at most 1"),
-        ("  clause: 4.2.5(5)P Note\n", "", r"importance_factors.clause: this key is missing"),
-        ('{"1": 0.1, "2": 0.2}', "[0.1, 0.2]", r"zones.value: a mapping"),
+        ("zones:", "zoness:", "annex.yaml:1:1: zoness.*`zones`.*E-KEY-01"),
+        ("  unit: g\n", "  unit: G\n", "annex.yaml:4:9: zones.unit.*E-VALUE-03"),
+        ("  unit: g\n", "", "annex.yaml:1:1: zones.unit.*E-KEY-02"),
+        ("    1:\n", "    3:\n", r"annex.yaml:\d+:\d+: horizontal.value.3.*`1`, `2`.*E-NAME-01"),
+        ("      B: {S: 1.3", "      F: {S: 1.3", "horizontal.value.1.F.*`E`.*E-NAME-01"),
+        ("T_B: 0.1, ", "", r"annex.yaml:\d+:\d+: horizontal.value.1.B.T_B.*E-KEY-02"),
+        ("II: 1.0", "II: 1.1", "importance_factors.value.II.*E-VALUE-02"),
+        ("value: 0.1}", "value: 2}", "lower_bound_factor.value.*E-VALUE-02"),
+        ("  clause: 4.2.5(5)P Note\n", "", "importance_factors.clause.*E-KEY-02"),
+        ('{"1": 0.1, "2": 0.2}', "[0.1, 0.2]", "zones.value.*E-VALUE-01"),
     ],
 )
 def test_wrong_files(small: str, tmp_path: Path, old: str, new: str, message: str) -> None:
@@ -102,14 +102,14 @@ def test_wrong_files(small: str, tmp_path: Path, old: str, new: str, message: st
 
 
 def test_corners_in_disorder_and_grounds_left_out(small: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="hazard.parameters: T_B <= T_C <= T_D is needed"):
+    with pytest.raises(InputError, match="hazard.parameters.*E-VALUE-04"):
         hazard_of(small, tmp_path, ANNEX.replace("T_B: 0.1", "T_B: 1.1"))
-    with pytest.raises(InputError, match=r"there is no ground type `C` \(there are: `B`\)"):
+    with pytest.raises(InputError, match="hazard.parameters.*`B`.*E-NAME-01"):
         hazard_of(small, tmp_path, block=BLOCK.replace("ground: B", "ground: C"))
     with pytest.raises(NationalFileError):
         parse_national("zones: {}", Path("annex.yaml"))
 
 
 def test_a_missing_file(small: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"small.yaml:\d+:12: hazard.country: there is no file"):
+    with pytest.raises(InputError, match=r"small.yaml:\d+:12: hazard.country.*E-FILE-01"):
         parse_project(small + BLOCK, tmp_path / "small.yaml")

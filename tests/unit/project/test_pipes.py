@@ -50,13 +50,13 @@ def test_a_pipe_with_a_writer_and_a_socket_are_refused_too(tmp_path: Path) -> No
     os.mkfifo(tmp_path / "pipe")
     writer = os.open(tmp_path / "pipe", os.O_RDWR)  # which does not wait for a reader
     try:
-        with pytest.raises(InputError, match="this is a pipe"):
+        with pytest.raises(InputError, match="E-FILE-02"):
             read_file(tmp_path / "pipe", "project file")
     finally:
         os.close(writer)
     with socket.socket(socket.AF_UNIX) as one:
         one.bind(str(tmp_path / "socket"))
-        with pytest.raises(InputError, match="this is a socket"):
+        with pytest.raises(InputError, match="E-FILE-02"):
             read_file(tmp_path / "socket", "project file")
 
 
@@ -65,12 +65,12 @@ def test_a_pipe_in_the_place_of_an_output_is_refused(tmp_path: Path) -> None:
     from edesign.errors import ArchiveError
 
     os.mkfifo(tmp_path / "result.yaml")
-    with pytest.raises(ArchiveError, match="cannot be written: it is a pipe or a device"):
+    with pytest.raises(ArchiveError, match="E-FILE-06"):
         check_file(tmp_path / "result.yaml")
 
 
 def test_a_missing_file_is_reported_as_before(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="there is no such project file"):
+    with pytest.raises(InputError, match="E-FILE-01"):
         read_file(tmp_path / "none.yaml", "project file")
 
 
@@ -82,9 +82,9 @@ def test_a_missing_file_names_the_nearest_one_of_its_kind(tmp_path: Path) -> Non
         name: str(missing(tmp_path / name, "file")).partition("such file")[2]
         for name in ("project.yaml", "project.yml", "project", "nofile.yaml", "project.csv", "no/project.yaml")
     }
-    said = "; did you mean `projekt.yaml`?"
+    said = "; did you mean `projekt.yaml`? [E-FILE-01]"
     assert found == {
         **dict.fromkeys(("project.yaml", "project.yml", "project"), said),
-        **dict.fromkeys(("nofile.yaml", "project.csv"), ""),
-        "no/project.yaml": f"; the folder {tmp_path / 'no'} does not exist",
+        **dict.fromkeys(("nofile.yaml", "project.csv"), " [E-FILE-01]"),
+        "no/project.yaml": f"; the folder {tmp_path / 'no'} does not exist [E-FILE-01]",
     }

@@ -73,16 +73,16 @@ def test_a_new_project_is_named_like_its_folder(tmp_path: Path) -> None:
 def test_a_new_project_overwrites_nothing(tmp_path: Path) -> None:
     path = new_project(tmp_path, "first")
     before = path.read_bytes()
-    with pytest.raises(InputError, match="exists already"):
+    with pytest.raises(InputError, match="E-FILE-07"):
         new_project(tmp_path, "second")
     assert path.read_bytes() == before
-    with pytest.raises(InputError, match="exists already"):
+    with pytest.raises(InputError, match="E-FILE-07"):
         new_project(path, "a file is no folder")
 
 
 @pytest.mark.parametrize("name", ["", "  ", "two\nlines"])
 def test_a_name_is_one_line(tmp_path: Path, name: str) -> None:
-    with pytest.raises(InputError, match="one line"):
+    with pytest.raises(InputError, match="E-VALUE-01"):
         new_project(tmp_path, name)
     assert not list(tmp_path.iterdir())
 

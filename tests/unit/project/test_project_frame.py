@@ -105,8 +105,8 @@ def test_beams_that_braces_meet_are_two_members(small: str) -> None:
 @pytest.mark.parametrize(
     ("braces", "said"),
     [
-        ("{bays: 2, storeys: 3, kind: chevron", "a `chevron` meets a beam in the middle, and B_2_3 is missing"),
-        ("{bays: 1, storeys: 1, kind: v", "a `v` meets a beam in the middle, and bay 1 has no beam at the base"),
+        ("{bays: 2, storeys: 3, kind: chevron", r"frame.braces\[0\].kind.* B_2_3 .*E-DAMPER-05"),
+        ("{bays: 1, storeys: 1, kind: v", r"frame.braces\[0\].kind.* bay 1 .*E-DAMPER-05"),
     ],
 )
 def test_braces_need_the_beam_that_they_meet(small: str, braces: str, said: str) -> None:
@@ -121,12 +121,12 @@ def test_only_sections_with_two_axes_bend_about_the_weak_one(small: str) -> None
     assert parse_project(weak).frame.column_at["A", 1].axis == "weak"
     solid = weak.replace("section: girder, material: S275, axis", "section: solid, material: S275, axis")
     rectangles = "sections:\n  solid: {rectangles: [{width: 0.1 m, depth: 0.2 m, centre: 0 m}]}\n"
-    with pytest.raises(ProjectError, match=r"columns\[0\].axis: the own section `solid` has one axis"):
+    with pytest.raises(ProjectError, match=r"columns\[0\].axis.*E-FRAME-02"):
         parse_project(solid.replace("sections:\n", rectangles))
     beam = "{floors: 1-3, section: girder, material: S275}"
     flat = small.replace(beam, beam.replace("}", ", axis: weak}"))
     assert parse_project(flat).frame.beam_at[1, 1].axis == "weak"
-    with pytest.raises(ProjectError, match=r"beams\[0\].axis: the own section `solid` has one axis"):
+    with pytest.raises(ProjectError, match=r"beams\[0\].axis.*E-FRAME-02"):
         parse_project(
             flat.replace("girder, material: S275, axis", "solid, material: S275, axis").replace(
                 "sections:\n", rectangles
@@ -137,6 +137,6 @@ def test_only_sections_with_two_axes_bend_about_the_weak_one(small: str) -> None
 def test_layers_of_hollow_sections_are_counted_when_they_are_cut(small: str) -> None:
     """A tube has more layers than an I section of the same cut, 24; what is asked for is checked by the run."""
     fibres = "  fibres: [{member: C_A_1, points: 1, layers: 26}]\n"
-    with pytest.raises(ProjectError, match="there is no layer 26; layers are numbered 1 to 24"):
+    with pytest.raises(ProjectError, match=r"outputs.fibres\[0\].layers.* 1 to 24 .*E-NAME-01"):
         parse_project(small + fibres)
     parse_project((small + fibres).replace("HEB260", "SHS260x10"))

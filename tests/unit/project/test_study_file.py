@@ -11,6 +11,7 @@ import pytest
 import yaml
 from cases.small_frame import place_of
 from cases.small_study import PLANNED, write
+from messages import says
 from spoiled_files import spoiled
 
 from edesign.building.project_file import load_project, load_study
@@ -58,109 +59,81 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [  # `@` marks the place that is named, the rest of the line is the message
-        ("edesign_study: 1", "edesign_study: @2", "edesign_study: "),
-        ("objectives: [h]", "@objektives: [h]", "objektives: unknown key; did you mean `objectives`?"),
-        ("project: project.yaml", "project: @projects.yaml", "project: there is no file `{folder}/projects.yaml`"),
-        ("project: project.yaml", "project: @.", "project: there is no file `{folder}` (the path is relative to"),
+        ("edesign_study: 1", "edesign_study: @2", "edesign_study E-VALUE-03"),
+        ("objectives: [h]", "@objektives: [h]", "objektives `objectives` E-KEY-01"),
+        ("project: project.yaml", "project: @projects.yaml", "project `{folder}/projects.yaml` E-FILE-01"),
+        ("project: project.yaml", "project: @.", "project `{folder}` E-FILE-01"),
         # variants
-        (BARE, "  @bare: {}", "variants.bare: give either `dampers` (`none` or `project`) or a `design`"),
-        (BARE, "  @bare: {dampers: none, design: added}", "variants.bare: give either `dampers`"),
-        (BARE, "  bare: {dampers: @nome}", "variants.bare.dampers: "),
-        (
-            BARE,
-            BARE + "\n  more: {design: @aded}",
-            "there is no design `aded`; did you mean `added`? (designs here: `a",
-        ),
-        (BARE, "  bare: {dampers: none, @temperature: 35 degC}", "variants.bare.temperature: this variant has no damp"),
-        (BARE, "  bare: {dampers: none, @property_factor: 2}", "variants.bare.property_factor: this variant has no da"),
-        (BARE, BARE + "\n  @all: {dampers: none}", "variants.all: `all` stands for all variants"),
+        (BARE, "  @bare: {}", "variants.bare `dampers` `none` `project` `design` E-KEY-03"),
+        (BARE, "  @bare: {dampers: none, design: added}", "variants.bare E-KEY-03"),
+        (BARE, "  bare: {dampers: @nome}", "variants.bare.dampers E-VALUE-03"),
+        (BARE, BARE + "\n  more: {design: @aded}", "variants.more.design `added` E-NAME-01"),
+        (BARE, "  bare: {dampers: none, @temperature: 35 degC}", "variants.bare.temperature E-DAMPER-04"),
+        (BARE, "  bare: {dampers: none, @property_factor: 2}", "variants.bare.property_factor E-DAMPER-04"),
+        (BARE, BARE + "\n  @all: {dampers: none}", "variants.all E-NAME-03"),
         (BARE, BARE + "\n  @a.b: {dampers: none}", "variants.a.b"),
-        ("property_factor: 1.5", "property_factor: @0", "variants.upper.property_factor: "),
-        ("temperature: 35 degC}\nmodal", "temperature: @35}\nmodal", "variants.warm.temperature: "),
+        ("property_factor: 1.5", "property_factor: @0", "variants.upper.property_factor E-VALUE-02"),
+        ("temperature: 35 degC}\nmodal", "temperature: @35}\nmodal", "variants.warm.temperature E-VALUE-01"),
         # modal
-        ("{modes: 2}", "{modes: @0}", "modal.modes: "),
-        ("{modes: 2}", "{modes: 2, state: @initail}", "modal.state: `initail` is unknown; did you mean `initial`?"),
+        ("{modes: 2}", "{modes: @0}", "modal.modes E-VALUE-02"),
+        ("{modes: 2}", "{modes: 2, state: @initail}", "modal.state `initial` E-VALUE-03"),
         # histories
         (FIRST, FIRST.replace("[bare,", "[@bear,"), f"there is no variant `bear`; did you mean `bare`? {VARIANTS}"),
         (
             FIRST,
             FIRST.replace("[bare, damped,", "[bare, bare, @damped,").replace("bare, bare", "damped, bare"),
-            "histories[0].variants[2]: `damped` comes twice",
+            "histories[0].variants[2] E-NAME-02",
         ),
         (FIRST, FIRST.replace("[bare,", "[@all, bare,"), f"variants[0]: there is no variant `all` {VARIANTS}"),
-        (FIRST, FIRST.replace("MCE]", "@MCF]"), "histories[0].levels[1]: there is no level `MCF`; did you mean `MCE`"),
-        (FIRST, FIRST.replace("MCE]", "@DBE]"), "histories[0].levels[1]: `DBE` comes twice"),
+        (FIRST, FIRST.replace("MCE]", "@MCF]"), "histories[0].levels[1] `MCE` E-NAME-01"),
+        (FIRST, FIRST.replace("MCE]", "@DBE]"), "histories[0].levels[1] E-NAME-02"),
         (FIRST, FIRST.replace("MCE]", "MCE, @SLE]"), f"histories[0].levels[2]: there is no level `SLE` {LEVELS}"),
-        (
-            FIRST,
-            "@" + FIRST.replace("levels: [DBE, MCE], ", ""),
-            "histories[0].levels: this key is missing; `set` is f",
-        ),
-        (FIRST, "@" + FIRST.replace("records: set, ", ""), "histories[0].records: this key is missing"),
-        (
-            FIRST,
-            FIRST.replace("records: set", "records: @sett"),
-            "there is no record `sett`; did you mean `set`? (reco",
-        ),
-        (FIRST, FIRST.replace("records: set", "records: [set, @set]"), "histories[0].records[1]: `set` comes twice"),
-        (
-            FIRST,
-            FIRST.replace("records: set", "records: @set/frist"),
-            "there is no recording `frist`; did you mean `fi",
-        ),
+        (FIRST, "@" + FIRST.replace("levels: [DBE, MCE], ", ""), "histories[0].levels `set` E-KEY-02"),
+        (FIRST, "@" + FIRST.replace("records: set, ", ""), "histories[0].records E-KEY-02"),
+        (FIRST, FIRST.replace("records: set", "records: @sett"), "histories[0].records `set` E-NAME-01"),
+        (FIRST, FIRST.replace("records: set", "records: [set, @set]"), "histories[0].records[1] E-NAME-02"),
+        (FIRST, FIRST.replace("records: set", "records: @set/frist"), "histories[0].records `first` E-NAME-01"),
         (
             WARM,
             WARM.replace("records: set/first", "records: [set/first, @motion/x]"),
-            "`motion` is a single record, not a",
+            "histories[1].records E-VALUE-01",
         ),
-        (FIRST, FIRST.replace("[DBE, MCE], records: set", "@[DBE, MCE], records: motion"), "`motion` is not fitted to"),
         (
             FIRST,
-            FIRST.replace("}", ", @temperatures: 35 degC}"),
-            "the variant `bare` has no dampers, whose temperature",
+            FIRST.replace("[DBE, MCE], records: set", "@[DBE, MCE], records: motion"),
+            "histories[0].levels E-SCALE-03",
         ),
-        (FIRST, FIRST.replace("1 s}", "1 s, collapse_drift: @0 %}"), "histories[0].collapse_drift: "),
-        (FIRST, FIRST.replace("1 s}", "@1}"), "histories[0].free_vibration: "),
-        (WARM, f"{WARM}\n  - @{WARM}", "histories[2]: there is an analysis `warm.DBE.first` already; leave one of"),
-        ("[10 degC, 35 degC]", "[10 degC, @35]", "histories[2].temperatures[1]: "),
-        (
-            "temperatures: [10 degC, 35 degC]",
-            "temperatures: @35",
-            "histories[2].temperatures: `35` is no temperature; write number",
-        ),
-        (
-            "temperatures: [10 degC, 35 degC]",
-            "temperatures: @-300 degC",
-            "histories[2].temperatures: `-300 degC` is below absolute zero",
-        ),
-        ("modal: {modes: 2}", "modal: {modes: @99}", "modal.modes: there is no mode 99; the frame has "),
+        (FIRST, FIRST.replace("}", ", @temperatures: 35 degC}"), "histories[0].temperatures `bare` E-DAMPER-04"),
+        (FIRST, FIRST.replace("1 s}", "1 s, collapse_drift: @0 %}"), "histories[0].collapse_drift E-VALUE-02"),
+        (FIRST, FIRST.replace("1 s}", "@1}"), "histories[0].free_vibration E-UNIT-01"),
+        (WARM, f"{WARM}\n  - @{WARM}", "histories[2] `warm.DBE.first` E-NAME-02"),
+        ("[10 degC, 35 degC]", "[10 degC, @35]", "histories[2].temperatures[1] E-VALUE-01"),
+        ("temperatures: [10 degC, 35 degC]", "temperatures: @35", "histories[2].temperatures E-VALUE-01"),
+        ("temperatures: [10 degC, 35 degC]", "temperatures: @-300 degC", "histories[2].temperatures E-VALUE-02"),
+        ("modal: {modes: 2}", "modal: {modes: @99}", "modal.modes E-MODAL-03"),
         # designs: what only a study knows
-        ("criteria: drift,", "criteria: @drfit,", "added.verify.criteria: there is no criterion `drfit`; did you mean"),
-        ("criteria: drift,", "criteria: [drift, @drift],", "designs.added.verify.criteria[1]: `drift` comes twice"),
+        ("criteria: drift,", "criteria: @drfit,", "designs.added.verify.criteria `drift` E-NAME-01"),
+        ("criteria: drift,", "criteria: [drift, @drift],", "designs.added.verify.criteria[1] E-NAME-02"),
+        ("criteria: drift,", "criteria: @at MCE,", "designs.added.verify.criteria E-CRIT-05"),
         (
-            "criteria: drift,",
-            "criteria: @at MCE,",
-            "added.verify.criteria: `at MCE` is of `MCE`, and the histories here",
+            "{records: set, levels: DBE,",
+            "{records: @set/frist, levels: DBE,",
+            "designs.added.verify.records `first` E-NAME-01",
         ),
-        ("{records: set, levels: DBE,", "{records: @set/frist, levels: DBE,", "there is no recording `frist`; did you"),
-        ("method: strain_energy", "method: @strain", "designs.added.method: "),
-        ("law: rubber", "law: @ruber", "designs.added.law: there is no damper law `ruber`; did you mean `rubber`?"),
+        ("method: strain_energy", "method: @strain", "designs.added.method E-VALUE-03"),
+        ("law: rubber", "law: @ruber", "designs.added.law `rubber` E-NAME-01"),
         # criteria, objectives
-        ("most: 2 %", "@mots: 2 %", "criteria[1].mots: unknown key; did you mean `most`?"),
-        ("objectives: [h]", "objectives: [@z]", "objectives[0]: "),
-        ("objectives: [h]", "objectives: [@a]", "objective a needs a hazard level of 50 % in 50 years"),
+        ("most: 2 %", "@mots: 2 %", "criteria[1].mots `most` E-KEY-01"),
+        ("objectives: [h]", "objectives: [@z]", "objectives[0] E-VALUE-03"),
+        ("objectives: [h]", "objectives: [@a]", "objectives[0] 50 E-CRIT-02"),
         # outputs
-        ("archive: out.h5", "archive: @out.txt", "outputs.archive: `out.txt` needs the ending .h5, .hdf5 or .nc"),
-        ("[floors]", "[@flors]", "outputs.histories[0]: `flors` is unknown; did you mean `floors`?"),
-        ("every: 2", "every: @0", "outputs.every: "),
-        (
-            DETAILS,
-            DETAILS.replace("set/first", "@sett/first"),
-            "outputs.details.records: there is no record `sett`; di",
-        ),
-        (DETAILS, DETAILS.replace("set/first", "@set/frist"), "outputs.details.records: there is no recording `frist`"),
-        (DETAILS, DETAILS.replace("C_A_1", "@C_A_9"), "outputs.details.members[0]: there is no "),
-        (f"details: {DETAILS}", "@details: {members: [C_A_1]}", "outputs.details.records: this key is missing"),
+        ("archive: out.h5", "archive: @out.txt", "outputs.archive E-FILE-08"),
+        ("[floors]", "[@flors]", "outputs.histories[0] `floors` E-VALUE-03"),
+        ("every: 2", "every: @0", "outputs.every E-VALUE-02"),
+        (DETAILS, DETAILS.replace("set/first", "@sett/first"), "outputs.details.records `set` E-NAME-01"),
+        (DETAILS, DETAILS.replace("set/first", "@set/frist"), "outputs.details.records `first` E-NAME-01"),
+        (DETAILS, DETAILS.replace("C_A_1", "@C_A_9"), "outputs.details.members[0] E-NAME-01"),
+        (f"details: {DETAILS}", "@details: {members: [C_A_1]}", "outputs.details.records E-KEY-02"),
     ],
 )
 def test_each_mistake_is_reported_with_its_place(tmp_path: Path, old: str, new: str, said: str) -> None:
@@ -169,13 +142,14 @@ def test_each_mistake_is_reported_with_its_place(tmp_path: Path, old: str, new: 
     at = text.index(new.replace("@", "")) + new.index("@")
     ((place, message),) = faults(path)
     assert place == f"{path}:{text.count(chr(10), 0, at) + 1}:{at - text.rfind(chr(10), 0, at)}"
-    assert said.replace("{folder}", str(tmp_path)) in message
+    assert says(message, said.replace("{folder}", str(tmp_path)))
 
 
 def test_a_verification_needs_levels(tmp_path: Path) -> None:
     path = write(tmp_path, ("{records: set, levels: DBE, criteria", "{records: set, criteria"))
-    message = f"criteria judge histories at levels of the hazard: {LEVELS[14:-1]}"
-    assert faults(path) == [(place_of(path, "verify:"), f"designs.added.verify.levels: this key is missing; {message}")]
+    ((place, message),) = faults(path)
+    assert place == place_of(path, "verify:")
+    assert says(message, "designs.added.verify.levels: `DBE` `MCE` E-KEY-02")
 
 
 def test_all_mistakes_are_reported_at_once(tmp_path: Path) -> None:
@@ -187,11 +161,11 @@ def test_all_mistakes_are_reported_at_once(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (("masses: {from_loads: {}}\n", ""), "histories need `masses`, and {project} has none"),
-        (("damping: {kind: rayleigh, ratio: 2 %}\n", ""), "histories need `damping`, and {project} has none"),
+        (("masses: {from_loads: {}}\n", ""), "project.yaml analyses[0]: `masses` E-MODAL-02"),
+        (("damping: {kind: rayleigh, ratio: 2 %}\n", ""), "study.yaml project: `damping` project.yaml E-KEY-02"),
         (
             ("integration: {method: newmark, time_step: 0.01 s}\n", ""),
-            "histories need `integration`, and {project} has",
+            "study.yaml project: `integration` project.yaml E-KEY-02",
         ),
     ],
 )
@@ -199,8 +173,7 @@ def test_what_the_project_has_not(tmp_path: Path, change: tuple[str, str], said:
     path = write(tmp_path, project=(change,))
     with pytest.raises(InputError) as caught:
         load_study(path)
-    project = tmp_path / "project.yaml"
-    assert said.replace("{project}", str(project)) in str(caught.value) or str(caught.value).startswith(str(project))
+    assert says(str(caught.value), said)
 
 
 def test_dampers_of_a_project_that_has_none(tmp_path: Path) -> None:
@@ -210,19 +183,14 @@ def test_dampers_of_a_project_that_has_none(tmp_path: Path) -> None:
     project = tmp_path / "project.yaml"
     text = project.read_text(encoding="utf-8")
     project.write_text(text[: text.index("dampers:")] + text[text.index("analyses:") :], encoding="utf-8")
-    assert [message for _, message in faults(path)] == [
-        f"variants.{name}.dampers: {project} has no devices, no attachments and no isolation under `dampers`"
-        for name in ("damped", "upper", "warm")
-    ]
+    for name, (_, message) in zip(("damped", "upper", "warm"), faults(path), strict=True):
+        assert says(message, f"variants.{name}.dampers: {project} E-DAMPER-04")
 
 
 def test_a_mistake_of_the_project_is_reported_with_its_own_place(tmp_path: Path) -> None:
     path = write(tmp_path, project=(("section: HEB200", "section: HEB201"),))
     ((place, message),) = faults(path)
-    assert (
-        place == place_of(tmp_path / "project.yaml", "HEB201")
-        and "of HEB the catalogue has near it `HEB180`, `HEB200`" in message
-    )
+    assert place == place_of(tmp_path / "project.yaml", "HEB201") and says(message, "`HEB180` `HEB200` E-NAME-01")
 
 
 def test_a_law_without_parameters_at_the_temperature_of_a_variant(tmp_path: Path) -> None:
@@ -235,7 +203,7 @@ def test_a_law_without_parameters_at_the_temperature_of_a_variant(tmp_path: Path
     ((place, message),) = faults(path)
     assert place.rpartition(":")[0] == place_of(path, "warm: {").rpartition(":")[0]
     assert message.startswith(f"variants.warm: {tmp_path / 'project.yaml'}:")
-    assert "dampers.laws.rubber.temperature: gamma_T at 400 degC would be -3.2" in message
+    assert says(message, "dampers.laws.rubber.temperature -3.2 E-LAW-04")
 
 
 def test_project_and_study_are_not_taken_for_each_other(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -243,18 +211,13 @@ def test_project_and_study_are_not_taken_for_each_other(tmp_path: Path, capsys: 
     project = tmp_path / "project.yaml"
     with pytest.raises(InputError) as caught:
         load_study(project)
-    assert str(caught.value) == f"{project}:1:1: edesign: this is a project file; a study file begins with " + (
-        "`edesign_study: 1`; `edesign run` runs it"
-    )
+    assert says(str(caught.value), f"{project}:1:1: edesign: `edesign_study: 1` `edesign run` E-FILE-05")
     with pytest.raises(InputError) as caught:
         load_project(path)
-    expected = f"{path}:1:1: edesign_study: this is a study file; a project file begins with `edesign: 1`; " + (
-        "`edesign run` runs it"
-    )
-    assert str(caught.value) == expected
+    assert says(str(caught.value), f"{path}:1:1: edesign_study: `edesign: 1` `edesign run` E-FILE-05")
     itself = write(tmp_path, ("project: project.yaml", "project: study.yaml"))
     assert main(["run", str(itself)]) == 2
-    assert capsys.readouterr().err == f"edesign: {expected}\n"
+    assert capsys.readouterr().err == f"edesign: {caught.value}\n"
 
 
 @pytest.mark.parametrize("text", ["", "# nothing\n", "[]", "edesign_study", "- edesign_study: 1", "{", "\t", "a: [b"])
@@ -297,9 +260,7 @@ def test_dampers_of_a_project_that_has_laws_alone(tmp_path: Path) -> None:
     path = write(tmp_path, (BARE, "  bare: {dampers: project}"))
     ((_, message),) = faults(path)
     project = tmp_path / "project.yaml"
-    assert (
-        message == f"variants.bare.dampers: {project} has no devices, no attachments and no isolation under `dampers`"
-    )
+    assert says(message, f"variants.bare.dampers: {project} E-DAMPER-04")
 
 
 def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
@@ -307,7 +268,7 @@ def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
     gone = ("frame:\n", "frame:\n  missing: {columns: [{lines: A, storeys: 2}], beams: [{bays: 1, floors: 2}]}\n")
     ((place, message),) = faults(write(tmp_path, project=(gone,)))
     assert place == place_of(tmp_path / "study.yaml", "method: strain_energy")
-    assert message.startswith("designs.added: there is no node `A2` ") and message.endswith(" [E-DESIGN-01]")
+    assert message.startswith("designs.added: ") and "`A2`" in message and message.endswith(" [E-DESIGN-01]")
     assert message.count(" [E-") == 1
 
 
