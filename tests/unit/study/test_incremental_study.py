@@ -60,12 +60,16 @@ def test_a_variant_of_the_study_or_one_history_can_be_asked_for(tmp_path: Path) 
     assert [task.name for task in make_study_plan(found, ["same.ida"])] == both
     one = make_study_plan(found, ["bare.ida.fitted.x1"])
     assert [task.name for task in one] == ["bare.ida.fitted.x1"] and one[0].labels["level"] == "MCE"
-    with pytest.raises(InputError, match="did you mean `bare.ida`"):
+    with pytest.raises(InputError, match="`bare.ida`.*E-NAME-01"):
         make_study_plan(found, ["bare.idb"])
 
 
 @pytest.mark.parametrize(
-    "name, words", [("MCE", "analyses are named `VARIANT.MCE` already"), ("modes", "are named `VARIANT.modes` already")]
+    "name, words",
+    [
+        ("MCE", r"incremental\[0\].name.*`VARIANT.MCE`.*E-NAME-02"),
+        ("modes", r"incremental\[0\].name.*`VARIANT.modes`.*E-NAME-02"),
+    ],
 )
 def test_names_that_are_taken(tmp_path: Path, name: str, words: str) -> None:
     path = write(tmp_path, "records: shake, intensity: pga, levels: [0.1 g, 0.2 g]")
@@ -75,7 +79,7 @@ def test_names_that_are_taken(tmp_path: Path, name: str, words: str) -> None:
         load_study(path)
     line = text[text.index("  - {name: ida") : text.index("outputs:")]
     path.write_text(text.replace(line, 2 * line), encoding="utf-8")
-    with pytest.raises(StudyError, match="`ida` comes twice"):
+    with pytest.raises(StudyError, match=r"incremental\[1\].name.*E-NAME-02"):
         load_study(path)
 
 
@@ -124,9 +128,9 @@ def test_intensities_of_each_measure(tmp_path: Path) -> None:
     sa = spectral(["0.1 g", "0.2 g"], level="MCE")
     assert level_intensity(project, sa, 1.2, sa.level) == pytest.approx(ag_s * 2.5 * 0.6 / 1.2)
     assert level_intensity(project, spectral(["0.1 g", "0.2 g"]), 1.2, None) is None
-    with pytest.raises(InputError, match="no period"):
+    with pytest.raises(InputError, match="E-MODAL-02"):
         record_intensity(project, sa, record, None)
-    with pytest.raises(InputError, match="shake: the record has no pga"):
+    with pytest.raises(InputError, match="shake.*E-IDA-01"):
         record_intensity(project, peak, Record("shake", np.zeros(4), 0.01, "here", ""), None)
 
 
@@ -194,7 +198,7 @@ RARER = (
 
 
 @pytest.mark.parametrize(
-    ("period", "said"), [("period: 0.8 s, ", r"at 0.8 s \(0.77625g and 1.32737g\)"), ("", "at any period")]
+    ("period", "said"), [("period: 0.8 s, ", r"at 0.8 s \(0.77625g and 1.32737g\)"), ("", "any period")]
 )
 def test_a_rarer_level_has_the_larger_intensity(tmp_path: Path, period: str, said: str) -> None:
     levels = ("levels: {MCE: {probability: 2 %}}", "levels: {DBE: {gamma_I: 1}, MCE: {probability: 2 %}}")
@@ -204,5 +208,5 @@ def test_a_rarer_level_has_the_larger_intensity(tmp_path: Path, period: str, sai
     check_hazard_curves(load_study(path))
     text = path.read_text(encoding="utf-8").replace("MCE: 2475 years", "MCE: 95 years")
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match=rf"study.yaml:7:\d+: incremental\[0\].*levels.DBE: `DBE` of 475 .*{said}"):
+    with pytest.raises(InputError, match=rf"study.yaml:7:\d+: incremental\[0\].*levels.DBE: .*{said}.*E-IDA-02"):
         check_hazard_curves(load_study(path))

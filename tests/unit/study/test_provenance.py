@@ -173,7 +173,7 @@ def test_a_changed_copy_is_neither_run_nor_checked(project: Project) -> None:
     steel = project.materials["S275"].model_copy(update={"E": 100e9})
     changed = project.model_copy(update={"materials": {"S275": steel}})
     for call in (run_project, check_project):
-        with pytest.raises(InputError, match=r"materials\.S275\.E: this copy of the project has .*with_values"):
+        with pytest.raises(InputError, match=r"materials\.S275\.E: .*with_values.*E-EDIT-01"):
             call(changed)
     assert not list(project.folder.glob("*.h5*"))
 
@@ -247,5 +247,5 @@ def test_tables_and_texts_of_a_study_count(project: Project) -> None:
         study.model_copy(update={"title": "Another"}),
         study.model_copy().set_base(study.base.model_copy(update={"title": "Another"})),
     ):
-        with pytest.raises(InputError, match="title: this copy of the"):
+        with pytest.raises(InputError, match="title.*E-EDIT-01"):
             run_study(changed)

@@ -93,7 +93,7 @@ def test_designs_are_made_for_the_variants_of_the_plan(study: Study) -> None:
 
 @pytest.mark.parametrize("name", ["bare.DBF", "bear.DBE", "bare", "DBE", "bare.DBE.", ""])
 def test_a_part_that_there_is_not(study: Study, name: str) -> None:
-    with pytest.raises(InputError, match=r"no analysis is named .* \(there are: bare\.modes, bare\.gravity, damped"):
+    with pytest.raises(InputError, match=r"bare\.modes, bare\.gravity, damped.*E-NAME-01"):
         make_study_plan(study, [name])
 
 

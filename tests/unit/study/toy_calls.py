@@ -38,7 +38,7 @@ def numbers(seed: int, shared: np.ndarray, *, progress: Callable[[int, int], Non
 def fails(kind: str, **_: Any) -> None:
     """Fail on purpose, for want of memory, by a fault, or with what cannot be sent."""
     if kind == "known":
-        raise AnalysisError("step 7: no convergence")
+        raise AnalysisError("step 7: no convergence [E-CORE-01]")
     if kind == "memory":
         raise MemoryError
     raise ZeroDivisionError("division by zero")
@@ -161,7 +161,7 @@ def check_mixed(found: dict[str, Result]) -> None:
         result = found[f"numbers {seed}"]
         assert result.value is not None and not result.interrupted
         assert result.value.variables["values"].values.tobytes() == expected.tobytes()
-    assert found["known"].reason == "step 7: no convergence" and found["known"].value is None
+    assert found["known"].reason == "step 7: no convergence [E-CORE-01]" and found["known"].value is None
     assert "not enough memory" in found["memory"].reason
     assert found["fault"].reason == "internal error, please report it (ZeroDivisionError: division by zero)"
 

@@ -63,12 +63,12 @@ def test_dampers_that_change_nothing_end_at_the_largest() -> None:
 def test_dampers_that_cannot_be_sized_end_the_search_with_the_reason() -> None:
     def make(x: np.ndarray) -> Made:
         if x[0] > 0.5:
-            raise AnalysisError("the first mode does not oscillate")
+            raise AnalysisError("the first mode does not oscillate [E-DESIGN-05]")
         return Made(x)
 
     args = (lambda made, number, changed: outcome(0.02, 0.01, 0.02), SIZES, 100, 0.05)
     found = search_fully_stressed(Made(SIZES.first), make, *args)
-    assert found.reason.endswith("beyond them the first mode does not oscillate")
+    assert found.reason.endswith("beyond them the first mode does not oscillate [E-DESIGN-05]")
     assert 0.47 < found.chosen.sizing.x[0] <= 0.5  # within the precision of 5 %
 
 
@@ -77,7 +77,7 @@ def test_a_value_of_an_optimum_that_cannot_be_sized_is_left_out() -> None:
 
     def make(value: float) -> Made:
         if value < 0.1:
-            raise AnalysisError("amplitude and secants did not agree")
+            raise AnalysisError("amplitude and secants did not agree [E-DESIGN-05]")
         return Made(np.array([value]))
 
     def verify(made: Made, number: int, changed: float) -> RoundOutcome:

@@ -100,14 +100,14 @@ def test_items_compare_where_they_do_at_every_place(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("limits", "said"),
+    ("limits", "least"),
     [
-        ("most_dampers: 1, mirrored: true", "1 are fewer than the smallest layout takes, 2"),
-        ("most_dampers: 2, storey_groups: [1-3]", "2 are fewer than the smallest layout takes, 3"),
-        ("most_dampers: 1, continuous: true, storey_groups: [1-2]", "1 are fewer than the smallest layout takes, 2"),
+        ("most_dampers: 1, mirrored: true", 2),
+        ("most_dampers: 2, storey_groups: [1-3]", 3),
+        ("most_dampers: 1, continuous: true, storey_groups: [1-2]", 2),
     ],
 )
-def test_limits_that_leave_no_dampers_are_refused(tmp_path: Path, limits: str, said: str) -> None:
+def test_limits_that_leave_no_dampers_are_refused(tmp_path: Path, limits: str, least: int) -> None:
     project = small_project(tmp_path, "[6 m, 6 m]", "[4 m, 3 m, 3 m]")
     item = "{law: oil, scale: 40, cost: 1}"
     text = (
@@ -115,7 +115,7 @@ def test_limits_that_leave_no_dampers_are_refused(tmp_path: Path, limits: str, s
     )
     spec = design(text, project)
     assert isinstance(spec, PlacementDesign)
-    with pytest.raises(InputError, match=rf"^designs.tried.limits.most_dampers: {said}"):
+    with pytest.raises(InputError, match=rf"^designs.tried.limits.most_dampers: .* {least} .*E-PLACE-02"):
         check_placement(project, "tried", spec, 1)
 
 
@@ -152,7 +152,7 @@ def test_estimates_fall_with_dampers_and_are_those_of_the_frame_without(candidat
 
 
 def test_budget_for_less_than_one_layout_is_refused(candidates: Candidates) -> None:
-    with pytest.raises(InputError, match=r"designs.tried.verify.budget: 1 histories are not enough for one layout, wh"):
+    with pytest.raises(InputError, match="^designs.tried.verify.budget: 1 .*E-PLACE-02"):
         check_placement(candidates.project, "tried", candidates.spec, 2)
 
 
@@ -164,7 +164,7 @@ def test_item_that_cannot_stand_names_itself(tmp_path: Path) -> None:
         project,
     )
     assert isinstance(spec, PlacementDesign)
-    with pytest.raises(InputError, match=r"^designs.tried.catalogue.odd.brace.section: there is no section `HEB141`"):
+    with pytest.raises(InputError, match="^designs.tried.catalogue.odd.brace.section: .*`HEB140`.*E-PLACE-01"):
         check_placement(project, "tried", spec, 1)
 
 
