@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cases import suite_project
+from messages import says
 
 from edesign import load_project
 from edesign.archive.reader import Archive, open_archive
@@ -137,26 +138,26 @@ def test_workers_do_not_change_the_results(archive: Path, tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("record: set, level: DBE", "record: set", "analyses[2].level: this key is missing"),
+        ("record: set, level: DBE", "record: set", "analyses[2].level E-KEY-02"),
         ("level: DBE}", "level: DBF}", "there is no level `DBF`; did you mean `DBE`?"),
-        ("level: DBE}", "level: DBE, pga: 0.3 g}", "its `level` says the scale"),
-        ("suite: set.yaml", "suite: sets.yaml", "records.set.suite: there is no file"),
-        ("suite: set.yaml", "suite: set.yaml, folders: [nowhere]", "records.set.folders[0]: there is no folder"),
+        ("level: DBE}", "level: DBE, pga: 0.3 g}", "analyses[2].pga E-KEY-03"),
+        ("suite: set.yaml", "suite: sets.yaml", "records.set.suite E-FILE-01"),
+        ("suite: set.yaml", "suite: set.yaml, folders: [nowhere]", "records.set.folders[0] E-FILE-01"),
         ("suite: set.yaml", "suite: set.yaml, only: [frist]", "there is no recording `frist`; did you mean `first`?"),
-        ("suite: set.yaml", "suite: set.yaml, simulated_records: false", "third: this recording was not found"),
-        ("[0.1 s, 2 s]", "[2 s, 0.1 s]", "the shorter period stands first"),
-        ("[0.1 s, 2 s]", "[0.1 s, 30 s]", "records.set.match: second: the band ends at 30 s, but a record of"),
-        ("[0.1 s, 2 s]", "[0.01 s, 2 s]", "records.set.match: third: the band begins at 0.01 s"),
-        ("spectrum: 1", "spectrum: 1\n  damping: 100 %", "hazard.damping: a record is fitted to this spectrum"),
-        ("suite: set.yaml", "suite: set.yaml, only: [first, first]", "records.set.only[1]: `first` stands here twice"),
-        ("name: push,", "name: dbe.first,", "analyses[2].name: the analyses `dbe.first` and `dbe` both lead to"),
-        ("suite: set.yaml", "suite: project.yaml", "this is a project file; a suite file begins with"),
-        ("method: frequency", "method: fourier", "`fourier` is unknown"),
+        ("suite: set.yaml", "suite: set.yaml, simulated_records: false", "records.set third: E-SUITE-05"),
+        ("[0.1 s, 2 s]", "[2 s, 0.1 s]", "records.set.match.periods E-VALUE-04"),
+        ("[0.1 s, 2 s]", "[0.1 s, 30 s]", "records.set.match: second: 30 s E-MATCH-02"),
+        ("[0.1 s, 2 s]", "[0.01 s, 2 s]", "records.set.match: third: 0.01 s E-MATCH-02"),
+        ("spectrum: 1", "spectrum: 1\n  damping: 100 %", "hazard.damping E-VALUE-02"),
+        ("suite: set.yaml", "suite: set.yaml, only: [first, first]", "records.set.only[1] E-NAME-02"),
+        ("name: push,", "name: dbe.first,", "analyses[2].name: `dbe.first` `dbe` E-NAME-02"),
+        ("suite: set.yaml", "suite: project.yaml", "edesign E-FILE-05"),
+        ("method: frequency", "method: fourier", "records.set.match.method E-VALUE-03"),
         ("a_gR: 0.2 g", "country: greece, zone: 4", "hazard.zone"),
         (
             "kind: history, record: set, level: DBE",
             "kind: history, record: sett, level: DBE",
-            "there is no record `sett`",
+            "analyses[2].record E-NAME-01",
         ),
     ],
 )
@@ -167,7 +168,7 @@ def test_a_mistake_is_reported_before_anything_runs(
         new = new.replace(", ", "\n  ")
     assert main(["run", str(suite_project.write(tmp_path, (old, new)))]) == 2
     errors = capsys.readouterr().err
-    assert said in errors and "Traceback" not in errors and not list(tmp_path.glob("*.h5*"))
+    assert says(errors, said) and "Traceback" not in errors and not list(tmp_path.glob("*.h5*"))
 
 
 def test_a_match_without_hazard_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -175,13 +176,13 @@ def test_a_match_without_hazard_is_refused(tmp_path: Path, capsys: pytest.Captur
     text = path.read_text(encoding="utf-8")
     path.write_text(text[: text.index("hazard:")] + text[text.index("records:\n") :], encoding="utf-8")
     assert main(["check", str(path)]) == 2
-    assert "fitted to the spectrum of the `hazard`, and the file has none" in capsys.readouterr().err
+    assert says(capsys.readouterr().err, "records.set.match E-HAZ-05")
 
 
 def test_a_suite_is_no_project(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", str(suite_project.write_suite(tmp_path))]) == 2
     errors = capsys.readouterr().err
-    assert errors.count("\n") == 1 and "this is a suite file; a project file begins with `edesign: 1`" in errors
+    assert errors.count("\n") == 1 and says(errors, "edesign_suite E-FILE-05")
 
 
 @pytest.mark.parametrize("workers", [1, 2])
