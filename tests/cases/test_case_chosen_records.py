@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cases.conftest import HERE
+from messages import says
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -150,7 +151,7 @@ def test_a_choice_is_taken_from_the_archive_of_the_same_project(
 
 def test_nothing_is_chosen_before_it_is_asked_for() -> None:
     project = load_project(CASE / "project.yaml")
-    with pytest.raises(InputError, match=r"project.yaml:\d+:\d+: records.set: its recordings are not chosen yet"):
+    with pytest.raises(InputError, match=r"project\.yaml:24:5: records\.set: .*E-MATCH-08"):
         references(project, "set")
     assert len(references(with_choices(project), "set")) == 3
 
@@ -161,5 +162,5 @@ def test_too_few_are_an_error_of_the_project(tmp_path: Path, capsys: pytest.Capt
     path.write_text(path.read_text().replace("choose: 3", "choose: 4"))
     assert main(["run", str(path), "--quiet"]) == 2
     errors = capsys.readouterr().err
-    assert "project.yaml:24:5: records.set: 4 records are wanted, but only 3 of 6 can be had" in errors
+    assert says(errors, "project.yaml:24:5: records.set: 4 3 6 E-MATCH-07")
     assert "left out: small: its magnitude" in errors and not (tmp_path / "case" / "project.h5").exists()

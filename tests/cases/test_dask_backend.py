@@ -171,13 +171,16 @@ def test_a_scheduler_elsewhere(
     with _process(tmp_path, ROOT, "dask_scheduler", "--port", "0", "--scheduler-file", place) as scheduler:
         await_file(place, least=1)  # it is there before it is written
         address = json.loads(place.read_text(encoding="utf-8"))["address"]
-        with monkeypatch.context() as patched, pytest.raises(InputError, match=f"{address} has no workers; start some"):
+        with (
+            monkeypatch.context() as patched,
+            pytest.raises(InputError, match=f"{address} has no workers.*E-CLUSTER-01"),
+        ):
             patched.setattr(dask_cluster, "JOIN", 0.2)
             make_backend("dask", 1, address).__enter__()
         worker = ("--scheduler-file", place, "--nthreads", "1", "--no-dashboard", "--no-nanny")
         with _process(tmp_path, ROOT, "dask_worker", *worker) as process, make_backend("dask", 1, address) as backend:
             monkeypatch.setattr(dask_session, "ALONE_FOR", 0.2)
-            with pytest.raises(AnalysisError, match=f"{address} has had no workers for"):
+            with pytest.raises(AnalysisError, match=f"{address} has had no workers.*E-CLUSTER-01"):
                 list(backend.results([waits], Listener(), lambda key: process.kill()))
         with _process(tmp_path, ROOT, "dask_worker", *worker), make_backend("dask", 1, address) as backend:
             check_mixed(run_all(backend, mixed_calls()))
@@ -185,7 +188,7 @@ def test_a_scheduler_elsewhere(
                 _refused(backend, tmp_path)
             results: list[Result] = []
             calls = [Call("done", toy_calls.after, (tmp_path, 1)), waits]
-            with pytest.raises(AnalysisError, match=f"connection to the dask scheduler {address} was lost"):
+            with pytest.raises(AnalysisError, match=f"{address} was lost.*E-CLUSTER-01"):
                 for result in backend.results(calls, Listener(), lambda key: None):
                     results.append(result)
                     scheduler.kill()
@@ -216,7 +219,7 @@ def test_there_is_no_scheduler(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(dask_cluster, "CONNECT", 0.5)
     for address in ("tcp://127.0.0.1:9", "nonsense://x"):
         with (
-            pytest.raises(InputError, match=f"there is no dask scheduler at {address}"),
+            pytest.raises(InputError, match=f"no dask scheduler at {address}: .*E-CLUSTER-01"),
             make_backend("dask", 1, address),
         ):
             pass

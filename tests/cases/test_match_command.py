@@ -196,7 +196,7 @@ def test_a_disk_that_is_full_leaves_nothing_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def full(writer: ArchiveWriter, path: str, group: object) -> None:
-        raise ArchiveError("the disk is full")
+        raise ArchiveError("the disk is full [E-FILE-06]")
 
     suite = suite_project.write_suite(tmp_path)
     monkeypatch.setattr(ArchiveWriter, "write", full)

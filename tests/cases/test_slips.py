@@ -88,15 +88,11 @@ def test_the_templates_give_no_warnings(templates: Path, capsys: Capture, place:
 
 # old text, new text, what the refusal says
 REFUSED = {
-    "dash of a word processor": ("[4 m, 3.5", "[\u22124 m, 3.5", ["project.yaml:15:13: ", "is no minus; write `-`"]),
+    "dash of a word processor": ("[4 m, 3.5", "[\u22124 m, 3.5", ["project.yaml:15:13: ", "write `-`", "E-VALUE-01"]),
     "no-break space": ("supports: fixed", "supports:\u00a0fixed", ["(line 16 has a no-break space"]),
-    "number of the format in quotes": (
-        "edesign: 1",
-        "edesign: '1'",
-        ["project.yaml:10:10: ", "write it without quotes"],
-    ),
+    "number of the format in quotes": ("edesign: 1", "edesign: '1'", ["project.yaml:10:10: ", "E-FILE-05"]),
     "backslashes": ("recorded: {file: records/", "recorded: {file: records\\", ["divided by `/`"]),
-    "another number": ("recorded: {file: records/simulated_4", "recorded: {file: records/simulated_3", ["no file"]),
+    "another number": ("recorded: {file: records/simulated_4", "recorded: {file: records/simulated_3", ["E-FILE-01"]),
 }
 
 

@@ -368,11 +368,7 @@ def test_a_target_no_damper_can_reach_is_reported_before_anything_is_run(tmp_pat
     for name in ("check", "run"):
         reported = call(name, path)
         assert reported.code == 2 and reported.err.startswith(f"edesign: {place_of(path, 'method')}: ")
-        assert (
-            "designs.added: a damping of 30 % is a target no damper can reach: with a loss factor n of 0."
-            in reported.err
-        )
-        assert "(n / 2 for rigid braces, thesis Eq. 5.9)" in reported.err
+        assert all(part in reported.err for part in ("designs.added: ", " 30 % ", "E-DESIGN-04"))
         assert "matching" not in reported.err and not list(tmp_path.glob("out.h5*"))
     assert call("run", path, "--only", "bare.DBE", "--quiet").code == 0  # which needs no design
 
@@ -436,7 +432,9 @@ def test_folders_that_are_wrong(elsewhere: Path, call: Caller) -> None:
     other = folder / "other"
     other.mkdir()
     reported = call("run", write_project(other), "--folder", folder / "mine")
-    assert reported.code == 2 and f"--folder: {other / 'project.yaml'} has no suite of recordings" in reported.err
+    assert (
+        reported.code == 2 and f"--folder: {other / 'project.yaml'} " in reported.err and "E-SUITE-11" in reported.err
+    )
     assert not list(folder.rglob("*.h5*"))
 
 
@@ -458,9 +456,9 @@ class Losing(SerialBackend):
 @pytest.mark.parametrize(
     ("results", "finished", "error"),
     [
-        (0, None, InputError("a worker is a stranger")),
-        (4, 0, AnalysisError("the scheduler was lost")),
-        (25, 7, AnalysisError("the scheduler was lost")),
+        (0, None, InputError("a worker is a stranger [E-CLUSTER-02]")),
+        (4, 0, AnalysisError("the scheduler was lost [E-CLUSTER-01]")),
+        (25, 7, AnalysisError("the scheduler was lost [E-CLUSTER-01]")),
     ],
 )
 def test_a_back_end_that_is_lost_takes_nothing_with_it(
