@@ -100,7 +100,7 @@ def replaced(page: str, blocks: dict[str, str]) -> str:
         if not found and match["name"].startswith(("causes", "redesign")):
             return match[0]  # its archive was not given
         if not found:
-            raise InputError(f"the page has a block `{match['name']}`, but there is only {', '.join(blocks)} [E-NAME-01]")
+            raise InputError(f"the page has a block `{match['name']}`, there is only {', '.join(blocks)} [E-NAME-01]")
         return "\n\n".join([match[1].rstrip(), *found, match[3]])
 
     return BLOCK.sub(fill, page)
