@@ -167,7 +167,7 @@ def test_a_released_end_has_no_hinge(small: str) -> None:
 )
 def test_members_with_rigid_ends_have_nothing_else_there(broken: Broken, rigid: str, entry: str) -> None:
     problems = broken((AT, f"elements: {{rigid_ends: {{{rigid}}}}}\n{entry}\n{AT}"))
-    assert "leave out `elements: rigid_ends" in str(problems[0])
+    assert says(str(problems[0]), "`elements: rigid_ends E-KEY-03")
 
 
 def test_supports_are_read_in_si(small: str) -> None:

@@ -75,16 +75,16 @@ def test_duplicate_keys_are_all_found_and_the_first_stays() -> None:
 @pytest.mark.parametrize(
     ("text", "mark", "said"),
     [
-        ("a: &x 1", Mark(1, 4), "anchor `&x`"),
-        ("a: *x", Mark(1, 4), "alias `*x`"),
-        ("a: !!str 1", Mark(1, 4), "tag"),
-        ("a: !python/object:os.system 1", Mark(1, 4), "tag"),
-        ("<<: *x", Mark(1, 5), "alias"),
-        ("a: 1\n---\nb: 2", Mark(2, 1), "second document"),
-        ("a: [1, 2\nb: 3", Mark(2, 2), "not valid YAML"),
-        ("a:\n\tb: 1", Mark(2, 1), "spaces, not tabs"),
-        ("? [1, 2]\n: 3", Mark(1, 3), "used as a key"),
-        ("a: \x01", Mark(1, 4), "not allowed"),
+        ("a: &x 1", Mark(1, 4), "`&x` E-FILE-04"),
+        ("a: *x", Mark(1, 4), "`*x` E-FILE-04"),
+        ("a: !!str 1", Mark(1, 4), "tag E-FILE-04"),
+        ("a: !python/object:os.system 1", Mark(1, 4), "tag E-FILE-04"),
+        ("<<: *x", Mark(1, 5), "alias E-FILE-04"),
+        ("a: 1\n---\nb: 2", Mark(2, 1), "document E-FILE-04"),
+        ("a: [1, 2\nb: 3", Mark(2, 2), "E-FILE-04"),
+        ("a:\n\tb: 1", Mark(2, 1), "tabs E-FILE-04"),
+        ("? [1, 2]\n: 3", Mark(1, 3), "key E-FILE-04"),
+        ("a: \x01", Mark(1, 4), "E-FILE-04"),
     ],
 )
 def test_what_is_refused(text: str, mark: Mark, said: str) -> None:
