@@ -96,7 +96,8 @@ def run_plan(
                 run.stop.set()
             except EdesignError as error:
                 if _keep(run):
-                    error.args = (f"{error}; {_kept(run)}",)
+                    sentence, bracket, code = str(error).partition(" [E-")
+                    error.args = (f"{sentence}; {_kept(run)}{bracket}{code}",)
                 raise
             if run.stopped() and len(run.outcomes) < len(tasks):
                 _keep(run)
