@@ -14,7 +14,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np  # noqa: E402
 
 from edesign.archive.dataset import Group  # noqa: E402
-from edesign.building.project_file import load_project  # noqa: E402
+from edesign.frame.project_file import load_project  # noqa: E402
 from edesign.project.dampers.designs import Design  # noqa: E402
 from edesign.project.project import Project  # noqa: E402
 from edesign.project.reading.base import Model  # noqa: E402

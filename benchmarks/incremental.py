@@ -21,7 +21,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import yaml  # noqa: E402
 
 from edesign.archive.reader import open_archive  # noqa: E402
-from edesign.building.project_file import load_project, load_study  # noqa: E402
+from edesign.frame.project_file import load_project, load_study  # noqa: E402
 from edesign.ground_motion.project_records import references  # noqa: E402
 from edesign.report.archive_view import all_results  # noqa: E402
 from edesign.report.capacity.incremental_figures import results_figures  # noqa: E402

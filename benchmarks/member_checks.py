@@ -14,7 +14,6 @@ from functools import partial
 import numpy as np
 
 from benchmarks.timing import cpu_seconds
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.member import Stability
 from edesign.core.member_checks import (
     BEAM_CHECKS,
@@ -25,6 +24,7 @@ from edesign.core.member_checks import (
     mask,
     member_checks,
 )
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.checks.steel_member import SteelMember
 
 MEMBERS, STATIONS, BEAMS = 510, 7, 200

@@ -14,7 +14,7 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from edesign.archive.reader import open_archive  # noqa: E402
-from edesign.building.project_file import load_study  # noqa: E402
+from edesign.frame.project_file import load_study  # noqa: E402
 from edesign.study.run.run import run_study  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -13,7 +13,7 @@ import os
 import time
 from pathlib import Path
 
-from edesign.building.building_file import load_building
+from edesign.frame.building_file import load_building
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
 from edesign.space.elastic_design import ElasticAnalysis

@@ -12,7 +12,7 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from benchmarks.damper_designs import FILE, Designs  # noqa: E402
-from edesign.building.project_file import load_project  # noqa: E402
+from edesign.frame.project_file import load_project  # noqa: E402
 from edesign.project.dampers.dampers import DamperLaw, Dampers  # noqa: E402
 from edesign.project.project import Project  # noqa: E402
 from edesign.project.reading.yaml_file import check_model  # noqa: E402

@@ -57,9 +57,9 @@ __all__ = [
 
 _PLACES = {
     "data_frames": "edesign.report.export.frames",
-    "load_project": "edesign.building.project_file",
-    "load_building": "edesign.building.building_file",
-    "load_study": "edesign.building.project_file",
+    "load_project": "edesign.frame.project_file",
+    "load_building": "edesign.frame.building_file",
+    "load_study": "edesign.frame.project_file",
     "new_project": "edesign.project.template",
     "check_project": "edesign.study.check.summary",
     "check_building": "edesign.space.check",

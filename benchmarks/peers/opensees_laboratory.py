@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.building.project_file import load_project
+from edesign.frame.project_file import load_project
 from edesign.ground_motion.project_records import find_recordings
 
 ROOT = Path(__file__).parents[2]

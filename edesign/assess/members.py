@@ -10,10 +10,10 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.building.sections.i_shape import i_section
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
+from edesign.frame.sections.i_shape import i_section
 from edesign.project.notation.names import column_name
 from edesign.project.project import Project
 from edesign.project.study.study import Study, own_variant

@@ -14,8 +14,8 @@ from edesign.assess.members import VariantMembers
 from edesign.assess.requirement import NEGLIGIBLE, Requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
-from edesign.building.masses import STILL_BEAMS
 from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.frame.masses import STILL_BEAMS
 from edesign.ground_motion.hazard import objective_level
 from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
 from edesign.project.project import Project

@@ -59,7 +59,7 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
         raise missing(file, "file")
     kind = kind_of(file)
     if kind == SUBSTRUCTURE_TESTS:
-        from edesign.building.sections.building_sections import BuildingSections
+        from edesign.frame.sections.building_sections import BuildingSections
         from edesign.project.substructure import load_rts_file
         from edesign.project.substructure.summary import summary
         from edesign.substructure.virtual_tests import VirtualLaboratory
@@ -70,11 +70,11 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
         warned = "\n".join(laboratory.laboratory.warnings)
         return summary(tests) | ({"warnings": warned} if warned else {})
     if kind == BUILDING:
-        from edesign.building.building_file import load_building
+        from edesign.frame.building_file import load_building
         from edesign.space.check import check_building
 
         return check_building(_drawn(load_building(file), target))
-    from edesign.building.project_file import load_project, load_study
+    from edesign.frame.project_file import load_project, load_study
     from edesign.study.check.summary import check_project, check_study
 
     if kind == STUDY:

@@ -9,10 +9,10 @@ from typing import Annotated
 import typer
 
 from edesign.archive.files import check_own_yaml, write_yaml
-from edesign.building.building_file import load_building
 from edesign.cli.shared.stages import in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
 from edesign.optional_stages import optional
 from edesign.report.building.selection_tables import selection_tables
 from edesign.report.tables.text import print_tables

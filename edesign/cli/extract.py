@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 
 from edesign.archive.files import check_own_yaml, source_file, write_yaml
-from edesign.building.building_file import load_building
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
 from edesign.project.notation.units import parse_ratio
 from edesign.space.extract import StudyNames, frame_row, project_text, study_text, suite_text
 from edesign.space.structure.geometry import space_frame

@@ -9,8 +9,6 @@ from typing import Annotated
 import typer
 
 from edesign.archive.reader import open_archive
-from edesign.building.building_file import load_building
-from edesign.building.project_file import load_project, load_study
 from edesign.cli.report import PageProgress
 from edesign.cli.shared.complete import analysis_names
 from edesign.cli.shared.progress import listener
@@ -19,6 +17,8 @@ from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
 from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS
 from edesign.file_kinds.recognise import kind_of, other_kind
+from edesign.frame.building_file import load_building
+from edesign.frame.project_file import load_project, load_study
 from edesign.ground_motion.project_records import with_folders
 from edesign.optional_stages import earlier, optional
 from edesign.report.archive.document import default_page_path, write_page

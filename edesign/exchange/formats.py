@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from edesign.archive.files import check_file, check_own_yaml, write_text, write_yaml
-from edesign.building.building_file import load_building
-from edesign.building.project_file import load_project
 from edesign.errors import InputError
 from edesign.file_kinds.kinds import BUILDING, STUDY
 from edesign.file_kinds.recognise import head_of, kind_of
+from edesign.frame.building_file import load_building
+from edesign.frame.project_file import load_project
 from edesign.input_files import spare_inputs
 from edesign.project.building.building import Building
 from edesign.project.project import Project

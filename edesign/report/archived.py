@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import ArchiveError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.ground_motion.seismic_action.files import text_name
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.loader import parse_project

@@ -8,8 +8,8 @@ from dataclasses import fields
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.building.sections.section_class import section_class
 from edesign.codes.ec3.member import Stability
+from edesign.frame.sections.section_class import section_class
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.analysis.effects import largest
 from edesign.space.elastic_design import ElasticDesign

@@ -8,9 +8,9 @@ from typing import TypeVar
 
 import numpy as np
 
-from edesign.building.sections.section_lists import family_of, sections_of
-from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
+from edesign.frame.sections.section_lists import family_of, sections_of
+from edesign.frame.sections.steel_section import steel_section
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import DEFAULT_PRICE, KINDS

@@ -7,7 +7,6 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
@@ -16,6 +15,7 @@ from edesign.codes.rule_check import RuleCheck
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
+from edesign.frame.sections.steel_section import steel_section
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.building.building import Building, Steel

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.joints import PINNED, RIGID, classified
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 
 

@@ -7,12 +7,12 @@ from math import inf
 
 import numpy as np
 
-from edesign.building.devices import Device, DeviceLaw, DeviceSize
 from edesign.core.damper import LawValues
 from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydraulicRig
 from edesign.damper.law_file import Source, read_law_file, resolve
 from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
+from edesign.frame.devices import Device, DeviceLaw, DeviceSize
 from edesign.project.analysis.damping import ModalDamping, NoDamping, RayleighDamping
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.dampers.dampers import DamperLaw, LawDescription

@@ -10,7 +10,7 @@ import pytest
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.sections.building_sections import BuildingSections
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import load_project
 from edesign.study.run.run import run_project
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.project.study.study import Study
 
 HEIGHT = 4.0  # m

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from cases.small_study import write
 
-from edesign.building.project_file import load_study
 from edesign.cli.main import main
+from edesign.frame.project_file import load_study
 from edesign.ground_motion.hazard import action_of, objective_level, rules_in_force
 from edesign.project.actions.hazard import NtcHazard
 

@@ -15,8 +15,8 @@ from scipy.signal import lsim
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.assess.verdicts import Verdict
-from edesign.building.project_file import load_study
 from edesign.cli.main import main
+from edesign.frame.project_file import load_study
 from edesign.report.archive.document import write_page
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts

@@ -18,8 +18,8 @@ from cases.conftest import HERE
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_project
 from edesign.errors import Interrupted
+from edesign.frame.project_file import load_project
 from edesign.study.run.progress import Progress
 from edesign.study.run.run import run_project
 

@@ -11,7 +11,7 @@ from cases.conftest import copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.html.section import Picture

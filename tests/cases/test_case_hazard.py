@@ -16,8 +16,8 @@ from scipy.signal import lfilter
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
 from edesign.cli.main import main
+from edesign.frame.project_file import load_study
 from edesign.project.notation.units import STANDARD_GRAVITY as G
 from edesign.study.run.run import run_study
 

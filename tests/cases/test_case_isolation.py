@@ -16,7 +16,7 @@ from cases.test_case_dampers import of_case, same, value
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_project, load_study
+from edesign.frame.project_file import load_project, load_study
 from edesign.report.archive.tables import overview
 from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.study.results.warnings import warnings_of

@@ -12,10 +12,10 @@ import pytest
 from cases.conftest import HERE
 
 from edesign.archive.dataset import Group
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import load_project
 from edesign.project.loader import parse_project
 from edesign.study.analysis.history import run_history

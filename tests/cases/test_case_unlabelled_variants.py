@@ -8,7 +8,7 @@ import pytest
 from report_project import write_report_project
 
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_project
+from edesign.frame.project_file import load_project
 from edesign.report.archive_view import results
 from edesign.report.inputs.damper_schedule import schedule_tables
 from edesign.report.page.sections.response import response

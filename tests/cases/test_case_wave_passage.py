@@ -11,7 +11,7 @@ from cases.conftest import copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.ground_motion.delayed import motion_at
 from edesign.study.run.run import run_study
 

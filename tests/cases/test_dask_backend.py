@@ -21,8 +21,8 @@ from unit.study import toy_calls
 from unit.study.toy_calls import WAIT, Listener, await_file, check_mixed, mixed_calls, process_of, run_all, same
 
 import edesign
-from edesign.building.project_file import load_project
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.project_file import load_project
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.motions import project_motions
 from edesign.study.plan.plan import make_plan

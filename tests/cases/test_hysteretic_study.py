@@ -12,7 +12,7 @@ from cases.conftest import HERE, copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.designs import HystereticDesign

@@ -16,9 +16,9 @@ from cases.small_frame import environment
 
 from edesign.archive.reader import open_archive
 from edesign.assess.incremental import collect_stripes
-from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.errors import AnalysisError, Interrupted
+from edesign.frame.project_file import load_study
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.archive.study_tables import plan_table, study_tables
 from edesign.report.capacity.incremental_figures import incremental_figures

@@ -9,8 +9,8 @@ import pytest
 from cases.incremental_portal import write
 
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
 from edesign.codes.interpolation import log_log
+from edesign.frame.project_file import load_study
 from edesign.report.capacity.incremental_results import read_incremental
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.tables.text import plain

@@ -21,9 +21,9 @@ from limited import limited
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
-from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.errors import AnalysisError, InputError, Interrupted
+from edesign.frame.project_file import load_study
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.response_spectrum import psa
 from edesign.report.archive.summary import summarise
@@ -264,7 +264,7 @@ def test_a_part_of_the_plan_goes_into_its_own_archive(
 
 KILLED = """\
 import os, signal, sys
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.study.run.run import run_study
 
 event, words = sys.argv[2], sys.argv[3]

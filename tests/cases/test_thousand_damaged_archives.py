@@ -19,8 +19,8 @@ from unit.archive.archive_samples import archived_groups, write_layout_1
 from edesign.archive.reader import open_archive
 from edesign.archive.seal import LENGTH as SEAL_LENGTH
 from edesign.archive.writer import ArchiveWriter, partial_path
-from edesign.building.project_file import load_project
 from edesign.cli.main import main
+from edesign.frame.project_file import load_project
 from edesign.study.run.run import run_project
 
 pytestmark = pytest.mark.study

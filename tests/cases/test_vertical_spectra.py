@@ -12,8 +12,8 @@ from messages import says
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_project, load_study
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project, load_study
 from edesign.project.reading.problems import ProjectError
 from edesign.project.study.study_loader import StudyError
 from edesign.study.run.run import run_project, run_study

@@ -12,7 +12,7 @@ from cases.conftest import HERE, copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.report.archive.document import page_text
 from edesign.report.archive.study_tables import study_tables
 from edesign.report.design.designs_tables import property_factors_of

@@ -6,10 +6,10 @@ import random
 
 import pytest
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3 import buckling, lateral_torsional
 from edesign.codes.ec3.interaction import annex_a_factors, annex_b_factors
 from edesign.codes.ec3.moment_factors import linear_moment_factor_a
+from edesign.frame.sections.steel_section import steel_section
 
 pytestmark = pytest.mark.peer
 peer = pytest.importorskip("eurocodepy.ec3.uls.member_buckling")

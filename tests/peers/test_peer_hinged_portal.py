@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from verification.structures import channel
 
-from edesign.building.hinges import MemberBuilder, MemberEnd
 from edesign.core import Analysis, Model
+from edesign.frame.hinges import MemberBuilder, MemberEnd
 from edesign.project.frame.hinges import HingeValues
 
 ops = pytest.importorskip("openseespy.opensees", reason="OpenSeesPy (extra 'peers') is not installed")

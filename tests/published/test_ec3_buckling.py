@@ -10,8 +10,6 @@ import math
 
 import pytest
 
-from edesign.building.sections.profiles import profile
-from edesign.building.struts import strut
 from edesign.codes.ec3.buckling import (
     IMPERFECTION,
     buckling_resistance,
@@ -24,6 +22,8 @@ from edesign.codes.ec3.buckling import (
     welded_i_curve,
 )
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile
+from edesign.frame.struts import strut
 from edesign.project import parse_project
 
 E, S355 = 210e9, 355e6

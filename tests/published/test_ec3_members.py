@@ -12,8 +12,6 @@ import math
 import numpy as np
 import pytest
 
-from edesign.building.sections.section_class import section_class
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.codes.ec3.interaction import (
     annex_a_factors,
@@ -26,6 +24,8 @@ from edesign.codes.ec3.moment_factors import linear_moment_factor_a
 from edesign.codes.trace import Trace
 from edesign.core.member_checks import Check, MemberConstants, MemberTable, mask, member_checks
 from edesign.errors import InputError
+from edesign.frame.sections.section_class import section_class
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.checks.steel_member import SteelMember
 
 S235, S275, S355 = 235e6, 275e6, 355e6

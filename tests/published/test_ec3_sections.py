@@ -11,8 +11,8 @@ import math
 
 import pytest
 
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 
 CM2, CM3, CM4, CM6 = 1e-4, 1e-6, 1e-8, 1e-12
 

@@ -12,15 +12,15 @@ import dataclasses
 import pytest
 
 from edesign.assess.members import frame_members
-from edesign.building.sections.i_shape import plastic_modulus
-from edesign.building.sections.profiles import profile
-from edesign.building.sections.section import rolled_section
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.codes.fema356.sections import KSI, ISection
 from edesign.codes.fema356.steel import beam_limits, column_limits, column_rotations
 from edesign.codes.fema356.strength import beam_yield_rotation, column_yield_rotation, lower_bound_axial_strength
 from edesign.errors import InputError
+from edesign.frame.sections.i_shape import plastic_modulus
+from edesign.frame.sections.profiles import profile
+from edesign.frame.sections.section import rolled_section
 from edesign.project import parse_project
 from edesign.project.frame.sections import Fibres
 

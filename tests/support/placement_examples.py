@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.project_file import load_project
+from edesign.frame.project_file import load_project
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.notation.selections import NumberSelection

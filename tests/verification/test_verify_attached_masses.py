@@ -14,8 +14,8 @@ import scipy.linalg
 from scipy.optimize import brentq
 from shear_frames import MASS, STIFFNESS, shear_frame_text
 
-from edesign.building.sections.profiles import profile_names
 from edesign.core import Channel, Newmark
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.study.analysis.history import load_and_damp
 from edesign.study.analysis.structure import Structure, make_structure

@@ -15,8 +15,8 @@ import pytest
 from cases.conftest import HERE
 
 from edesign.archive.dataset import Group
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import Project, parse_project
 from edesign.report.response.damper_results import dampers_table
 from edesign.study.check.check import check_inputs

@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 from scipy import linalg
 from shear_frames import HEIGHT, MASS, STIFFNESS
 
-from edesign.building.sections.profiles import profile_names
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.codes.ec8 import damping_correction
 from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces
 from edesign.core import Channel, Newmark
 from edesign.damper import sizing as s
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
 from edesign.project.dampers.designs import SimplifiedDesign, StrainEnergyDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project

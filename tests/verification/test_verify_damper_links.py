@@ -9,12 +9,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.building.frame import build_frame
-from edesign.building.frame_model import FrameModel
-from edesign.building.sections.profiles import profile_names
 from edesign.core import Analysis, Channel, CoreDamper, Elastic, Model
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
+from edesign.frame.frame import build_frame
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import Project, parse_project
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import device_stiffness, make_frame

@@ -7,9 +7,9 @@ import pytest
 from verification.structures import channel, oscillator, steel_portal
 from verification.test_verify_modes import N, shear_building
 
-from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.core import Bilinear, Newmark
 from edesign.errors import InputError
+from edesign.frame.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.project.analysis.damping import (
     CaugheyDamping,
     MassDamping,

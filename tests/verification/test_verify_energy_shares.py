@@ -15,7 +15,7 @@ from shear_frames import BAY, HEIGHT, INERTIA, MASS, E, shear_frame_text
 from edesign.archive.dataset import Group
 from edesign.assess.energy import BEFORE, energies, energy_share, final_energies
 from edesign.assess.quantities import located_quantity
-from edesign.building.sections.profiles import profile_names
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import Project, load_project, parse_project
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.report.response.damper_results import dampers_table

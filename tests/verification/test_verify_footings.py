@@ -9,7 +9,7 @@ import pytest
 from verification.footing_mast import mast
 from verification.structures import channel
 
-from edesign.building.footing_impedance import (
+from edesign.frame.footing_impedance import (
     LARGEST_PSI,
     WAYS,
     Block,
@@ -18,7 +18,7 @@ from edesign.building.footing_impedance import (
     radiation_damping,
     static_stiffness,
 )
-from edesign.building.footings import footing_springs
+from edesign.frame.footings import footing_springs
 from edesign.study.analysis.footings import interaction
 from edesign.study.analysis.structure import make_structure
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group
-from edesign.building.sections.profiles import profile_names
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.study.run.analyses import run_analysis
 

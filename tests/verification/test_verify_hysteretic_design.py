@@ -13,11 +13,11 @@ from design_examples import THESIS, design, shear_project
 from scipy import linalg
 from shear_frames import HEIGHT, MASS, STIFFNESS
 
-from edesign.building.sections.profiles import profile_names
 from edesign.core import LawValues
 from edesign.core.damper import CoreDamper
 from edesign.damper.hysteresis import behind_brace, hysteresis
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
 from edesign.one_thread import one_thread
 from edesign.project.dampers.designs import HYSTERETIC_LAWS, HystereticDesign
 from edesign.project.loader import parse_project

@@ -9,7 +9,7 @@ import pytest
 import scipy.signal
 
 from edesign.archive.dataset import Group
-from edesign.building.sections.profiles import profile_names
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.study.run.analyses import run_analysis
 

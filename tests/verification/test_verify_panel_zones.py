@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from verification.structures import channel
 
-from edesign.building.panel_zones import ARM_STIFFNESS, Panel, PanelBuilder, panel_of
-from edesign.building.sections.i_shape import IShape
-from edesign.building.sections.profiles import profile_names
 from edesign.core import Analysis, Model
+from edesign.frame.panel_zones import ARM_STIFFNESS, Panel, PanelBuilder, panel_of
+from edesign.frame.sections.i_shape import IShape
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.study.run.analyses import run_analysis
 

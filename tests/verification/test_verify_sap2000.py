@@ -9,12 +9,12 @@ import pytest
 from verification.sap2000_solver import Solved
 from verification.structures import channel
 
-from edesign.building.building_file import load_building
-from edesign.building.frame import build_frame
-from edesign.building.project_file import load_project
 from edesign.core import Analysis
 from edesign.exchange.formats import find_format
 from edesign.exchange.sap2000.translate import take_model
+from edesign.frame.building_file import load_building
+from edesign.frame.frame import build_frame
+from edesign.frame.project_file import load_project
 from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.space.structure.geometry import space_frame

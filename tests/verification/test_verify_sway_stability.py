@@ -11,8 +11,8 @@ from building_examples import NO_TORSION, bending_only, building, changed, desig
 from scipy.linalg import eigh
 from scipy.optimize import brentq
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.core.space import SpaceModel
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.analysis.sway import critical_factors
 from edesign.space.structure.frame import SpaceFrame
 

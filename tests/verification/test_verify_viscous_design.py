@@ -13,12 +13,12 @@ from design_examples import THESIS, design, shear_project
 from scipy import integrate, linalg
 from shear_frames import MASS, STIFFNESS
 
-from edesign.building.sections.profiles import profile_names
 from edesign.codes.ec8 import damping_correction
 from edesign.core import Channel, LawValues, Newmark
 from edesign.damper.dashpot import Dashpot, added_damping, energy_factor, linear_dashpot
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
 from edesign.one_thread import one_thread
 from edesign.project.dampers.designs import ViscousDesign
 from edesign.project.loader import parse_project

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from edesign.building.sections.building_sections import BuildingSections
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.substructure import load_rts_file
 from edesign.project.substructure.rts_file import RtsFile
 

@@ -55,7 +55,7 @@ def _laws() -> Iterable[str]:
 
 
 def _sections() -> Iterable[str]:
-    from edesign.building.sections.profiles import profile_names
+    from edesign.frame.sections.profiles import profile_names
 
     return profile_names()
 

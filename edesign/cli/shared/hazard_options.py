@@ -9,8 +9,8 @@ import typer
 import yaml
 from pydantic_core import PydanticCustomError
 
-from edesign.building.project_file import load_project
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, factor_of_level
 from edesign.project.actions.hazard import OTHER_CODES, EC8Hazard
 from edesign.project.actions.hazard_base import Hazard

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.damping import modal_ratios, modes_needed
 from edesign.exchange.opensees.commands import Value
+from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.project.analysis.damping import (
     CaugheyDamping,
     MassDamping,

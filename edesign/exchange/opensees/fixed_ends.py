@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.loads import MemberLoads
+from edesign.frame.loads import MemberLoads
 
 
 def _flexibility(EI: float, length: float) -> np.ndarray:

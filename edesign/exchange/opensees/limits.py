@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from edesign.building.frame_model import FrameModel
-from edesign.building.rigid_ends import rigid_ends
 from edesign.errors import InputError
 from edesign.exchange.opensees.dampers import Dampers
 from edesign.exchange.opensees.structure import NotTranslated
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.rigid_ends import rigid_ends
 from edesign.project.analysis.damping import CaugheyDamping, ModalDamping
 from edesign.project.analysis.integration import GeneralisedAlphaIntegration, NewmarkIntegration
 from edesign.project.frame.materials import BilinearMaterial, Material, MenegottoPintoMaterial

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import hypot
 
-from edesign.building.loads import MemberLoads, Stretches
 from edesign.exchange.opensees.commands import command
 from edesign.exchange.opensees.fixed_ends import released_flexibility_loads
 from edesign.exchange.opensees.structure import NotTranslated, Structure
 from edesign.exchange.recorded_model import Call
+from edesign.frame.loads import MemberLoads, Stretches
 
 
 class LoadBuilder:

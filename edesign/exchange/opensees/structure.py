@@ -6,9 +6,9 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from edesign.building.frame_model import FrameModel
 from edesign.exchange.opensees.commands import Command, command, heading
 from edesign.exchange.opensees.joined import Degree, JoinedDegrees
+from edesign.frame.frame_model import FrameModel
 
 GRAVITY = 1
 """Tag of the pattern of the gravity loads, and of its time series."""

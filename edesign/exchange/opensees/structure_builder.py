@@ -7,8 +7,6 @@ from math import hypot
 
 import numpy as np
 
-from edesign.building.frame_model import FrameModel
-from edesign.building.loads import Stretches
 from edesign.core.materials import Steel
 from edesign.exchange.opensees.commands import command
 from edesign.exchange.opensees.fixed_ends import stiffness_factors
@@ -17,6 +15,8 @@ from edesign.exchange.opensees.loads import LoadBuilder
 from edesign.exchange.opensees.materials import NoSuchMaterial, spring_material, steel_material
 from edesign.exchange.opensees.structure import NotTranslated, Structure
 from edesign.exchange.recorded_model import Call, RecordedModel
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.loads import Stretches
 
 GEOMETRY = {"linear": ("Linear", 1), "p_delta": ("PDelta", 2), "corotational": ("Corotational", 3)}
 ITERATIONS: tuple[str | int | float, ...] = ("-iter", 50, 1e-10)

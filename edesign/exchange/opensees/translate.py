@@ -10,9 +10,6 @@ from math import hypot
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.building.devices import Attached, DeviceLaw
-from edesign.building.frame import build_frame
-from edesign.building.frame_model import FrameModel
 from edesign.errors import InputError
 from edesign.exchange.formats import MARK, ProgressLine, Translation
 from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, programme
@@ -31,6 +28,9 @@ from edesign.exchange.opensees.structure import (
 )
 from edesign.exchange.opensees.structure_builder import StructureBuilder
 from edesign.exchange.recorded_model import RecordedModel
+from edesign.frame.devices import Attached, DeviceLaw
+from edesign.frame.frame import build_frame
+from edesign.frame.frame_model import FrameModel
 from edesign.project.project import Project
 from edesign.project.records.records import ChosenRecords
 from edesign.study.analysis.dampers import attachments, device_laws

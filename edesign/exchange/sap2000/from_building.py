@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.exchange.sap2000.model import (
     FrameLoad,
     FrameObject,
@@ -24,6 +23,7 @@ from edesign.exchange.sap2000.model import (
     local_axes,
 )
 from edesign.exchange.sap2000.spectra import spectrum_functions
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.frame import NO_DIAPHRAGM, Member, SpaceFrame

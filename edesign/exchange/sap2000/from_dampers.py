@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.building.devices import Device
-from edesign.building.frame import build_frame
 from edesign.errors import InputError
 from edesign.exchange.sap2000.model import Link, LinkProperty, Sap2000Model
+from edesign.frame.devices import Device
+from edesign.frame.frame import build_frame
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws
 

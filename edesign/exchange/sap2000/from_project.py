@@ -4,12 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from edesign.building.loads import MemberLoads, beam_loads, column_loads, node_loads
-from edesign.building.masses import node_masses, vertical_masses
-from edesign.building.sections.named_section import cross_section
-from edesign.building.sections.profiles import profile_names
-from edesign.building.sections.section import CrossSection
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 from edesign.exchange.sap2000.from_dampers import add_dampers
 from edesign.exchange.sap2000.model import (
@@ -27,6 +21,12 @@ from edesign.exchange.sap2000.model import (
     SixFlags,
 )
 from edesign.exchange.sap2000.spectra import spectrum_functions
+from edesign.frame.loads import MemberLoads, beam_loads, column_loads, node_loads
+from edesign.frame.masses import node_masses, vertical_masses
+from edesign.frame.sections.named_section import cross_section
+from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.section import CrossSection
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.actions.loads import Combination
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.materials import ElasticMaterial

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from edesign.building.sections.profiles import profile_names
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 from edesign.exchange.sap2000.model import Section
+from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 
 CLOSE = 0.01
 """Share by which area and second moment of area may differ from the catalogue's: tables round, mills roll fillets of

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.exchange.formats import MARK, ProgressLine, Translation
 from edesign.exchange.sap2000.from_building import from_building
@@ -17,6 +16,7 @@ from edesign.exchange.sap2000.tables import read_tables
 from edesign.exchange.sap2000.to_building import building_text
 from edesign.exchange.sap2000.to_project import project_text
 from edesign.exchange.sap2000.write_model import model_text
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building.building import Building
 from edesign.project.building.loader import parse_building
 from edesign.project.loader import parse_project

@@ -7,11 +7,11 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.member import Member, Stability
 from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
 from edesign.codes.trace import Step, Trace
 from edesign.errors import InputError
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults
 from edesign.report.building.tables import Worst, worst_of_groups

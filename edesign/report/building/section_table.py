@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.building.sections.profiles import profile_names
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import Column, col, text
 from edesign.report.tables.table import Table, TableSpec

@@ -10,8 +10,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.quantities import largest_velocity
-from edesign.building.devices import Device
 from edesign.codes.motion_sets import SetRules
+from edesign.frame.devices import Device
 
 
 @dataclass(frozen=True)

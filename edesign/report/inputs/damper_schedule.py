@@ -8,10 +8,10 @@ from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
-from edesign.building.devices import Device, DeviceSize
 from edesign.codes.motion_sets import SetRules
 from edesign.codes.rule_check import with_standard
 from edesign.damper.laws import LAWS
+from edesign.frame.devices import Device, DeviceSize
 from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.dampers.dampers import BraceSection
 from edesign.project.notation.names import damper_place

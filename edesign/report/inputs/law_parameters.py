@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from edesign.building.devices import DeviceLaw
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import write_parameters
+from edesign.frame.devices import DeviceLaw
 from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames

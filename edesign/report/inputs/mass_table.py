@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.frame_model import FrameModel
-from edesign.building.isolation import base_loads
-from edesign.building.loads import floor_loads
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.isolation import base_loads
+from edesign.frame.loads import floor_loads
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from edesign.archive.reader import Archive
-from edesign.building.frame_model import FrameModel
+from edesign.frame.frame_model import FrameModel
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.project import Project

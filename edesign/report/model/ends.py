@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from edesign.building.rigid_ends import rigid_ends
 from edesign.errors import InputError
+from edesign.frame.rigid_ends import rigid_ends
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints
 from edesign.project.notation import names

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from edesign.building.loads import floor_loads
+from edesign.frame.loads import floor_loads
 from edesign.project.actions.loads import BeamLoad, FloorLoad
 from edesign.project.project import Project
 from edesign.report.drawing.style import AFTER

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from edesign.building.isolation import base_loads, base_masses
-from edesign.building.loads import floor_loads
-from edesign.building.masses import node_masses
+from edesign.frame.isolation import base_loads, base_masses
+from edesign.frame.loads import floor_loads
+from edesign.frame.masses import node_masses
 from edesign.project.frame.leaning_column import of_floors
 from edesign.project.notation import names
 from edesign.project.project import Project

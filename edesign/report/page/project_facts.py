@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from itertools import groupby
 
-from edesign.building.hinges import member_ends
-from edesign.building.rigid_ends import rigid_ends
 from edesign.codes.ec8 import ElasticSpectrum
 from edesign.codes.ntc2018 import NtcSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.codes.tabulated import CORRECTIONS, TabulatedSpectrum
 from edesign.damper.laws import LAWS
 from edesign.errors import EdesignError
+from edesign.frame.hinges import member_ends
+from edesign.frame.rigid_ends import rigid_ends
 from edesign.ground_motion.hazard import action_of
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping

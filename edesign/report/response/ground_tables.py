@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from edesign.archive.dataset import Group
-from edesign.building.footings import DIRECTIONS
+from edesign.frame.footings import DIRECTIONS
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
 from edesign.report.tables.column import col, text

@@ -13,9 +13,9 @@ from functools import cache
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.member import Member, Stability, Strength
 from edesign.codes.en1990.combinations import Combination
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building, Steel
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.effects import Effects

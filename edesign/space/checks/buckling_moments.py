@@ -15,9 +15,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, quarter_moments, rolled_curve
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.effects import Effects

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.cross_section import (
     axial_resistance,
     moment_resistance,
@@ -21,6 +20,7 @@ from edesign.codes.ec3.cross_section import (
 )
 from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.building.building import Steel
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 

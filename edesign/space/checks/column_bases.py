@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from edesign.building.sections.section_class import section_class
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import RuleCheck, at_most
+from edesign.frame.sections.section_class import section_class
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
 from edesign.space.analysis.effects import Effects, largest
 from edesign.space.checks.capacity import bend_about_y, by_section

@@ -16,8 +16,6 @@ from functools import cache
 
 import numpy as np
 
-from edesign.building.sections.section_class import section_class
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.member import Stability
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
@@ -35,6 +33,8 @@ from edesign.core.member_checks import (
     mask,
     member_checks,
 )
+from edesign.frame.sections.section_class import section_class
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.space.analysis.bracing import Bracing

@@ -7,8 +7,6 @@ from functools import cache
 
 import numpy as np
 
-from edesign.building.sections.section_class import SectionClass, section_class
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
 from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, largest_section_class
@@ -20,6 +18,8 @@ from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import RuleCheck, at_least, at_most
 from edesign.core.space_modes import SpaceModes
+from edesign.frame.sections.section_class import SectionClass, section_class
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.analysis.storeys import Storeys

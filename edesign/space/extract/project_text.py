@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from edesign.building.sections.steel_section import steel_section
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BraceRun
 from edesign.project.building.names import BracePlace

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from edesign.building.sections.section_lists import efficient, family_of, sections_of
-from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDERNESS_CLAUSES
 from edesign.errors import InputError
+from edesign.frame.sections.section_lists import efficient, family_of, sections_of
+from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.building.design import DEFAULT_PRICE
 from edesign.project.reading.problems import keys_text, listed
 from edesign.space.checks.member_checks import LARGEST_CLASS

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad

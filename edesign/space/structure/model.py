@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.core.space import PROPERTIES, SpaceMembers, SpaceModel
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from typing import TypeVar
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.materials import Standard, thickness_step, yield_stress
 from edesign.errors import InputError
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 

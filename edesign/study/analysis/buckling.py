@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterable, Mapping
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Device
-from edesign.building.frame_model import FrameModel
-from edesign.building.struts import Bar, Kind, Strut, frame_bars
 from edesign.codes.ec3.buckling import NO_BUCKLING
+from edesign.frame.devices import Device
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.struts import Bar, Kind, Strut, frame_bars
 from edesign.project.project import Project
 from edesign.study.results.warnings import AnalysisWarning
 from edesign.study.results.warnings import Kind as WarningKind

@@ -9,7 +9,6 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.building.loads import floor_loads
 from edesign.codes.asce41 import target_displacement as asce41
 from edesign.codes.capacity_curve import CapacityCurve
 from edesign.codes.ec8 import target_displacement as n2
@@ -17,6 +16,7 @@ from edesign.codes.fema356 import target_displacement as fema356
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.loads import floor_loads
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis

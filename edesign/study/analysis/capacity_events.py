@@ -9,10 +9,10 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.members import ELASTIC_ROTATION
-from edesign.building.frame_model import FrameModel, Member
 from edesign.codes.capacity_curve import DESCENT
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.core import Response
+from edesign.frame.frame_model import FrameModel, Member
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.study.analysis.collapse import collapse_reason

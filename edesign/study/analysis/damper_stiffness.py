@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Device
 from edesign.core import Modes
 from edesign.damper.dashpot import locks_when_small
 from edesign.damper.temperature import LINEAR_LAWS
 from edesign.errors import InputError
+from edesign.frame.devices import Device
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.project.reading.problems import listed

@@ -9,11 +9,11 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Attached, Device, DeviceLaw
 from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain_of_tests
 from edesign.damper.laws import law
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
+from edesign.frame.devices import Attached, Device, DeviceLaw
 from edesign.project.dampers.dampers import LawDescription, TunedMass
 from edesign.project.notation.names import tuned_mass_name
 from edesign.project.project import Project

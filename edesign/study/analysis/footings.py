@@ -9,11 +9,11 @@ import numpy as np
 import scipy
 
 from edesign.archive.dataset import Group
-from edesign.building.footings import DIRECTIONS
-from edesign.building.frame import build_frame
-from edesign.building.frame_model import FrameModel
 from edesign.core import Modes, damped_eigenvalue
 from edesign.errors import AnalysisError
+from edesign.frame.footings import DIRECTIONS
+from edesign.frame.frame import build_frame
+from edesign.frame.frame_model import FrameModel
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
-from edesign.building.loads import beam_loads, gravity_load, horizontal_load
-from edesign.building.sections.named_section import cross_section
 from edesign.core import Response
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.loads import beam_loads, gravity_load, horizontal_load
+from edesign.frame.sections.named_section import cross_section
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.frame.members import BraceRun
 from edesign.project.project import Project

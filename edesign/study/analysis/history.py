@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark
 from edesign.errors import InputError
+from edesign.frame.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis

@@ -9,8 +9,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.energy import BEFORE
-from edesign.building.frame_model import FrameModel
 from edesign.core import ENERGIES, Channel, Response
+from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study.analysis.buckling import buckling_warnings

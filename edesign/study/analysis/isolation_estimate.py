@@ -9,11 +9,11 @@ from functools import cache
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Device
 from edesign.codes.ec8.isolation import EquivalentLinear, Loop, equivalent_linear
 from edesign.core import LawValues
 from edesign.damper.harmonic import effective_stiffness
 from edesign.errors import InputError
+from edesign.frame.devices import Device
 from edesign.ground_motion.hazard import action_of
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
-from edesign.building.isolation import IsolatedBases, isolator_under
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.isolation import IsolatedBases, isolator_under
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import VerticalSpring

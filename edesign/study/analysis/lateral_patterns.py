@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from edesign.building.frame_model import FrameModel
 from edesign.errors import AnalysisError
+from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
 from edesign.project.project import Project

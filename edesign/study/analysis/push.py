@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
 from edesign.core import Response
+from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import pattern_name
 from edesign.project.project import Project

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.building.devices import Device, DeviceLaw
-from edesign.building.frame import build_frame
-from edesign.building.frame_model import FrameModel
-from edesign.building.isolation import goes_with_weight, isolator_under
 from edesign.core import Analysis, Channel, CoreError, Modes, Response
 from edesign.damper.harmonic import complex_stiffness, effective_stiffness
 from edesign.errors import AnalysisError
+from edesign.frame.devices import Device, DeviceLaw
+from edesign.frame.frame import build_frame
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.isolation import goes_with_weight, isolator_under
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import attachments, device_laws

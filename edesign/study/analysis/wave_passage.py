@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
 from edesign.core import SupportMotion
+from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.delayed import delayed_by
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis

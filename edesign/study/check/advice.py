@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from edesign.building.frame_model import FrameModel
-from edesign.building.masses import still_beams
 from edesign.errors import AnalysisError
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.masses import still_beams
 from edesign.ground_motion.hazard import objective_level
 from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record import Record

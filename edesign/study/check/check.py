@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.damping import modal_ratios, modes_needed
 from edesign.core import CoreError
 from edesign.errors import InputError
+from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found

@@ -15,10 +15,10 @@ from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.measures import located_measure
 from edesign.assess.members import ELASTIC_ROTATION
-from edesign.building.loads import gravity_load
-from edesign.building.masses import node_masses
-from edesign.building.sections.named_section import cross_section
 from edesign.damper.testing.specimen import LARGE_STRAIN, layer_warning
+from edesign.frame.loads import gravity_load
+from edesign.frame.masses import node_masses
+from edesign.frame.sections.named_section import cross_section
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.analysis.damping import NoDamping
 from edesign.project.frame.materials import ElasticMaterial

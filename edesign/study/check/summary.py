@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from edesign.building.isolation import base_masses
-from edesign.building.masses import node_masses
 from edesign.errors import AnalysisError
+from edesign.frame.isolation import base_masses
+from edesign.frame.masses import node_masses
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found

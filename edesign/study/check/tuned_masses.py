@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from edesign.building.damping import modes_needed, proportional_factors
 from edesign.errors import AnalysisError
+from edesign.frame.damping import modes_needed, proportional_factors
 from edesign.project.analysis.damping import MassDamping, RayleighDamping, StiffnessDamping
 from edesign.project.project import Project
 from edesign.project.reading.words import percent

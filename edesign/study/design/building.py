@@ -8,9 +8,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from edesign.building.devices import DeviceLaw
 from edesign.core import LawValues
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.devices import DeviceLaw
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.masses import STILL_BEAMS, still_beams
 from edesign.errors import InputError
+from edesign.frame.masses import STILL_BEAMS, still_beams
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.building.devices import Device
 from edesign.errors import InputError
+from edesign.frame.devices import Device
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.placement import CatalogueItem, Kind, PlacementDesign
 from edesign.project.notation.selections import NumberSelection

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.devices import Device
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.devices import Device
 from edesign.study.analysis.structure import device_stiffness
 from edesign.study.design.building import mode_shears
 from edesign.study.design.condensed import CondensedFrame, LinearModes

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel, Member
+from edesign.frame.frame_model import FrameModel, Member
 from edesign.project.project import Project
 from edesign.study.results.recording import Quantity, Terms, coordinate
 from edesign.study.results.warnings import AnalysisWarning

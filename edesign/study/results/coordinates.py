@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel, Member
+from edesign.frame.frame_model import FrameModel, Member
 from edesign.study.results.recording import coordinate
 
 

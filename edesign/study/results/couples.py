@@ -7,9 +7,9 @@ from types import MappingProxyType
 
 import numpy as np
 
-from edesign.building.devices import UX, UY, Device
-from edesign.building.frame_model import FrameModel
 from edesign.core import Response
+from edesign.frame.devices import UX, UY, Device
+from edesign.frame.frame_model import FrameModel
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation.names import line_name

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.building.frame_model import FrameModel
+from edesign.frame.frame_model import FrameModel
 from edesign.project.notation.names import tuned_mass_floor
 from edesign.study.results.recording import Quantity, Terms
 

@@ -6,7 +6,7 @@ floor are means over its nodes (with a diaphragm all are the same).
 
 from __future__ import annotations
 
-from edesign.building.frame_model import FrameModel
+from edesign.frame.frame_model import FrameModel
 from edesign.study.results.recording import Quantity, Terms
 
 

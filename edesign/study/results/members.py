@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.building.frame_model import FrameModel, Member
+from edesign.frame.frame_model import FrameModel, Member
 from edesign.study.results.recording import Quantity, Terms
 
 END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the end

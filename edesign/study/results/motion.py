@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
 from edesign.core import Response
+from edesign.frame.frame import FrameModel
 from edesign.study.results.recording import SINGLE, Quantity, coordinate
 
 MOST_PICTURES = 600

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel, Member
 from edesign.errors import InputError
+from edesign.frame.frame_model import FrameModel, Member
 from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
 from edesign.project.analysis.outputs import FibreOutput
 from edesign.project.notation.selections import NumberSelection

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
-from edesign.building.hinges import END_NAMES, EndSpring, SpringKind
-from edesign.building.struts import frame_bars
 from edesign.codes.ec3.joints import classified
+from edesign.frame.frame_model import FrameModel
+from edesign.frame.hinges import END_NAMES, EndSpring, SpringKind
+from edesign.frame.struts import frame_bars
 from edesign.project.project import Project
 from edesign.project.reading.words import counted
 from edesign.study.results.recording import Quantity, Terms, coordinate

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
 from edesign.core import Response
+from edesign.frame.frame_model import FrameModel
 from edesign.project.notation import names
 from edesign.study.results.recording import Quantity, Terms
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
+from edesign.frame.frame_model import FrameModel
 from edesign.study.results.couples import couple_terms
 from edesign.study.results.recording import Quantity, Terms, coordinate
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from edesign.building.frame_model import FrameModel
 from edesign.core import Response
+from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
 from edesign.project.reading.words import percent

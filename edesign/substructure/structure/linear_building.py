@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame_model import FrameModel
 from edesign.core import Response
+from edesign.frame.frame_model import FrameModel
 from edesign.study.analysis.history_results import store_residuals
 from edesign.study.results.coordinates import coordinates
 from edesign.study.results.floors import floor_accelerations, floor_displacements, floor_relative_accelerations

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.errors import InputError
+from edesign.frame.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.project.analysis.damping import ModalDamping, NoDamping, RayleighDamping
 
 InherentDamping = NoDamping | RayleighDamping | ModalDamping

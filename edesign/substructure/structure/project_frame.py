@@ -8,12 +8,12 @@ from typing import Literal
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Device
-from edesign.building.frame_model import FrameModel
 from edesign.core import Channel, LawValues, Response
 from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.response import EnergyBalance
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.devices import Device
+from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study.analysis.history import integrator, load_and_damp

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
-from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
-from edesign.building.devices import Device
 from edesign.errors import InputError
+from edesign.frame.damping import modal_ratios, modes_needed, proportional_factors
+from edesign.frame.devices import Device
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project

@@ -28,11 +28,11 @@ from unit.project.test_project_dampers import WHOLE as DAMPED
 from unit.project.test_viscous_designs import GOOD as VISCOUS
 from unit.project.test_viscous_designs import LAWS as VISCOUS_LAWS
 
-from edesign.building.project_file import load_study
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.cli.main import main
 from edesign.damper.testing.campaign import load_campaign
 from edesign.errors import InputError
+from edesign.frame.project_file import load_study
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import parse_building
 from edesign.project.loader import parse_project
 from edesign.study.check.check import check_study_inputs

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from support.messages import says
 
-from edesign.building.sections.profiles import profile_names
 from edesign.cli.main import main
+from edesign.frame.sections.profiles import profile_names
 
 
 def test_the_table_fits_a_terminal_of_80_columns(capsys: pytest.CaptureFixture[str]) -> None:

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edesign.building.sections.section_class import section_class
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3 import classes, cross_section, imperfections, lateral_torsional, materials, moment_factors
 from edesign.codes.ec3.interaction import annex_b_factors
 from edesign.codes.ec3.member import Member, Stability, Strength
 from edesign.codes.ec3.section import Shape
 from edesign.errors import InputError
+from edesign.frame.sections.section_class import section_class
+from edesign.frame.sections.steel_section import steel_section
 
 ratios = st.floats(0.0, 1.5)
 

@@ -9,7 +9,6 @@ import damper_effects as definitions
 import numpy as np
 import pytest
 
-from edesign.building.project_file import load_project
 from edesign.core import Analysis, Channel, CoreDamper, Newmark
 from edesign.core.damper import PLACEMENTS
 from edesign.damper.damper import Damper
@@ -25,6 +24,7 @@ from edesign.damper.testing.programme_file import load_programme
 from edesign.damper.testing.steady_state import predict
 from edesign.damper.thesis_tables import PROTOTYPE
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project
 from edesign.project.dampers.dampers import Effect
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import make_frame

@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 from unit.exchange.sap2000_texts import FRAME, changed, with_table
 
-from edesign.building.loads import beam_loads, node_loads
-from edesign.building.masses import node_masses
-from edesign.building.project_file import load_project
 from edesign.errors import EdesignError, InputError
 from edesign.exchange.sap2000.tables import read_tables
 from edesign.exchange.sap2000.translate import take_model
+from edesign.frame.loads import beam_loads, node_loads
+from edesign.frame.masses import node_masses
+from edesign.frame.project_file import load_project
 from edesign.project.actions.loads import Combination
 from edesign.project.project import Project
 

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from edesign import load_project
-from edesign.building.loads import MemberLoads
 from edesign.cli.main import main
 from edesign.exchange.opensees.analyses import has_placed_dampers
 from edesign.exchange.opensees.commands import Block, command, heading, python_block, tcl_block
 from edesign.exchange.opensees.fixed_ends import released_flexibility_loads, stiffness_factors
 from edesign.exchange.opensees.integration import gauss_lobatto, piecewise_lobatto
 from edesign.exchange.opensees.translate import opensees_script
+from edesign.frame.loads import MemberLoads
 
 CASES = Path(__file__).parents[2] / "cases"
 

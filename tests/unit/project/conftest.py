@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from edesign.building.sections.section_names import SectionNames
+from edesign.frame.sections.section_names import SectionNames
 from edesign.project import Problem, ProjectError, parse_project
 
 SMALL = """\

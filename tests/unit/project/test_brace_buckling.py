@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from messages import says
 
-from edesign.building.sections.building_sections import BuildingSections
-from edesign.building.struts import equivalent_camber
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.frame.struts import equivalent_camber
 from edesign.project import ProjectError, parse_project
 from edesign.project.project import Project
 from edesign.study.analysis.buckling import slender_braces

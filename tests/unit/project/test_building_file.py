@@ -13,12 +13,12 @@ from building_examples import IRREGULAR, SMALL, building
 from messages import says
 from spoiled_files import ODD, spoiled
 
-from edesign.building.building_file import load_building
-from edesign.building.project_file import load_project
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.file_kinds.kinds import BUILDING
 from edesign.file_kinds.recognise import kind_of
+from edesign.frame.building_file import load_building
+from edesign.frame.project_file import load_project
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import Building, parse_building
 from edesign.project.building.names import ColumnLine
 from edesign.project.building.places import parse_column_lines, parse_frames

@@ -8,8 +8,8 @@ import pytest
 from building_examples import SMALL, building
 from messages import says
 
-from edesign.building.sections.profiles import profile_names
-from edesign.building.sections.steel_section import steel_section
+from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import BuildingError
 from edesign.project.building.plausible import HEIGHT, POINT, WIDTH, unusual
 from edesign.project.notation.units import STANDARD_GRAVITY

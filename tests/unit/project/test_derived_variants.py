@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from messages import says
 
-from edesign.building.project_file import load_study
 from edesign.errors import InputError
+from edesign.frame.project_file import load_study
 from edesign.project.study.derived import Derived
 from edesign.project.study.study import Study
 from edesign.project.study.study_loader import StudyError, parse_study

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from messages import says
 
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.problems import ProjectError

@@ -9,7 +9,7 @@ from design_examples import THESIS, design, refusal, shear_project
 from messages import says
 from placement_examples import project_text
 
-from edesign.building.sections.profiles import profile_names
+from edesign.frame.sections.profiles import profile_names
 from edesign.project.checks.placement import placement_warnings
 from edesign.project.dampers.device_names import names_of_design
 from edesign.project.dampers.placement import CatalogueItem, Costs, LayoutLimits, PlacementDesign

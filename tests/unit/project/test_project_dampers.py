@@ -11,8 +11,8 @@ import pytest
 from cases.small_frame import RECORD, TEXT
 from messages import says
 
-from edesign.building.project_file import load_project
 from edesign.cli.main import main
+from edesign.frame.project_file import load_project
 from edesign.study.analysis.dampers import law_warnings
 from edesign.study.analysis.structure import make_frame
 

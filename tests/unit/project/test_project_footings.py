@@ -7,9 +7,9 @@ from collections.abc import Callable
 import pytest
 from messages import says
 
-from edesign.building.frame import build_frame
-from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
+from edesign.frame.frame import build_frame
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import Problem, parse_project
 from edesign.project.frame.foundations import FootingSupport
 from edesign.study.check.check import check_inputs

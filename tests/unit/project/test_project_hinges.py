@@ -186,8 +186,8 @@ def test_supports_are_read_in_si(small: str) -> None:
     ],
 )
 def test_hinges_that_do_not_fit_their_member(small: str, hinges: str, said: str) -> None:
-    from edesign.building.frame import build_frame
-    from edesign.building.sections.profiles import profile_names
+    from edesign.frame.frame import build_frame
+    from edesign.frame.sections.profiles import profile_names
 
     entry = f"hinges: [{{beams: {{floors: 1}}, parameters: lignos_krawinkler_2011, {hinges}}}]\n{AT}"
     project = parse_project(small.replace(AT, entry), profiles=profile_names())

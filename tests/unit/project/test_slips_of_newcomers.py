@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from edesign.building.project_file import load_project
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.project_file import load_project
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.study.check.summary import check_project
 

@@ -14,11 +14,11 @@ from cases.small_study import PLANNED, write
 from messages import says
 from spoiled_files import spoiled
 
-from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.file_kinds.kinds import PROJECT, STUDY
 from edesign.file_kinds.recognise import kind_of
+from edesign.frame.project_file import load_project, load_study
 from edesign.ground_motion import project_records
 from edesign.ground_motion.suite import load_suite
 from edesign.project.study.study import Study

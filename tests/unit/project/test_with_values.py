@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from messages import says
 from unit.project.conftest import PROFILES, SMALL
 
-from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import Project, ProjectError, parse_project
 from edesign.project.reading.problems import FileProblems
 from edesign.project.reading.yaml_edit import set_value, yaml_text

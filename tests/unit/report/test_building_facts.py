@@ -10,7 +10,7 @@ import pytest
 from building_examples import SMALL
 
 from edesign.archive.reader import open_archive
-from edesign.building.building_file import load_building
+from edesign.frame.building_file import load_building
 from edesign.report.archive.document import page_text
 from edesign.report.archive.summary import summarise
 from edesign.report.archived import archived_building

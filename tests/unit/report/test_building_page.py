@@ -14,7 +14,7 @@ from building_examples import SMALL
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.building.building_file import load_building
+from edesign.frame.building_file import load_building
 from edesign.report.archive.document import page_text
 from edesign.report.archive.figures import all_figures
 from edesign.report.building.basis_tables import floors_table, joints_table, overstrength_table

@@ -14,9 +14,9 @@ from building_examples import SMALL
 from plain_tables import plain_table
 
 from edesign.archive.reader import Archive, open_archive
-from edesign.building.building_file import load_building
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
+from edesign.frame.building_file import load_building
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import building_tables
 from edesign.report.tables.text import broken, plain, print_tables, printed

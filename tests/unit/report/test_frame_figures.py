@@ -11,7 +11,7 @@ from matplotlib.text import Text
 from unit.report.figure_archive import TEXT, history, small_archive
 
 from edesign.archive.reader import open_archive
-from edesign.building.sections.profiles import profile_names
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.report.drawing.frame_drawing import damper_drawing, member_lines
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure

@@ -9,7 +9,7 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.building.footings import DIRECTIONS
+from edesign.frame.footings import DIRECTIONS
 from edesign.report.archive.tables import details, overview
 from edesign.report.response.ground_tables import SHOWN, ground_tables
 

@@ -16,11 +16,11 @@ from matplotlib.path import Path as Outline
 from matplotlib.text import Text
 from support.messages import says
 
-from edesign.building.building_file import load_building
-from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
 from edesign.file_kinds.kinds import BUILDING, PROJECT, STUDY
 from edesign.file_kinds.recognise import kind_of
+from edesign.frame.building_file import load_building
+from edesign.frame.project_file import load_project, load_study
 from edesign.project.reading.file_model import FileModel
 from edesign.report.drawing.symbols import in_parts
 from edesign.report.inputs.designed_dampers import designed_dampers

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from building_examples import NO_TORSION, PINNED, braced_frames, changed, design_of, number_of
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3 import lateral_torsional
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.analysis.bracing import bracing
 from edesign.space.elastic_design import ElasticDesign
 

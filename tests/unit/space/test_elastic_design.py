@@ -10,10 +10,10 @@ import pytest
 from building_examples import NO_TORSION, PINNED, braced_frames, design_of, moment_frames, number_of
 
 from edesign.archive.reader import open_archive
-from edesign.building.sections.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.codes.ec3 import lateral_torsional
 from edesign.errors import InputError
+from edesign.frame.sections.steel_section import steel_section
 from edesign.report.archive.document import page_text
 from edesign.space.structure.model import space_model
 

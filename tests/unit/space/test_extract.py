@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from building_examples import IRREGULAR, SMALL, building
 
-from edesign.building.building_file import load_building
-from edesign.building.loads import beam_loads, gravity_load, node_loads
-from edesign.building.masses import node_masses
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
+from edesign.frame.loads import beam_loads, gravity_load, node_loads
+from edesign.frame.masses import node_masses
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import Project, parse_project
 from edesign.project.actions.loads import Combination
 from edesign.project.building import Building

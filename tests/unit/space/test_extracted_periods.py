@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 from building_examples import building
 
-from edesign.building.loads import gravity_load
-from edesign.building.masses import node_masses
-from edesign.building.sections.building_sections import BuildingSections
-from edesign.building.sections.named_section import cross_section
-from edesign.building.sections.section import CrossSection
-from edesign.building.sections.steel_section import steel_section
-from edesign.building.struts import frame_bars
 from edesign.codes.ec3 import buckling
 from edesign.core.space import PROPERTIES
 from edesign.errors import InputError
+from edesign.frame.loads import gravity_load
+from edesign.frame.masses import node_masses
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.frame.sections.named_section import cross_section
+from edesign.frame.sections.section import CrossSection
+from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.struts import frame_bars
 from edesign.project import Project, parse_project
 from edesign.project.analysis.analyses import GravityAnalysis, PushoverAnalysis
 from edesign.project.building import Building

@@ -8,9 +8,9 @@ import pytest
 from building_examples import SMALL
 from typer.testing import CliRunner
 
-from edesign.building.project_file import load_study
 from edesign.cli.main import app
 from edesign.codes.ec8.ground import ground_type
+from edesign.frame.project_file import load_study
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
 from edesign.project.dampers.designs import StrainEnergyDesign

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from building_examples import building, design_of, number_of
 
-from edesign.building.sections.steel_section import steel_section
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.analysis.live_load_reduction import loaded_areas
 from edesign.space.elastic_design import ElasticDesign
 

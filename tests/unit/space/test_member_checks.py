@@ -11,8 +11,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.building.sections.section_class import section_class
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.member import Stability
 from edesign.codes.ec3.utilisation import ForcesAlong, utilisation
 from edesign.codes.trace import Step, Trace
@@ -30,6 +28,8 @@ from edesign.core.member_checks import (
     member_checks,
 )
 from edesign.errors import InputError
+from edesign.frame.sections.section_class import section_class
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.checks.steel_member import SteelMember
 
 ALL = mask(*Check)

@@ -9,9 +9,9 @@ import pytest
 from building_examples import NO_TORSION, PINNED, braced_frames, changed, design_of, moment_frames, number_of
 
 from edesign.archive.reader import open_archive
-from edesign.building.building_file import load_building
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec8.capacity import foundation_factor
+from edesign.frame.building_file import load_building
+from edesign.frame.sections.steel_section import steel_section
 from edesign.report.building.foundation_table import foundation_summary, foundation_table
 from edesign.report.building.results import BuildingResults
 from edesign.report.tables.number import significant

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from edesign.building.building_file import load_building
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
 from edesign.space.structure.geometry import space_frame
 
 TEXT = """\

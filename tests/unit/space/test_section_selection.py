@@ -13,10 +13,10 @@ from building_examples import building
 from selection_examples import FRAMES, INTERIOR, enumerated, random_frames
 
 from edesign.archive.reader import open_archive
-from edesign.building.building_file import load_building
-from edesign.building.sections.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
+from edesign.frame.sections.steel_section import steel_section
 from edesign.one_thread import one_thread
 from edesign.project.reading.problems import FileProblems
 from edesign.report.building.basis_tables import selection_table

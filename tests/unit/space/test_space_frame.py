@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from building_examples import IRREGULAR, SMALL, building
 
-from edesign.building.building_file import load_building
 from edesign.errors import InputError
+from edesign.frame.building_file import load_building
 from edesign.project.building import Building
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.check import check_building, floor_loads

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from building_examples import SMALL, building, design_of
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
+from edesign.frame.sections.steel_section import steel_section
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.groups import groups_of
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness

@@ -7,9 +7,9 @@ import pytest
 from building_examples import NO_TORSION, PINNED, bending_only, building, changed, design_of, portals
 from scipy.optimize import brentq
 
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.imperfections import initial_sway
 from edesign.core.space import PROPERTIES
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
 from edesign.space.analysis.sway import STABLE, critical_factors
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign

@@ -7,7 +7,7 @@ import pytest
 from building_examples import braced_frames, changed, design_of, number_of
 from scipy.constants import g
 
-from edesign.building.sections.steel_section import steel_section
+from edesign.frame.sections.steel_section import steel_section
 
 HALL = changed(
     braced_frames(y="24 m", storeys="5 m, 4 m", braces="kind: cross, section: SHS200x10"),

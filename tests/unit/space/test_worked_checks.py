@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 from edesign.archive.reader import open_archive
-from edesign.building.building_file import load_building
-from edesign.building.sections.section_class import section_class
-from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, quarter_moments, rolled_curve
 from edesign.codes.ec3.member import Member, Stability
 from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
 from edesign.codes.trace import Step, Trace
+from edesign.frame.building_file import load_building
+from edesign.frame.sections.section_class import section_class
+from edesign.frame.sections.steel_section import steel_section
 from edesign.report.building.checks import worked_check
 from edesign.report.building.results import BuildingResults
 from edesign.study.run.building import run_building

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from shear_frames import MASS, shear_frame_text
 
-from edesign.building.sections.profiles import profile_names
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import Project, parse_project
 
 NODE_MASS = MASS / 2  # kg

@@ -15,8 +15,8 @@ from cases import suite_project
 from unit.study import toy_calls
 from unit.study.toy_calls import Listener, check_mixed, mixed_calls, run_all
 
-from edesign.building.project_file import load_project
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.motions import project_motions
 from edesign.study.plan.plan import make_plan

@@ -10,9 +10,9 @@ import pytest
 from unit.study.frames import project
 
 from edesign.archive.dataset import Group
-from edesign.building.project_file import load_project
-from edesign.building.struts import frame_bars
 from edesign.cli.main import main
+from edesign.frame.project_file import load_project
+from edesign.frame.struts import frame_bars
 from edesign.project import ProjectError
 from edesign.study.analysis.buckling import slender_braces
 from edesign.study.analysis.structure import make_frame

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from edesign.building.project_file import load_project, load_study
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project, load_study
 from edesign.project.dampers.device_names import names_of_dampers
 from edesign.project.dampers.verification import Verify
 from edesign.project.study.study_loader import parse_study

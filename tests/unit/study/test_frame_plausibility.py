@@ -105,7 +105,7 @@ def test_loads_five_times_too_large_make_beams_yield() -> None:
 
 @pytest.mark.parametrize("name", ["thesis_10_storey", "thesis_one_storey", "thesis_three_storey"])
 def test_the_projects_that_are_shipped_are_plausible(name: str) -> None:
-    from edesign.building.project_file import load_project
+    from edesign.frame.project_file import load_project
 
     made = load_project(Path(__file__).parents[3] / "projects" / name / "project.yaml")
     assert implausible(made, fundamental_period(made)) == []

@@ -11,8 +11,8 @@ from cases.incremental_portal import HEIGHT, histories, study, write
 
 from edesign.archive.reader import open_archive
 from edesign.assess.incremental import collect_stripes
-from edesign.building.project_file import load_study
 from edesign.errors import InputError
+from edesign.frame.project_file import load_study
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.validity import Validity

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.building.project_file import load_project
+from edesign.frame.project_file import load_project
 from edesign.project.template import new_project
 from edesign.study.plan.plan import make_plan
 

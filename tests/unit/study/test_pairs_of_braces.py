@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.building.sections.building_sections import BuildingSections
-from edesign.building.sections.steel_section import steel_section
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project import parse_project
 from edesign.project.analysis.analyses import PushoverAnalysis
 from edesign.study.analysis.pushover import run_pushover

@@ -14,10 +14,10 @@ import edesign
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.building.project_file import load_project, load_study
 from edesign.damper.testing.property_table import write_property_table
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
+from edesign.frame.project_file import load_project, load_study
 from edesign.ground_motion.record import Record
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws
@@ -145,7 +145,7 @@ CHANGES = (
     change_numpy,
     change_processor,
     change_package("study/run/run.py"),
-    change_package("building/sections/data/profiles.csv"),
+    change_package("frame/sections/data/profiles.csv"),
     change_package("damper/data/parameter_sets.yaml"),
     change_package("codes/ec8/data/*.yaml"),  # national parameters
 )

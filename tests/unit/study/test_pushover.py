@@ -7,8 +7,8 @@ import pytest
 from unit.study.frames import PORTAL, project, shear_frame
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import build_frame
 from edesign.errors import InputError
+from edesign.frame.frame import build_frame
 from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.run.analyses import run_analysis
 

@@ -12,9 +12,9 @@ from messages import says
 from edesign import check_project
 from edesign.archive.dataset import Group
 from edesign.assess.quantities import lacking, located_quantity
-from edesign.building.frame import build_frame
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
+from edesign.frame.frame import build_frame
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import Project, parse_project
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.device_names import names_of_dampers

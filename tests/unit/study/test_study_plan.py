@@ -8,8 +8,8 @@ import pytest
 from cases.small_study import HISTORIES, PLANNED, write
 
 from edesign.archive.reader import open_archive
-from edesign.building.project_file import load_study
 from edesign.errors import InputError
+from edesign.frame.project_file import load_study
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis
 from edesign.project.study.study import Study
 from edesign.study.plan.study_plan import make_study_plan, wanted_designs

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from cases.small_study import write
 
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.study.check.advice import study_warnings
 from edesign.study.plan.study_plan import make_study_plan
 

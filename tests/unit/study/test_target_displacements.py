@@ -11,7 +11,7 @@ import pytest
 from unit.study.frames import PORTAL, project, shear_frame
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import build_frame
+from edesign.frame.frame import build_frame
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project import Project
 from edesign.project.analysis.pushover import GivenPattern

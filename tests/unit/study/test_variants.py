@@ -9,7 +9,7 @@ import pytest
 from cases.small_study import write
 
 from edesign.archive.dataset import Group
-from edesign.building.project_file import load_study
+from edesign.frame.project_file import load_study
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.notation.selections import ALL_NUMBERS

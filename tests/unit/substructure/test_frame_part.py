@@ -11,9 +11,9 @@ import pytest
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.assess.measures import response_measures
-from edesign.building.sections.profiles import profile_names
 from edesign.core.substructure import SubstructureLoop
 from edesign.errors import InputError
+from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.project.substructure import load_rts_file, parse_rts_file
 from edesign.report.archive.summary import summarise

@@ -11,11 +11,11 @@ import pytest
 from messages import says
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.building.sections.building_sections import BuildingSections
 from edesign.cli.main import main
 from edesign.core.substructure import SubstructureLoop
 from edesign.damper.testing.campaign import load_campaign
 from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.substructure import load_rts_file, parse_rts_file
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile

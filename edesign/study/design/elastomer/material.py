@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from edesign.building.devices import DeviceLaw
 from edesign.damper.harmonic import complex_stiffness
 from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.testing.property_table import PropertyTable, property_table_content, read_property_table
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
+from edesign.frame.devices import DeviceLaw
 from edesign.project.dampers.designs import ElastomerDesign, FileProperties, FixedProperties
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file

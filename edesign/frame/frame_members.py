@@ -1,0 +1,130 @@
+"""The members of a project's frame in the core's model."""
+
+from __future__ import annotations
+
+import math
+
+from edesign.core import Model
+from edesign.frame.frame_model import Kind, Member
+from edesign.frame.hinges import MemberBuilder, MemberEnd, member_ends
+from edesign.frame.loads import Stretches
+from edesign.frame.panel_zones import BuiltPanel, PanelBuilder, panels_of
+from edesign.frame.rigid_ends import rigid_ends
+from edesign.frame.sections.core_sections import CoreSections
+from edesign.frame.struts import equivalent_camber
+from edesign.project.actions.beam_loads import breaks_of_members
+from edesign.project.frame.braces import BraceBuckling
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.members import BraceRun
+from edesign.project.project import Project
+
+
+def add_members(
+    project: Project, model: Model, nodes: dict[str, int]
+) -> tuple[dict[str, Member], dict[int, list[int]], dict[str, BuiltPanel]]:
+    """Add columns, beams and braces, their hinges and panel zones, to the model of a frame.
+
+    Args:
+        nodes: ids by name.
+
+    Returns:
+        Members by name, nodes behind hinges and joints that share the displacements of a node, and panel zones.
+
+    Raises:
+        InputError: a member has a section that it cannot have.
+    """
+    parts = CoreSections(project, model)
+    geometry = project.elements.geometry
+    of_kind: dict[Kind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
+    kinds: dict[str, Kind] = {"C": "column", "B": "beam", "D": "brace"}
+    places = {node: project.frame.nodes[place] for place, node in nodes.items()}
+    panels = PanelBuilder(model, nodes, places, panels_of(project))
+    builder = MemberBuilder(model, places)
+    at_ends = member_ends(project)
+    breaks = breaks_of_members(project.frame, project.loads)
+    rigid = rigid_ends(project)
+    found = {}
+    for name, run in project.frame.members.items():
+        start, end = project.frame.ends[name]
+        kind = kinds[name[0]]
+        if isinstance(run, BraceRun):
+            if run.buckling is not None:
+                found[name] = _buckling_brace(project, model, parts, name, run, run.buckling, (start, end), nodes)
+                continue
+            material, area = parts.brace(run)
+            element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
+            found[name] = Member(name, kind, element, start, end, None, (element,))
+            continue
+        first, last = at_ends.get(name, (MemberEnd(), MemberEnd()))
+        arms = panels.arm(start, kind), panels.arm(end, kind)
+        ends = first.from_edge(arms[0]), last.from_edge(arms[1])
+        hinged = any(of.hinge is not None for of in ends)
+        section, layers = parts.section(run, hinged)
+        EI = parts.bending_stiffness(run)
+        between = project.frame.length(name) - sum(arms)
+        built = builder.add(
+            name,
+            panels.ends(name, (start, end), EI, of_kind[kind]),
+            section,
+            EI,
+            project.elements.integration_points,
+            of_kind[kind],
+            project.frame.released.get(name, (False, False)),
+            ends,
+            Stretches(arms, (between,)).on_only_element(breaks.get(name, ())),
+        )
+        if name in rigid:  # such a member has no hinges and no panel zones
+            model.rigid_ends(built.interior, *rigid[name])
+        stretches = Stretches(arms, built.lengths)
+        found[name] = Member(
+            name,
+            kind,
+            built.interior,
+            start,
+            end,
+            layers,
+            built.parts,
+            stretches,
+            built.springs,
+            rigid_ends=rigid.get(name, (0.0, 0.0)),
+        )
+    return found, builder.moving_with, panels.built
+
+
+def _buckling_brace(
+    project: Project,
+    model: Model,
+    parts: CoreSections,
+    name: str,
+    run: BraceRun,
+    buckling: BraceBuckling,
+    ends: tuple[str, str],
+    nodes: dict[str, int],
+) -> Member:
+    """Add a brace that buckles."""
+    start, end = ends
+    length = project.frame.length(name)
+    camber = buckling.camber
+    if camber == "ec3":
+        effective = run.buckling_length_factor * length
+        camber = equivalent_camber(project, run.section, run.material, buckling.axis, effective)
+    stiffnesses = {"pinned": 0.0, "fixed": math.inf}
+    stiffness = stiffnesses[buckling.ends] if isinstance(buckling.ends, str) else buckling.ends
+    section, material, area = parts.buckling_brace(run, buckling)
+    element = model.strut(
+        name,
+        nodes[start],
+        nodes[end],
+        section,
+        material,
+        area,
+        camber,
+        elements=buckling.n_elements,
+        points=project.elements.integration_points,
+        buckling_length=run.buckling_length_factor,
+        end_stiffness=stiffness,
+        geometry=project.elements.geometry.braces,
+    )
+    steel = project.materials[run.material]
+    yields = math.inf if isinstance(steel, ElasticMaterial) else steel.fy * length / steel.E
+    return Member(name, "brace", element, start, end, None, (element,), yield_elongation=yields)

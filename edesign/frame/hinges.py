@@ -1,0 +1,400 @@
+"""Members with springs at their ends: plastic hinges, and semi-rigid joints."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import dist, inf, sqrt
+from typing import TYPE_CHECKING, Literal
+
+from edesign.codes.lignos_krawinkler import (
+    CAPPING_RATIO,
+    EFFECTIVE_YIELD,
+    RESIDUAL_RATIO,
+    ULTIMATE_ROTATION,
+    rotation_capacity,
+)
+from edesign.errors import InputError
+from edesign.frame.sections.i_shape import i_section, i_shape
+from edesign.project.frame.hinges import Hinges, HingeSide, HingeValues, Joints
+from edesign.project.frame.members import BraceRun
+from edesign.project.notation import names
+from edesign.project.project import Project
+
+if TYPE_CHECKING:
+    from edesign.core import DeterioratingSide, Model, SpringLaw
+
+TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
+"""Terms of a spring between two nodes at one place whose deformation is the rotation of the second less the first."""
+END_NAMES = ("start", "end")
+LATERAL_BRACING = 0.086
+"""Largest distance of lateral braces of highly ductile beams over r_y E / F_y (AISC 341-10, D1.2b)."""
+
+SpringKind = Literal["hinge", "joint"]
+
+
+@dataclass(frozen=True)
+class EndSpring:
+    """A spring at a member's end; its moment is that on the end, anticlockwise, its rotation adds to the chord's.
+
+    Attributes:
+        element: its id in the core.
+        kind: what it stands for.
+        stiffness: at the start, N m/rad.
+        of_member: E I / L of its member, N m.
+        M_y: effective yield moment, or resistance of the joint, N m; infinite if it does not yield.
+        rotations: theta_p, theta_pc, theta_u of a hinge, rad; of a joint nan.
+    """
+
+    element: int
+    kind: SpringKind
+    stiffness: float
+    of_member: float
+    M_y: float = inf
+    rotations: tuple[float, float, float] = (float("nan"),) * 3
+
+    @property
+    def yields(self) -> bool:
+        """True if the spring can yield."""
+        return self.M_y < inf
+
+
+@dataclass(frozen=True)
+class MemberEnd:
+    """Hinge and joint at one end of a member.
+
+    Attributes:
+        hinge: the moment and rotation of a hinge, None: none.
+        distance: from the node to the hinge, m.
+        ratio: n of the hinge.
+        joint: the joint, None: it does not turn.
+    """
+
+    hinge: HingeValues | None = None
+    distance: float = 0.0
+    ratio: float = 10.0
+    joint: Joints | None = None
+
+    def from_edge(self, arm: float) -> MemberEnd:
+        """Return the end with the distance from the edge of a panel zone; a hinge in the panel stands at its edge.
+
+        Args:
+            arm: from the node to the edge, m.
+        """
+        return replace(self, distance=max(self.distance - arm, 0.0)) if arm else self
+
+
+Ends = tuple[MemberEnd, MemberEnd]
+
+
+def member_ends(project: Project) -> dict[str, Ends]:
+    """Return the hinges and joints at the ends of the members that have any, by name.
+
+    Raises:
+        InputError: the regression does not know a section.
+    """
+    found: dict[str, list[MemberEnd]] = {}
+    frame = project.frame
+    for i, hinges in enumerate(project.hinges):
+        for first, last in frame.members_in(hinges.beams, hinges.columns):
+            for name, end in _chosen(first, last, hinges.ends):
+                distance = _distance(project, hinges, name, end, i)
+                of = found.setdefault(name, [MemberEnd(), MemberEnd()])
+                of[end] = replace(of[end], hinge=None, distance=distance, ratio=hinges.stiffness_ratio)
+        for first, last in frame.members_in(hinges.beams, hinges.columns):
+            for name, end in _chosen(first, last, hinges.ends):
+                of = found[name]
+                of[end] = replace(of[end], hinge=_values(project, hinges, name, of, i))
+    for joints in project.joints:
+        for first, last in frame.members_in(joints.beams, joints.columns):
+            for name, end in _chosen(first, last, joints.ends):
+                of = found.setdefault(name, [MemberEnd(), MemberEnd()])
+                of[end] = replace(of[end], joint=joints)
+    return {name: (of[0], of[1]) for name, of in found.items()}
+
+
+def _chosen(first: str, last: str, ends: str) -> list[tuple[str, int]]:
+    """(member, end) of a beam or column, which may be two members in line."""
+    both = {"start": [(first, 0)], "end": [(last, 1)]}
+    return [*both["start"], *both["end"]] if ends == "both" else both[ends]
+
+
+def _distance(project: Project, hinges: Hinges, name: str, end: int, i: int) -> float:
+    cut = hinges.reduced_section
+    distance = hinges.distance
+    if distance is None:
+        distance = 0.0
+        if cut is not None:
+            distance = 0.5 * _column_depth(project, name, end, i) + cut.a + 0.5 * cut.b
+    if not distance < 0.5 * project.frame.length(name):
+        where = project.where("hinges", i)
+        raise InputError(
+            f"{where}: the hinge of {name} is {distance:.3g} m from its node, beyond the middle of the member"
+            " [E-HINGE-01]"
+        )
+    return distance
+
+
+def _column_depth(project: Project, name: str, end: int, i: int) -> float:
+    """Depth of the deeper column at the node of a beam's end, m."""
+    frame = project.frame
+    node = frame.ends[name][end]
+    depths = []
+    for (line, storey), run in frame.column_at.items():
+        if node in (names.node_name(line, storey), names.node_name(line, storey - 1)):
+            plates = i_shape(project, run)
+            if plates is None:
+                where = project.where("hinges", i)
+                raise InputError(
+                    f"{where}: the column at {node} has no I section; give the `distance` of the hinges [E-HINGE-02]"
+                )
+            depths.append(plates.height)
+    return max(depths, default=0.0)
+
+
+def _values(project: Project, hinges: Hinges, name: str, of: Sequence[MemberEnd], i: int) -> HingeValues:
+    if isinstance(hinges.parameters, HingeValues):
+        return hinges.parameters
+    run = project.frame.members[name]
+    where = project.where("hinges", i, "parameters")
+    assert not isinstance(run, BraceRun)
+    section, plates = i_section(project, run), i_shape(project, run)
+    if section is None or plates is None:
+        raise InputError(
+            f"{where}: the regression is for I sections of steel that yields; {name} has `{run.section}` of "
+            f"`{run.material}`: give its parameters one by one [E-HINGE-02]"
+        )
+    cut, kind = hinges.reduced_section, "other" if hinges.reduced_section is None else "reduced"
+    r_y = sqrt(section.weak_inertia / section.area)
+    unbraced = hinges.unbraced_length
+    if unbraced is None:
+        unbraced = LATERAL_BRACING * r_y * section.E / section.expected_yield
+    clear = project.frame.length(name) - of[0].distance - of[1].distance
+    span = 0.5 * clear if hinges.ends == "both" else clear
+    capacity = rotation_capacity(
+        section.web_slenderness,
+        section.flange_slenderness,
+        unbraced / r_y,
+        span / plates.height,
+        plates.height,
+        section.expected_yield,
+        cut is not None,
+    )
+    Z = section.plastic_modulus
+    if cut is not None:
+        if not 2.0 * cut.c < plates.width:
+            at = project.where("hinges", i, "reduced_section", "c")
+            raise InputError(
+                f"{at}: two cuts of {cut.c:g} m leave nothing of the flange of {name}, {plates.width:g} m wide"
+                " [E-HINGE-03]"
+            )
+        Z -= 2.0 * cut.c * plates.flange * (plates.height - plates.flange)
+    M_y = EFFECTIVE_YIELD[kind] * Z * section.expected_yield
+    return HingeValues.model_construct(
+        M_y=M_y,
+        M_c_ratio=CAPPING_RATIO[kind],
+        M_r_ratio=RESIDUAL_RATIO,
+        theta_p=capacity.plastic,
+        theta_pc=capacity.post_capping,
+        theta_u=ULTIMATE_ROTATION,
+        Lambda=capacity.Lambda,
+    )
+
+
+def _hinge_law(values: HingeValues, stiffness: float, end: int) -> SpringLaw:
+    """Return the core's law of a hinge at the start (0) or end (1) of a member.
+
+    A moment that pulls at the bottom turns the start clockwise and the end anticlockwise, which is positive.
+
+    Args:
+        values: moments and rotations of the hinge.
+        stiffness: before yield, N m/rad.
+        end: 0: start, 1: end.
+    """
+    from edesign.core import DeterioratingSpring
+
+    other = values.hogging
+    sagging = _side(values, HingeSide())
+    hogging = _side(values, other)
+    sides = (hogging, sagging) if end == 0 else (sagging, hogging)
+
+    def energy(own: float | None) -> float:
+        Lambda = own if own is not None else values.Lambda
+        return inf if Lambda is None else Lambda * values.M_y
+
+    strength, after_capping, unloading = map(energy, (values.Lambda_s, values.Lambda_c, values.Lambda_k))
+    return DeterioratingSpring(stiffness, *sides, strength, after_capping, unloading, (values.c,) * 3)
+
+
+def _side(values: HingeValues, other: HingeSide) -> DeterioratingSide:
+    from edesign.core import DeterioratingSide
+
+    def of(name: str) -> float:
+        own = getattr(other, name)
+        return float(getattr(values, name) if own is None else own)
+
+    return DeterioratingSide(
+        plastic=of("theta_p"),
+        capping=of("theta_pc"),
+        ultimate=of("theta_u"),
+        yield_force=of("M_y"),
+        capped=of("M_c_ratio"),
+        residual=of("M_r_ratio"),
+        rate=of("D"),
+    )
+
+
+@dataclass(frozen=True)
+class BuiltMember:
+    """Parts of a member in the core.
+
+    Attributes:
+        parts: its elements from the start; springs are not among them.
+        lengths: of these, m.
+        interior: the one between the hinges.
+        springs: at its start and at its end.
+    """
+
+    parts: tuple[int, ...]
+    lengths: tuple[float, ...]
+    interior: int
+    springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]]
+
+
+@dataclass(frozen=True)
+class _BuiltEnd:
+    """An end of a member in the core.
+
+    Attributes:
+        inner: node at which the part between the hinges ends.
+        springs: from the member's node inwards.
+        flexibility: of its hinge, which the member leaves out, rad/(N m).
+        stub: nodes of the short part outside of its hinge, None: there is none.
+    """
+
+    inner: int
+    springs: tuple[EndSpring, ...]
+    flexibility: float
+    stub: tuple[int, int] | None
+
+
+class MemberBuilder:
+    """Adds members with springs at their ends to a model.
+
+    Args:
+        places: of all nodes by their ids, m; nodes that are added are noted.
+
+    Attributes:
+        moving_with: nodes behind springs that share the displacements of a node, by its id.
+    """
+
+    def __init__(self, model: Model, places: dict[int, tuple[float, float]]) -> None:
+        self._model, self._places = model, places
+        self.moving_with: dict[int, list[int]] = {}
+
+    def add(
+        self,
+        name: str,
+        nodes: tuple[int, int],
+        section: int,
+        EI: float,
+        points: int,
+        geometry: str,
+        release: tuple[bool, bool],
+        ends: Ends,
+        breaks: Sequence[float] = (),
+    ) -> BuiltMember:
+        """Add a member.
+
+        Args:
+            nodes: ids of its nodes.
+            section: id in the core, elastic if there are hinges.
+            EI: bending stiffness of the elastic section, N m2.
+            points: of integration in a member of fibres.
+            geometry: transformation of the member: "linear", "p_delta" or "corotational".
+            release: whether its start and its end are free of moment.
+            ends: what stands at its start and end.
+            breaks: rising positions 0..1 between its nodes where loads begin, end or stand; the parts of a member with
+                hinges are elastic and need none.
+
+        Returns:
+            The parts of the member in the core, and the springs of its hinges.
+        """
+        model = self._model
+        length = dist(*(self._places[node] for node in nodes))
+        interior = length - ends[0].distance - ends[1].distance
+        built = [self._end(name, end, nodes, ends[end], EI, length, interior) for end in (0, 1)]
+        without = [end.flexibility for end in built]
+        element = model.beam_column(
+            name,
+            built[0].inner,
+            built[1].inner,
+            section,
+            points=points,
+            geometry=geometry,
+            release=release,
+            breaks=() if any(without) else breaks,
+        )
+        if any(without):
+            model.without_flexibility(element, *without)
+            model.damping_factor(element, _damping_factor(without, EI, interior))
+        parts, lengths = [element], [interior]
+        for end, of in enumerate(built):
+            if of.stub is None:
+                continue
+            pair, at = (of.stub, 0) if end == 0 else (of.stub[::-1], len(parts))
+            parts.insert(at, model.beam_column(f"{name}.{END_NAMES[end]}", *pair, section, 2, geometry))
+            lengths.insert(at, ends[end].distance)
+        return BuiltMember(tuple(parts), tuple(lengths), element, (built[0].springs, built[1].springs))
+
+    def _end(
+        self, name: str, end: int, nodes: tuple[int, int], of: MemberEnd, EI: float, length: float, interior: float
+    ) -> _BuiltEnd:
+        """Add the nodes and springs of an end, from its node inwards: joint, stub, hinge."""
+        from edesign.core import MultilinearSpring
+
+        label, at = f"{name}.{END_NAMES[end]}", nodes[end]
+        springs: list[EndSpring] = []
+        stub, flexibility = None, 0.0
+        if of.joint is not None:
+            joint = of.joint
+            law = MultilinearSpring.bilinear(joint.stiffness, joint.resistance, joint.hardening)
+            at, spring = self._spring(f"{label}.joint", at, law)
+            resistance = inf if joint.resistance is None else joint.resistance
+            springs.append(EndSpring(spring, "joint", joint.stiffness, EI / length, resistance))
+        if of.hinge is not None:
+            if of.distance > 0.0:
+                (x0, y0), (x1, y1) = (self._places[node] for node in nodes)
+                share = of.distance / length if end == 0 else 1.0 - of.distance / length
+                cut = self._node(f"{label}.cut", (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
+                stub, at = (at, cut), cut
+            stiffness = (of.ratio + 1.0) * 6.0 * EI / interior
+            flexibility = 1.0 / stiffness
+            at, spring = self._spring(f"{label}.hinge", at, _hinge_law(of.hinge, stiffness, end))
+            self._model.damping_factor(spring, 0.0)
+            values = (of.hinge.theta_p, of.hinge.theta_pc, of.hinge.theta_u)
+            springs.append(EndSpring(spring, "hinge", stiffness, EI / length, of.hinge.M_y, values))
+        return _BuiltEnd(at, tuple(springs), flexibility, stub)
+
+    def _node(self, name: str, place: tuple[float, float]) -> int:
+        node = self._model.node(name, *place)
+        self._places[node] = place
+        return node
+
+    def _spring(self, name: str, outer: int, law: SpringLaw) -> tuple[int, int]:
+        """A spring between a node and another one at the same place, which is returned with it."""
+        inner = self._node(name, self._places[outer])
+        self._model.tie(inner, outer, ux=True, uy=True)
+        for moving in self.moving_with.values():
+            moving += [inner] if outer in moving else []
+        self.moving_with.setdefault(outer, []).append(inner)
+        return inner, self._model.spring(name, inner, outer, TURN, law)
+
+
+def _damping_factor(without: Sequence[float], EI: float, length: float) -> float:
+    """Energy of the plain member over that of the part between its hinges, in double curvature.
+
+    With hinges of one n at both ends it is (n + 1) / n (Zareian & Medina 2010, Eq. 9).
+    """
+    plain = length / (6.0 * EI)
+    return 2.0 * plain / (2.0 * plain - sum(without))

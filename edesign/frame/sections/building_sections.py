@@ -1,0 +1,52 @@
+"""The names of sections that a file may use: the catalogue's, and hollow sections of any size."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from edesign.errors import InputError
+from edesign.frame.sections.hollow_section import hollow_section
+from edesign.frame.sections.profiles import profile_names
+
+
+class BuildingSections(Collection[str]):
+    """The names of sections that a building or project may use: the catalogue's, and hollow sections of any size."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, BuildingSections)
+
+    def __hash__(self) -> int:
+        return hash(BuildingSections)
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and self.canonical(name) == name
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(profile_names())
+
+    def __len__(self) -> int:
+        return len(profile_names())
+
+    def canonical(self, name: str) -> str | None:
+        """Return the name as edesign writes it, `SHS200x10`; None if there is no such section.
+
+        Args:
+            name: as a user writes it.
+        """
+        try:
+            hollow = hollow_section(name)
+        except InputError:
+            return None
+        return profile_names().canonical(name) if hollow is None else hollow.name
+
+    def near(self, name: str) -> str:
+        """Return what there is near a name that is none, as a clause.
+
+        Args:
+            name: as a user writes it.
+        """
+        try:
+            hollow_section(name)
+        except InputError as error:
+            return str(error).rpartition(" [")[0]  # its code is not that of the whole message
+        return profile_names().near(name)

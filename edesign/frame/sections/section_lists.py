@@ -1,0 +1,85 @@
+"""Sections to choose from: what a family stands for, and which of its sections are worth trying."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.frame.sections.profiles import profile_names
+from edesign.frame.sections.steel_section import SteelSection, steel_section
+
+_THICKNESSES = (2.5, 3, 3.2, 3.6, 4, 5, 6, 6.3, 8, 10, 12, 12.5, 16, 20)
+_SQUARE = {
+    40: (2.5, 5),
+    50: (2.5, 6.3),
+    60: (3, 8),
+    70: (3, 8),
+    80: (3.2, 8),
+    90: (3.6, 8),
+    100: (3.6, 10),
+    120: (4, 12.5),
+    140: (5, 12.5),
+    150: (5, 16),
+    160: (5, 16),
+    180: (5, 16),
+    200: (5, 16),
+    250: (5, 16),
+    300: (6, 16),
+    350: (8, 16),
+    400: (8, 20),
+}
+"""Least and largest thickness of hot finished squares, mm, by their sides. Source: EN 10210-2:1997, Annex B."""
+SQUARES = "SHS"
+_OTHER_HOLLOW = ("RHS", "CHS", "CFSHS", "CFRHS", "CFCHS")
+_AS_GOOD = ("I_y", "I_z", "W_pl_y", "W_pl_z")
+_AS_GOOD_IN_SHEAR = (*_AS_GOOD, "A_vz")
+
+
+def sections_of(asked: str) -> tuple[SteelSection, ...]:
+    """Return the sections that a name stands for: a family, a pattern such as `HEB3*`, or one section.
+
+    Args:
+        asked: `HEB`, `SHS` (hot finished), `IPE3*`, `HEB300`, `SHS200x10`.
+
+    Raises:
+        InputError: there is none.
+    """
+    if (known := BuildingSections().canonical(asked)) is not None:
+        return (steel_section(known),)
+    if asked.upper() == SQUARES:
+        sizes = [(side, t) for side, (least, most) in _SQUARE.items() for t in _THICKNESSES if least <= t <= most]
+        names = [f"{SQUARES}{side}x{t:g}" for side, t in sizes]
+    elif asked.upper() in _OTHER_HOLLOW:
+        raise InputError(
+            f"`{asked}` has no list of sizes; name the sections one by one, such as `CHS168.3x8` [E-SECT-03]"
+        )
+    else:
+        names = profile_names().chosen(asked)
+    if not names:
+        raise InputError(f"there is no section or family `{asked}`; {BuildingSections().near(asked)} [E-NAME-01]")
+    return tuple(map(steel_section, names))
+
+
+def family_of(section: str) -> str:
+    """Return the family of a section: `HEB` of HEB300, `SHS` of SHS200x10."""
+    return section.rstrip("0123456789.x ").upper()
+
+
+def efficient(
+    sections: Iterable[SteelSection], cost: Callable[[SteelSection], float] = lambda of: of.A
+) -> list[SteelSection]:
+    """Return the sections that no cheaper one equals in all inertias and moduli, I sections in shear area too.
+
+    Of squares the small ones with thick walls are left out so.
+
+    Args:
+        sections: to choose from.
+        cost: of a length of a section; by default its area, as mass is.
+    """
+    found: list[SteelSection] = []
+    for section in sorted(sections, key=lambda of: (cost(of), of.name)):
+        keys = _AS_GOOD_IN_SHEAR if section.kind == "I" else _AS_GOOD
+        if not any(all(getattr(other, key) >= getattr(section, key) for key in keys) for other in found):
+            found.append(section)
+    return found

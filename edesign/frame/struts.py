@@ -1,0 +1,179 @@
+"""Members as struts: the compression at which they buckle by EN 1993-1-1, which the analysis of most does not follow.
+
+A brace is a bar between two nodes and carries compression as it carries tension; a column is analysed in the plane of
+the frame only. Both axes count here, with the buckling length between nodes (of braces times their factor).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from edesign.codes.ec3.buckling import (
+    IMPERFECTION,
+    NO_BUCKLING,
+    Curve,
+    buckling_resistance,
+    critical_force,
+    hollow_curve,
+    reduction_factor,
+    rolled_i_curve,
+    slenderness,
+    solid_curve,
+    welded_i_curve,
+)
+from edesign.frame.sections.named_section import cross_section
+from edesign.frame.sections.section import CrossSection
+from edesign.frame.sections.steel_section import SteelSection, steel_section
+from edesign.project.frame.braces import CAMBER
+from edesign.project.frame.materials import ElasticMaterial, Material
+from edesign.project.frame.members import BraceRun
+from edesign.project.frame.sections import PlateSection, RectangleSection, SectionAxis
+from edesign.project.project import Project
+
+if TYPE_CHECKING:
+    from edesign.frame.frame_model import FrameModel
+
+AxisData = tuple[float, Curve]  # second moment of area, m4, and buckling curve
+
+
+Kind = Literal["column", "brace", "brace of a damper"]
+
+
+@dataclass(frozen=True)
+class Strut:
+    """A member in compression.
+
+    Attributes:
+        length: L_cr, m.
+        slenderness: non-dimensional, about the axis that governs; of a steel that does not yield it is infinite.
+        resistance: N_b,Rd, N; of a steel that does not yield N_cr.
+        squash: A f_y, N; of a steel that does not yield infinite.
+    """
+
+    length: float
+    slenderness: float
+    resistance: float
+    squash: float
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A member of a frame that is compressed.
+
+    Attributes:
+        name: of the column or brace, or of the damper that the brace belongs to.
+        section: its name.
+        strut: None: the section has no second moment of area, or the bar is not to be judged.
+        compression: whether its compression is to be judged: not where it does not count, or the bar buckles itself.
+    """
+
+    name: str
+    kind: Kind
+    section: str
+    strut: Strut | None
+    compression: bool = True
+
+
+def strut(project: Project, section: str, material: str, length: float) -> Strut | None:
+    """Return a member as a strut; None if its section has no second moment of area.
+
+    Rolled profiles count with their fillets, hollow sections with their own curve. An own elastic section has one axis,
+    and curve c: its shape is not known. A stack of rectangles is taken as solid.
+
+    Args:
+        section: its name in the project.
+        material: its name in the project.
+        length: L_cr about both axes, m.
+
+    Returns:
+        Length, slenderness and resistances of the strut, or None.
+
+    Source: EN 1993-1-1:2005, 6.3.1.
+    """
+    steel = project.materials[material]
+    area, axes = _section(project, section, steel)
+    if not axes:
+        return None
+    critical = [(critical_force(steel.E, inertia, length), curve) for inertia, curve in axes]
+    if isinstance(steel, ElasticMaterial):
+        return Strut(length, math.inf, min(force for force, _ in critical), math.inf)
+    squash = area * steel.fy
+    slendernesses = [(slenderness(area, steel.fy, force), curve) for force, curve in critical]
+    chi, governing = min((reduction_factor(value, curve), value) for value, curve in slendernesses)
+    return Strut(length, governing, buckling_resistance(area, steel.fy, chi), squash)
+
+
+SMALLEST_CAMBER = 1e-5
+"""Camber / length of a brace that by EN 1993-1-1, 6.3.1.2(4), needs none: a straight one has no side to buckle to."""
+
+
+def equivalent_camber(project: Project, section: str, material: str, axis: SectionAxis, length: float) -> float:
+    """Return the camber / length with which first yield of a pinned strut is at N_b,Rd.
+
+    Args:
+        section: its name in the project.
+        material: name of its steel in the project; the steel yields.
+        axis: about which the strut buckles; a stack of rectangles has its own only.
+        length: L_cr, m.
+
+    Source: EN 1993-1-1:2005, 5.3.2(11) with 6.3.1.2: e_0 = alpha (lambda - 0.2) W_el / A.
+    """
+    steel = project.materials[material]
+    if isinstance(steel, ElasticMaterial):
+        return CAMBER
+    own, shape = project.sections.get(section), cross_section(project, section, axis)
+    area, axes = _section(project, section, steel)
+    inertia, curve = axes[1 if axis == "weak" and not isinstance(own, RectangleSection) else 0]
+    if own is not None:
+        assert isinstance(shape, CrossSection)  # an elastic section does not buckle
+        farthest = shape.farthest
+    else:
+        known = steel_section(section)
+        farthest = 0.5 * (known.b if axis == "weak" else known.h)
+    relative = slenderness(area, steel.fy, critical_force(steel.E, inertia, length))
+    camber = IMPERFECTION[curve] * (relative - NO_BUCKLING) * inertia / (farthest * area)
+    return max(camber / length, SMALLEST_CAMBER)
+
+
+def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
+    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section."""
+    found = []
+    for member in (*frame.of_kind("column"), *frame.of_kind("brace")):
+        run = project.frame.members[member.name]
+        length = project.frame.length(member.name) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
+        kind: Kind = "brace" if member.kind == "brace" else "column"
+        if isinstance(run, BraceRun) and (run.buckling is not None or not run.compression):
+            found.append(Bar(member.name, kind, run.section, None, compression=False))
+            continue
+        found.append(Bar(member.name, kind, run.section, strut(project, run.section, run.material, length)))
+    for device in frame.devices:
+        bar = device.brace_bar
+        if bar is not None:
+            made = strut(project, bar.section, bar.material, bar.length)
+            found.append(Bar(device.name, "brace of a damper", bar.section, made))
+    return found
+
+
+def _section(project: Project, name: str, steel: Material) -> tuple[float, list[AxisData]]:
+    """Area (m2), and about each axis second moment of area and buckling curve."""
+    own = project.sections.get(name)
+    shape = cross_section(project, name)
+    if not isinstance(shape, CrossSection):
+        return shape.area, [] if shape.inertia is None else [(shape.inertia, solid_curve())]
+    if own is None:
+        steel_shape = steel_section(name)
+        curves = _catalogue_curves(steel_shape, 0.0 if isinstance(steel, ElasticMaterial) else steel.fy)
+        return steel_shape.A, list(zip((steel_shape.I_y, steel_shape.I_z), curves, strict=True))
+    weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)
+    if isinstance(own, PlateSection):
+        return shape.area, [(shape.inertia, welded_i_curve(own.flange, "y")), (weak, welded_i_curve(own.flange, "z"))]
+    return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
+
+
+def _catalogue_curves(section: SteelSection, fy: float) -> list[Curve]:
+    """Buckling curves about the strong and the weak axis."""
+    if section.kind == "I":
+        return [rolled_i_curve(section.h, section.b, section.tf, axis, fy) for axis in ("y", "z")]
+    return [hollow_curve(fy, section.cold_formed)] * 2

@@ -1,0 +1,114 @@
+"""Springs and footings under the column bases."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import TYPE_CHECKING
+
+from edesign.frame.footings import FootingSprings
+from edesign.project.frame.supports import VerticalSpring, YieldingRotation, YieldingTranslation
+
+if TYPE_CHECKING:
+    from edesign.core import Model, SpringLaw
+
+SpringValues = YieldingTranslation | YieldingRotation
+Direction = str | float | SpringValues
+Grounds = tuple[int | None, int | None, int | None]
+_WORDS = ("horizontal", "vertical", "rotation")
+
+
+def support_springs(
+    model: Model, name: str, node: int, place: tuple[float, float], directions: Sequence[Direction]
+) -> Grounds:
+    """Add the springs that support a node.
+
+    Args:
+        name: of the supported node.
+        place: x and y of the node, m.
+        directions: what restrains ux, uy, rz; "fixed" and "free" get no spring.
+
+    Returns:
+        For each degree the node of the ground that its spring stands on; None without one.
+    """
+    ground = model.node(f"{name}.ground", *place)
+    model.fix(ground, True, True, True)
+    grounds: list[int | None] = []
+    for degree, direction in enumerate(directions):
+        if isinstance(direction, str):
+            grounds.append(None)
+            continue
+        _spring(model, name, ground, node, degree, _law(direction))
+        grounds.append(ground)
+    return grounds[0], grounds[1], grounds[2]
+
+
+@dataclass(frozen=True)
+class BuiltFooting:
+    """A footing in the frame model.
+
+    Attributes:
+        springs: what it is.
+        dashpots: ids of its dampers in the core: horizontal, vertical, rocking; None: none acts there.
+    """
+
+    springs: FootingSprings
+    dashpots: tuple[int | None, int | None, int | None]
+
+
+def add_footing(
+    model: Model, name: str, node: int, place: tuple[float, float], footing: FootingSprings, turns: bool
+) -> tuple[Grounds, BuiltFooting]:
+    """Add a footing under a node: springs, dashpots beside them, and its mass.
+
+    Damping that is proportional to stiffness leaves the springs out: the dashpots have the damping of the soil.
+
+    Args:
+        name: of the supported node.
+        place: x and y of the node, m.
+        turns: whether anything but the footing restrains the rotation of the node; without, it is fixed.
+
+    Returns:
+        The node of the ground for each degree, and the footing.
+    """
+    from edesign.core import ContactSpring, LawValues, MultilinearSpring
+
+    ground = model.node(f"{name}.ground", *place)
+    model.fix(ground, True, True, True)
+    degrees = (0, 1, 2) if turns else (0, 1)
+    dashpots: list[int | None] = [None, None, None]
+    for degree in degrees:
+        lifts = degree == 1 and footing.uplift
+        stiffness = footing.stiffness[degree]
+        law = ContactSpring(stiffness, footing.capacity) if lifts else MultilinearSpring(stiffness)
+        model.damping_factor(_spring(model, name, ground, node, degree, law), 0.0)
+        if footing.dashpot[degree] > 0.0:
+            terms = ((1.0, node, degree), (-1.0, ground, degree))
+            dashpot = LawValues("viscous", (footing.dashpot[degree],))
+            dashpots[degree] = model.damper(f"{name}.{_WORDS[degree]}_dashpot", dashpot, terms)
+    if footing.mass > 0.0:
+        model.mass(node, footing.mass, footing.mass, footing.inertia if turns else 0.0)
+    grounds = (ground, ground, ground if turns else None)
+    return grounds, BuiltFooting(footing, (dashpots[0], dashpots[1], dashpots[2]))
+
+
+def _spring(model: Model, name: str, ground: int, node: int, degree: int, law: SpringLaw) -> int:
+    terms = [0.0] * 6
+    terms[degree], terms[3 + degree] = -1.0, 1.0
+    return model.spring(f"{name}.{_WORDS[degree]}", ground, node, terms, law)
+
+
+def vertical_spring(name: str) -> str:
+    """Return the name of the element that supports a node vertically, if a spring does."""
+    return f"{name}.vertical"
+
+
+def _law(spring: float | SpringValues) -> SpringLaw:
+    from edesign.core import ContactSpring, MultilinearSpring
+
+    if isinstance(spring, float):
+        return MultilinearSpring(spring)
+    if isinstance(spring, VerticalSpring) and spring.uplift:
+        return ContactSpring(spring.stiffness, inf if spring.resistance is None else spring.resistance)
+    return MultilinearSpring.bilinear(spring.stiffness, spring.resistance, spring.hardening)
