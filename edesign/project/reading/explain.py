@@ -155,7 +155,7 @@ def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str
     if kind == "too_short":
         what = "mapping" if isinstance(detail["input"], Mapping) else "list"
         return (
-            f"the {what} is empty [E-FILE-05]"
+            f"the {what} is empty [E-VALUE-01]"
             if context.get("actual_length") == 0
             else f"{context['min_length']} items are needed [E-VALUE-01]"
         )

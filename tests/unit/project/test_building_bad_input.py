@@ -23,7 +23,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
         ("  areas:", "  @aeras:", "loads.aeras `areas` E-KEY-01"),
         # plan
         ("count: 2, width: 5 m", "count: @0, width: 5 m", "plan.y.count E-VALUE-02"),
-        ("[6 m, 4 m]", "@[]", "plan.x E-FILE-05"),
+        ("[6 m, 4 m]", "@[]", "plan.x E-VALUE-01"),
         ("[6 m, 4 m]", "[6 m, @0 m]", "plan.x[1] E-VALUE-02"),
         ("[4 m, 3 m]", "[4 m, @3]", "storeys[1] E-UNIT-01"),
         ("columns: [", "setbacks: [{floors: @2-3, bays: all}]\ncolumns: [", "setbacks[0].floors E-NAME-01"),

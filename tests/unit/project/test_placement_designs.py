@@ -78,7 +78,7 @@ def test_placement_in_si() -> None:
             "designs.tried.catalogue.b `a` E-NAME-02",
         ),
         (A, "a: {law: oil, scale: 1, cost: 1}, b: {law: oil, cost: 2}", "designs.tried.catalogue.b E-NAME-02"),
-        (A, "", "designs.tried.catalogue E-FILE-05"),
+        (A, "", "designs.tried.catalogue E-VALUE-01"),
         ("bays: 1", "bays: 2", "designs.tried.bays 1 to 1 E-NAME-01"),
         ("bays: 1", "bays: 1, storeys: 1-3", "designs.tried.storeys E-NAME-01"),
         ("levels: DBE", "levels: DBF", "designs.tried.verify.levels `DBE` E-NAME-01"),

@@ -53,7 +53,7 @@ ONE_PROBLEM = {
     # sizes
     "negative size": (BAYS, "bays: [«-6 m, 7.5 m]", "frame.bays[0]", "E-VALUE-02"),
     "zero size": ("height: 400 mm", "height: «0 mm", "sections.girder.height", "E-VALUE-02"),
-    "no bays": (BAYS, "bays: «[]", "frame.bays", "E-FILE-05"),
+    "no bays": (BAYS, "bays: «[]", "frame.bays", "E-VALUE-01"),
     "no storeys": (STOREYS, "{count: «0, height: 3.5 m}", "frame.storeys.count", "E-VALUE-02"),
     "half a storey": (STOREYS, "{count: «2.5, height: 3.5 m}", "frame.storeys.count", "E-VALUE-01"),
     "scalar for list": (STOREYS, "«3.5 m", "frame.storeys", "`count` `height` E-VALUE-01"),

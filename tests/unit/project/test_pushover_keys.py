@@ -47,7 +47,7 @@ def test_what_pushovers_stand_for() -> None:
     [
         ("pattern: uniform", WITH, "analyses[0].roof_drift `targets` E-KEY-02"),
         ("pattern: unifrom, roof_drift: 1 %", WITH, "analyses[0].pattern `uniform` E-VALUE-03"),
-        ("pattern: [], roof_drift: 1 %", WITH, "analyses[0].pattern E-FILE-05"),
+        ("pattern: [], roof_drift: 1 %", WITH, "analyses[0].pattern E-VALUE-01"),
         ("pattern: [uniform, uniform], roof_drift: 1 %", WITH, "analyses[0].pattern[1] E-NAME-02"),
         ("pattern: {mode: 1, modes: 2}, roof_drift: 1 %", WITH, "analyses[0].pattern `floors` E-VALUE-01"),
         ("pattern: {}, roof_drift: 1 %", WITH, "analyses[0].pattern `floors` E-VALUE-01"),

@@ -62,7 +62,7 @@ def test_a_table_of_variables(tmp_path: Path) -> None:
         ("edesign: 1\ntitle: x\n", "1:1", "edesign E-FILE-05"),
         ("edesign_study: 1\n", "1:1", "edesign_study E-FILE-05"),
         (HEAD + "  - {title: T, kind: response}\n", "4:22", "tables[0].kind `responses` E-VALUE-03"),
-        (TABLE + "    rows: []\n", "7:11", "tables[0].rows E-FILE-05"),
+        (TABLE + "    rows: []\n", "7:11", "tables[0].rows E-VALUE-01"),
         (TABLE.replace("mean", "average") + f"    rows:\n{ROW}}}\n", "6:16", "tables[0].statistic E-VALUE-03"),
         (
             TABLE + f"    rows:\n{ROW.replace('drift', 'drfit', 1)}}}\n",

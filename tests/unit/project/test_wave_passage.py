@@ -35,7 +35,7 @@ WRONG = {
         "wave_passage.direction",
         "`right` E-VALUE-03",
     ),
-    "empty": ("wave_passage: {delays: «{}}", "wave_passage.delays", "E-FILE-05"),
+    "empty": ("wave_passage: {delays: «{}}", "wave_passage.delays", "E-VALUE-01"),
 }
 
 

@@ -294,7 +294,7 @@ def test_wrong_values(old: str, new: str, said: str) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("[22.6e6 N/m, 22.6e6 N/m, 18.08e6 N/m]", "@[]", "structure.stiffnesses E-FILE-05"),
+        ("[22.6e6 N/m, 22.6e6 N/m, 18.08e6 N/m]", "@[]", "structure.stiffnesses E-VALUE-01"),
         ("[10000.0]", "@[1, 0, 0, 1]", "rig.numerator improper E-RIG-04"),
         ("[10000.0]", "@[1, 0, 1]", "rig.numerator jump E-RIG-04"),
         ("[10000.0]", "@[1, 0]", "rig.numerator 0: E-RIG-04"),
@@ -303,7 +303,7 @@ def test_wrong_values(old: str, new: str, said: str) -> None:
         ("[1, 120, 10000.0]", "@[1, -120, 10000.0]", "rig.denominator 80i E-RIG-04"),
         ("[1, 120, 10000.0]", "@[1, 0, 10000.0]", "rig.denominator 100i E-RIG-04"),
         ("[1, 120, 10000.0]", "[1, 120, @0]", "rig.denominator[2] E-RIG-04"),
-        ("[1, 120, 10000.0]", "@[]", "rig.denominator E-FILE-05"),
+        ("[1, 120, 10000.0]", "@[]", "rig.denominator E-VALUE-01"),
         ("[1, 120, 10000.0]", "[1, @120 Hz, 10000.0]", "rig.denominator[1] E-VALUE-01"),
         ("modes: [1, 3]", "modes: [1, @4]", "structure.damping.modes[1] E-NAME-01"),
         ("modes: [1, 3]", "modes: [1, @1]", "structure.damping.modes[1] E-NAME-02"),
