@@ -22,7 +22,15 @@ SENTENCES = ROOT / "tests" / "unit" / "messages" / "sentences.txt"
 CODE = re.compile(r"\[(E-[A-Z0-9]+-\d\d)\]")
 
 ERRORS = {"InputError", "AnalysisError", "ArchiveError", "CampaignError", "SuiteError", "NoSuchMaterial"}
-ERRORS |= {"NotTranslated", "DamagedArchive", "RefusedClient", "RefusedMotion", "SessionError", "RtsFileError"}
+ERRORS |= {
+    "NotTranslated",
+    "NotTheProtocol",
+    "DamagedArchive",
+    "RefusedClient",
+    "RefusedMotion",
+    "SessionError",
+    "RtsFileError",
+}
 ERRORS |= {"NotFound", "PackageNotInstalled"}
 """Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
 CODED = {*ERRORS, "CoreError", "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}

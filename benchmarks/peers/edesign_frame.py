@@ -40,7 +40,7 @@ def build(frame: PeerFrame, push_loads: Array | None = None, law: Steel | None =
         y, area = section.layers(frame.flange_fibres[1], frame.web_fibres[1])
         sections[section] = model.fibre_section(y, area, steel)
     core = CoreFrame(model, model.pattern(), model.pattern())
-    for floor, y in enumerate(frame.levels):
+    for floor, y in enumerate(frame.y):
         for line, x in enumerate(frame.x):
             core.node[line, floor] = node = model.node(f"{chr(65 + line)}{floor}", x, float(y))
             if floor == 0:

@@ -143,7 +143,7 @@ def build(frame: PeerFrame, options: ModelOptions | None = None) -> None:
     options = options or ModelOptions()
     ops.wipe()
     ops.model("basic", "-ndm", 2, "-ndf", 3)
-    for floor, y in enumerate(frame.levels):
+    for floor, y in enumerate(frame.y):
         for line, x in enumerate(frame.x):
             ops.node(node_tag(frame, line, floor), x, y)
     for line in range(frame.n_lines):

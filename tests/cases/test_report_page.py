@@ -141,8 +141,8 @@ def test_pdf_of_an_archive(made: Made, tmp_path: Path, capsys: pytest.CaptureFix
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--paper", "A4"], "edesign: --paper: only a PDF has sheets; say --pdf too\n"),
-        (["--pdf", "-o", "page.html"], "edesign: page.html: the name of a PDF ends in .pdf\n"),
+        (["--paper", "A4"], "edesign: --paper: only a PDF has sheets; say --pdf too [E-CLI-01]\n"),
+        (["--pdf", "-o", "page.html"], "edesign: page.html: the name of a PDF ends in .pdf [E-FILE-08]\n"),
     ],
 )
 def test_errors_of_a_pdf(made: Made, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -234,7 +234,9 @@ def test_the_page_takes_no_other_file_s_place(
     (tmp_path / "office.yaml").write_text("edesign: 1\n", encoding="utf-8")
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     assert main(["report", str(archive), "--output", str(tmp_path / name), "--quiet"]) == 2
-    assert capsys.readouterr().err == f"edesign: {tmp_path / name}: the name of a page ends in .html or .htm\n"
+    assert (
+        capsys.readouterr().err == f"edesign: {tmp_path / name}: the name of a page ends in .html or .htm [E-FILE-08]\n"
+    )
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
@@ -244,4 +246,4 @@ def test_a_study_without_its_text_is_damaged(made: Made, tmp_path: Path, capsys:
     with ArchiveWriter(tmp_path / "office.h5", root) as writer:
         archive = writer.finish({"status": "completed"})
     assert main(["show", str(archive)]) == 4
-    assert capsys.readouterr().err.endswith("damaged: the text of the study (`study_text`) is missing\n")
+    assert capsys.readouterr().err.endswith("damaged: the text of the study (`study_text`) is missing [E-ARCH-03]\n")

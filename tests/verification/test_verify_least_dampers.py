@@ -103,7 +103,7 @@ def test_least_coefficients_whatever_the_estimate_says(a_gR: float) -> None:
     reported = run_design(project, "tried", design(text, project), Path("."))
     assert (reported.status == "failed") == (a_gR != 0.06)
     if reported.reason:
-        assert reported.reason.endswith("this is an estimate by the response spectrum: with `verify` histories decide")
+        assert reported.reason.endswith("by the response spectrum: with `verify` histories decide [E-DESIGN-04]")
     histories = Histories(of)
 
     def verified(rounds: int) -> DesignResult:

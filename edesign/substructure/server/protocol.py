@@ -124,10 +124,12 @@ def check_first_size(received: bytes) -> None:
     if 0 <= size <= LARGEST_DATA_SIZE:
         return
     if received.isascii() and received.decode().isprintable():
-        raise NotTheProtocol(f"it sent the text {received.decode()!r}..., as a web browser would, not sizes of vectors")
+        raise NotTheProtocol(
+            f"it sent the text {received.decode()!r}..., as a web browser would, not sizes of vectors [E-SERVE-05]"
+        )
     if 0 <= int.from_bytes(received, "big", signed=True) <= LARGEST_DATA_SIZE:
-        raise NotTheProtocol("its integers are big-endian; only little-endian clients are understood")
-    raise NotTheProtocol(f"its first number is {size}, not a size of a vector")
+        raise NotTheProtocol("its integers are big-endian; only little-endian clients are understood [E-SERVE-05]")
+    raise NotTheProtocol(f"its first number is {size}, not a size of a vector [E-SERVE-05]")
 
 
 def parse_greeting(received: bytes) -> Greeting:
@@ -144,7 +146,7 @@ def parse_greeting(received: bytes) -> Greeting:
     greeting = Greeting(sizes[:5], sizes[5:10], sizes[10])
     longest = max(1 + sum(greeting.controlled), sum(greeting.measured))
     if min(sizes) < 0 or not longest <= greeting.data_size <= LARGEST_DATA_SIZE:
-        raise NotTheProtocol(f"its sizes {', '.join(map(str, sizes))} do not fit each other")
+        raise NotTheProtocol(f"its sizes {', '.join(map(str, sizes))} do not fit each other [E-SERVE-05]")
     return greeting
 
 

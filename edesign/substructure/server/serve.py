@@ -241,12 +241,14 @@ def _greeting(connection: Connection) -> Greeting:
         try:
             received += bytes(connection.read(size, connection.patience))
         except TimeoutError:
-            raise NotTheProtocol(f"it did not send the sizes of its vectors in {connection.patience:g} s") from None
+            raise NotTheProtocol(
+                f"it did not send the sizes of its vectors in {connection.patience:g} s [E-SERVE-05]"
+            ) from None
         if len(received) < protocol.FIRST_SIZE_BYTES:
-            raise NotTheProtocol("it closed the connection before it said anything")
+            raise NotTheProtocol("it closed the connection before it said anything [E-SERVE-05]")
         protocol.check_first_size(received[: protocol.FIRST_SIZE_BYTES])
     if len(received) < protocol.GREETING_BYTES:
-        raise NotTheProtocol("it closed the connection within its first message")
+        raise NotTheProtocol("it closed the connection within its first message [E-SERVE-05]")
     return protocol.parse_greeting(received)
 
 
@@ -269,7 +271,7 @@ def _session(
         where = gone.where or (f"the step to t = {mounted.trial.time:.9g} s" if mounted.under_way else "")
         if where:
             so_far = f"after {mounted.steps} steps to t = {mounted.committed.time:.9g} s"
-            fault = f"{client.name} went in the middle of {where}, {so_far}"
+            fault = f"{client.name} went in the middle of {where}, {so_far} [E-SERVE-06]"
             on_event(fault)
         course.ending = "failed" if where else "closed"
     except (RefusedClient, RefusedMotion) as error:

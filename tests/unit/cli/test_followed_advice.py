@@ -177,7 +177,7 @@ IMPERATIVE = re.compile(
     r"|`[a-z_]+: [^`]+`|by `"
 )
 CODE = re.compile(r" \[E-[A-Z0-9]+-\d\d\]$")
-FOLDERS = ("project", "building", "damper", "study/check", "codes")
+FOLDERS = ("project", "frame", "damper", "study/check", "codes")
 
 
 def texts_with_advice(folder: Path) -> list[tuple[str, list[str]]]:
