@@ -43,4 +43,7 @@ def _coded(self: EdesignError, *args: object) -> None:
         assert re.search(r"\[E-[A-Z0-9]+-\d\d\]", message), f"a message without a code: {message}"
 
 
-EdesignError.__init__ = _coded  # type: ignore[method-assign]
+def pytest_configure(config: pytest.Config) -> None:
+    """Look at messages in `make test`, whose tests meet each kind of input; `make slow` is of other things."""
+    if config.option.markexpr != "slow":
+        EdesignError.__init__ = _coded  # type: ignore[method-assign]

@@ -162,11 +162,11 @@ def test_a_failure_without_collapse_does_not_end_a_chain(
     with pytest.raises(Interrupted):
         run_study(shaken, progress=stop_at(above, event="end"), backend="serial")
     summary = run_study(shaken, archive_path=tmp_path / "other.h5", backend="serial")
-    assert [(outcome.name, outcome.reason) for outcome in summary.failed] == [(failing, "out of order")]
+    assert [(outcome.name, outcome.reason) for outcome in summary.failed] == [(failing, "out of order [E-CORE-12]")]
     assert _state(summary, above) in ("completed", "collapsed")
     with open_archive(summary.archive) as opened:
         assert opened.attributes["status"] == "failed"
-        assert f"{failing}: failed: out of order" in plan_table(opened).notes
+        assert f"{failing}: failed: out of order [E-CORE-12]" in plan_table(opened).notes
     monkeypatch.undo()
     assert histories(tmp_path / "out.h5.partial")[above].attributes["status"] != "skipped"
     assert equal(done.archive, run_study(shaken, backend="serial").archive)

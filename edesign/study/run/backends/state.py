@@ -42,4 +42,5 @@ def refusal(worker: str, wanted: Mapping[str, str], found: Mapping[str, str]) ->
         found: likewise, of the worker.
     """
     what = difference(wanted, found)
-    return what and f"the worker {worker} would give results of another program: {what}; install the same everywhere"
+    other = f"the worker {worker} would give results of another program: {what}; "
+    return what and f"{other}install the same everywhere [E-CLUSTER-03]"
