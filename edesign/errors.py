@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
+CODE = re.compile(r" \[E-[A-Z0-9]+-\d\d\]")
+"""The code at the end of a message, with the space before it."""
+
 
 class EdesignError(Exception):
     """Base of all errors that edesign raises on purpose; `str(error)` is the whole message for people."""
@@ -37,3 +42,12 @@ class Interrupted(EdesignError):
     """The user stopped the run; the message says what was kept."""
 
     exit_code = 130
+
+
+def split_code(message: str) -> tuple[str, str]:
+    """Return a message without its code, and the code with the space before it, "" if it has none.
+
+    A sentence that goes on, or that another message takes in, has the code at its end.
+    """
+    found = CODE.search(message)
+    return (message[: found.start()] + message[found.end() :], found[0]) if found else (message, "")

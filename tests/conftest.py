@@ -16,12 +16,10 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 # workers of pytest-xdist have the width of the terminal; tables in a pipe, as tests read them, would be folded to it
 os.environ.pop("COLUMNS", None)
 
-import re  # noqa: E402
-
 import pytest  # noqa: E402
 from hypothesis import HealthCheck, settings  # noqa: E402
 
-from edesign.errors import EdesignError, Interrupted  # noqa: E402
+from edesign.errors import CODE, EdesignError, Interrupted  # noqa: E402
 
 settings.register_profile("edesign", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("edesign")
@@ -40,7 +38,7 @@ def _coded(self: EdesignError, *args: object) -> None:
     problems = getattr(self, "problems", ())  # with their places, or with names of parameters
     messages = [one[1] if isinstance(one, tuple) else one.message for one in problems] or [str(self)]
     for message in messages if self.exit_code not in (1, Interrupted.exit_code) else ():
-        assert re.search(r"\[E-[A-Z0-9]+-\d\d\]", message), f"a message without a code: {message}"
+        assert CODE.search(message), f"a message without a code: {message}"
 
 
 def pytest_configure(config: pytest.Config) -> None:

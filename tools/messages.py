@@ -20,18 +20,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 SENTENCES = ROOT / "tests" / "unit" / "messages" / "sentences.txt"
 CODE = re.compile(r"\[(E-[A-Z0-9]+-\d\d)\]")
+CODED_TEXT = re.compile(rf"{CODE.pattern}|\{{code\}}$")  # also with the code of another message, put at the end
 
-ERRORS = {"InputError", "AnalysisError", "ArchiveError", "CampaignError", "SuiteError", "NoSuchMaterial"}
-ERRORS |= {
-    "NotTranslated",
-    "NotTheProtocol",
-    "DamagedArchive",
-    "RefusedClient",
-    "RefusedMotion",
-    "SessionError",
-    "RtsFileError",
+ERRORS = {
+    *("InputError", "AnalysisError", "ArchiveError", "CampaignError", "SuiteError", "NoSuchMaterial", "NotTranslated"),
+    *("NotTheProtocol", "DamagedArchive", "RefusedClient", "RefusedMotion", "SessionError", "RtsFileError", "NotFound"),
+    "PackageNotInstalled",
 }
-ERRORS |= {"NotFound", "PackageNotInstalled"}
 """Errors whose text a user reads; their subclasses that only pass a text on need not be here."""
 CODED = {*ERRORS, "CoreError", "EdesignError", "ProjectError", "StudyError", "FileProblems", "PydanticCustomError"}
 """Errors whose text has a code already: a sentence that passes it on needs none."""
@@ -71,21 +66,38 @@ def sentences(package: Path) -> list[tuple[str, str]]:
     """Return code and template of each sentence below a folder, sorted, each once."""
     found: set[tuple[str, str]] = set()
     for path in package.rglob("*.py"):
-        for node in _outermost(ast.parse(path.read_text(encoding="utf-8"))):
-            text = text_of(node)
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for node, function in _outermost(tree, tree):
+            text = _with_beginning(text_of(node), node, function)
             found |= {(code, text.replace("\n", "\\n")) for code in CODE.findall(text)}
     return sorted(found)
 
 
-def _outermost(node: ast.AST) -> Iterator[ast.expr]:
-    """The string expressions below a node, not the parts of them; docstrings are not among them."""
+def _outermost(node: ast.AST, function: ast.AST) -> Iterator[tuple[ast.expr, ast.AST]]:
+    """The string expressions below a node with their function, not the parts of them; docstrings are not among them."""
     for child in ast.iter_child_nodes(node):
         if isinstance(child, ast.Expr) and isinstance(child.value, ast.Constant):
             continue
         if isinstance(child, ast.expr) and is_text(child):
-            yield child
+            yield child, function
         else:
-            yield from _outermost(child)
+            yield from _outermost(child, child if isinstance(child, ast.FunctionDef) else function)
+
+
+def _with_beginning(text: str, node: ast.expr, function: ast.AST) -> str:
+    """A sentence whose first words stand in a variable above it, with these words."""
+    name = re.match(r"\{(\w+)\}", text)
+    if name is None:
+        return text
+    above = [
+        one
+        for one in ast.walk(function)
+        if isinstance(one, ast.Assign) and one.lineno < node.lineno and is_text(one.value)
+        if any(getattr(target, "id", "") == name[1] for target in one.targets)
+    ]
+    if not above:
+        return text
+    return text_of(max(above, key=lambda one: one.lineno).value) + text[name.end() :]
 
 
 def uncoded(path: Path) -> list[ast.expr]:
@@ -133,9 +145,9 @@ def _sources(
 ) -> Iterator[ast.expr]:
     """The strings without a code that an argument may be."""
     if is_text(node):
-        if WORDS.search(KEYS.sub("{}", text_of(node, with_values=False))) and not CODE.search(text_of(node)):
+        if WORDS.search(KEYS.sub("{}", text_of(node, with_values=False))) and not CODED_TEXT.search(text_of(node)):
             yield node
-        elif not CODE.search(text_of(node)) and isinstance(node, ast.JoinedStr):
+        elif not CODED_TEXT.search(text_of(node)) and isinstance(node, ast.JoinedStr):
             for part in node.values:
                 if isinstance(part, ast.FormattedValue):
                     yield from _sources(part.value, scope, tree, functions, deep)

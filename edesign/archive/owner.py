@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import check_archive_name, is_hdf5
 from edesign.archive.reader import DamagedArchive, open_archive
 from edesign.archive.writer import partial_path
-from edesign.errors import ArchiveError
+from edesign.errors import ArchiveError, split_code
 from edesign.input_files import spare_inputs
 
 _NAMES = ("project_file", "study_file", "title")  # by which archives without `source_file` are known
@@ -46,9 +46,9 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
         except ArchiveError as error:
             if place != path and isinstance(error, DamagedArchive):
                 continue  # what an interrupted run left
-            told = str(error).rpartition(" [")[0]  # its code is not that of the whole message
+            damage, _ = split_code(str(error))
             raise ArchiveError(
-                f"{told}; it is left as it is: choose another name, or --overwrite [E-FILE-07]"
+                f"{damage}; it is left as it is: choose another name, or --overwrite [E-FILE-07]"
             ) from error
         lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
         same = old.get("project_checksum")

@@ -14,7 +14,7 @@ from edesign.archive.files import reason
 from edesign.archive.opening import Opened, open_file
 from edesign.archive.tree import FORMAT, Damaged
 from edesign.archive.writer import PARTIAL_SUFFIX, partial_path
-from edesign.errors import ArchiveError, EdesignError
+from edesign.errors import ArchiveError, EdesignError, split_code
 from edesign.file_kinds.kinds import ARCHIVE
 from edesign.file_kinds.recognise import foreign_kind, kind_of, other_kind
 
@@ -285,7 +285,7 @@ def _used(archive: Archive, use: Callable[[Archive], Found], damage: str) -> Fou
     except EdesignError as error:
         if not damage:
             raise
-        why = str(error).rpartition(" [")[0] or error  # its code is not that of the whole message
+        why, _ = split_code(str(error))
         raise ArchiveError(f"{damage}\n  nothing of it can be shown: {why} [E-ARCH-03]") from error
     except Exception as error:
         if archive.sealed and not damage:

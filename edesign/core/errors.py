@@ -11,13 +11,11 @@ class CoreError(AnalysisError):
 
     Attributes:
         status: name of the status, for instance "ED_E_MECHANISM".
-        words: the message without its code.
     """
 
     def __init__(self, status: str, message: str) -> None:
         super().__init__(with_code(getattr(lib, status), message))
         self.status = status
-        self.words = message
 
 
 def with_code(status: int, message: str) -> str:

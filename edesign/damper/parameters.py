@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from edesign.damper.law import Law, Parameter
 from edesign.damper.parameter_sets import PARAMETER_SETS, ParameterSet
-from edesign.errors import InputError
+from edesign.errors import InputError, split_code
 from edesign.project.notation.quantities import Kind
 from edesign.project.notation.temperature import parse_temperature
 from edesign.project.notation.units import parse_quantity, parse_ratio
@@ -209,8 +209,8 @@ def _read(parameter: Parameter, value: object, found: Mapping[str, float]) -> fl
         if not exponents:
             raise
         names = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
-        sentence, _, code = error.message().rpartition(" [")
-        raise PydanticCustomError("parameter", "{m}", {"m": f"{sentence}; {names} here [{code}"}) from None
+        sentence, code = split_code(error.message())
+        raise PydanticCustomError("parameter", "{m}", {"m": f"{sentence}; {names} here{code}"}) from None
     # pint takes 1 Hz as 1/s; as a circular frequency it is 2 pi rad/s
     return 2.0 * math.pi * result if parameter.unit == "rad/s" and re.search(r"Hz\b", str(text)) else result
 

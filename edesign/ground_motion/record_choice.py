@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from edesign.codes import Spectrum
-from edesign.errors import InputError
+from edesign.errors import InputError, split_code
 from edesign.ground_motion.catalogue.candidate import Candidate, Refusal
 from edesign.ground_motion.catalogue.folder import ENDINGS
 from edesign.ground_motion.catalogue.gather import Catalogue, gather
@@ -173,8 +173,8 @@ def choose(
             periods, found.spectra[kept], found.pgas[kept], target, T_1, spec.choose, options, events, stations
         )
     except InputError as error:
-        message, _, code = str(error).rpartition(" [")
-        raise InputError(f"{message}{_why(found.refused)} [{code}") from error
+        message, code = split_code(str(error))
+        raise InputError(f"{message}{_why(found.refused)}{code}") from error
     if earlier is not None:
         chosen = replace(chosen, exhaustive=earlier.exhaustive)
     names = {compared[i].name: compared[i] for i in chosen.chosen}

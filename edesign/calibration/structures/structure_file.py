@@ -166,7 +166,7 @@ def check_structure(file: StructureFile, problems: Problems) -> None:
         )
     _check_damping(block.damping, problems)
     if block.base == "isolated" and file.law is None:
-        problems.under((), "law", "an isolated building needs the law of its isolation layer [E-KEY-03]")
+        problems.under((), "law", "an isolated building needs the law of its isolation layer [E-KEY-02]")
     if block.base == "isolated" and file.law is not None and file.law.parameters is None:
         problems.under(("law",), "parameters", "the parameters of the isolation layer are missing [E-KEY-02]")
     if block.base == "fixed" and file.law is not None:
@@ -194,7 +194,7 @@ def _check_damping(damping: DampingBlock | None, problems: Problems) -> None:
         return
     at = ("structure", "damping")
     if damping.other is None and damping.share is not None:
-        problems.at_value((*at, "share"), "a share needs the second kind of damping, the key `other` [E-KEY-03]")
+        problems.at_value((*at, "share"), "a share needs the second kind of damping, the key `other` [E-KEY-02]")
     if damping.other is not None and damping.share is None:
         problems.under(at, "share", "the share of the second kind of damping is missing, for example `30 %` [E-KEY-02]")
     if damping.other == damping.type:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from edesign.errors import InputError
+from edesign.errors import InputError, split_code
 from edesign.frame.sections.hollow_section import hollow_section
 from edesign.frame.sections.profiles import profile_names
 
@@ -48,5 +48,5 @@ class BuildingSections(Collection[str]):
         try:
             hollow_section(name)
         except InputError as error:
-            return str(error).rpartition(" [")[0]  # its code is not that of the whole message
+            return split_code(str(error))[0]
         return profile_names().near(name)

@@ -32,7 +32,7 @@ _RETURN_PERIOD = replace(TIME, name="number of years", example="475 years")
 def _years(value: Any) -> float:
     seconds = parse_quantity(value, _RETURN_PERIOD, "positive")
     if seconds < YEAR * (1.0 - 1e-9):
-        raise refuse(f"`{value}` is shorter than a year; it is written like `{_RETURN_PERIOD.example}` [E-VALUE-01]")
+        raise refuse(f"`{value}` is shorter than a year; it is written like `{_RETURN_PERIOD.example}` [E-VALUE-02]")
     return seconds
 
 

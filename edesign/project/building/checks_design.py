@@ -74,7 +74,7 @@ def _select(building: Building, select: Select, problems: Problems) -> None:
     keys: Keys = ("design", "select")
     if select.objective == "cost" and not select.prices:
         problems.at_value(
-            (*keys, "objective"), "`cost` needs the prices of a kilogram; give `prices` by family [E-KEY-03]"
+            (*keys, "objective"), "`cost` needs the prices of a kilogram; give `prices` by family [E-KEY-02]"
         )
     if select.objective == "mass" and select.prices:
         problems.at_key((*keys, "prices"), "prices count where the objective is `cost`; it is `mass` [E-KEY-03]")

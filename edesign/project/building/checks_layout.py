@@ -103,7 +103,7 @@ def _floors(building: Building, problems: Problems) -> bool:
     for floor in building.diaphragms.numbers(1, building.n_storeys):
         if not _connected(layout.floors[floor]):
             parts = f"floor {floor} is in parts that do not touch, which one diaphragm would tie"
-            message = f"{parts}; leave it out of `diaphragms` [E-KEY-03]"
+            message = f"{parts}; leave it out of `diaphragms` [E-VALUE-04]"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
 

@@ -272,12 +272,13 @@ def _processing(steps: tuple[Step, ...], keys: Keys, problems: Problems) -> None
             problems.at_value((*keys, i), f"a step is one of {listed(Step.model_fields)} [E-VALUE-01]")
         for name in step.given[1:]:
             problems.at_key(
-                (*keys, i, name), f"`{step.given[0]}` is this step; begin a new one with `- {name}:` [E-NAME-02]"
+                (*keys, i, name), f"`{step.given[0]}` is this step; begin a new one with `- {name}:` [E-KEY-03]"
             )
         if step.filter is not None and step.filter.low is None and step.filter.high is None:
             problems.at_key((*keys, i, "filter"), "give `low`, `high`, or both [E-KEY-03]")
         if step.reverse is False:
             message = (
-                "`true` is allowed, which reverses the motion; leave the step out for the motion as recorded [E-KEY-03]"
+                "`true` is allowed, which reverses the motion; leave the step out for the motion as recorded "
+                "[E-VALUE-03]"
             )
             problems.at_value((*keys, i, "reverse"), message)

@@ -79,7 +79,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
     elif loc and loc[-1] == "[key]":
         most = context.get("max_length", 64)
         problems.at_key(
-            keys, f"a name is made of letters, digits and `_`, `-`, `+`, `.`, at most {most} of them [E-VALUE-02]"
+            keys, f"a name is made of letters, digits and `_`, `-`, `+`, `.`, at most {most} of them [E-NAME-03]"
         )
     elif kind == "literal_error":
         allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
@@ -167,7 +167,7 @@ def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str
         return f"the text is longer than {context['max_length']} characters [E-VALUE-01]"
     if kind == "string_pattern_mismatch":
         signs = ", ".join(f"`{sign}`" for sign in "_-+." if sign in context["pattern"])  # only names have a pattern
-        return f"{seen} is no name: a letter or digit begins it, letters, digits and {signs} may follow [E-VALUE-01]"
+        return f"{seen} is no name: a letter or digit begins it, letters, digits and {signs} may follow [E-NAME-03]"
     return f"{seen}: {detail['msg']}"
 
 

@@ -81,7 +81,7 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
     faulty = {fault.keys for fault in faults}
     empty = {keys_text(keys): keys for keys in _empty_keys(root) if keys not in faulty}
     for keys in empty.values():
-        problems.at_key(keys, "the key is empty; give it a value, or leave it out [E-KEY-03]")
+        problems.at_key(keys, "the key is empty; give it a value, or leave it out [E-KEY-02]")
     reported = len(problems.found)
     try:
         return model.model_validate(_without(root, set(empty.values()))), problems

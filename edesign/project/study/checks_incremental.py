@@ -112,4 +112,4 @@ def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Pro
 
 def _return_period(keys: Keys, seconds: float, problems: Problems) -> None:
     if seconds < YEAR * (1.0 - 1e-9):
-        problems.at_value(keys, "this is shorter than a year; years are written like `475 years` [E-VALUE-01]")
+        problems.at_value(keys, "this is shorter than a year; years are written like `475 years` [E-VALUE-02]")

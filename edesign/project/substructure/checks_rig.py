@@ -70,7 +70,7 @@ def _transfer_function(rig: TransferFunctionRig, keys: Keys, problems: Problems)
     numerator, denominator = (*keys, "numerator"), (*keys, "denominator")
     for at, coefficients in ((numerator, rig.numerator), (denominator, rig.denominator)):
         if coefficients[0] == 0.0 and len(coefficients) > 1:
-            problems.at_value((*at, 0), "the coefficient of the highest power is 0; leave it out [E-KEY-03]")
+            problems.at_value((*at, 0), "the coefficient of the highest power is 0; leave it out [E-RIG-04]")
             return
     orders = f"order {len(rig.numerator) - 1} over order {len(rig.denominator) - 1}"
     if len(rig.numerator) > len(rig.denominator):

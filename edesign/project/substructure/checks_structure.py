@@ -181,6 +181,6 @@ def _stable(rts: RtsFile, building: ShearBuilding, problems: Problems) -> None:
     if rts.loop.main_step > largest:
         message = (
             f"with `{method}` mode {len(building.masses)} ({highest:.4g} Hz) diverges: the step may be at most "
-            f"{1e3 * largest:.3g} ms, and it is {1e3 * rts.loop.main_step:.4g} ms; or take `kr_alpha` [E-VALUE-02]"
+            f"{1e3 * largest:.3g} ms, and it is {1e3 * rts.loop.main_step:.4g} ms; or take `kr_alpha` [E-RTS-03]"
         )
         problems.at_value(("loop", "main_step"), message)

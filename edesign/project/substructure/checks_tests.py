@@ -129,7 +129,7 @@ def _amplitude(rts: RtsFile, displacement: float, keys: Keys, problems: Problems
     if stroke is not None and displacement > stroke:
         problems.at_value(keys, f"{shown} is beyond the stroke of the actuator, {1e3 * stroke:.4g} mm [E-RIG-06]")
     elif reach is not None and displacement > reach:
-        problems.at_value(keys, f"{shown} is beyond the range of the encoder, {1e3 * reach:.4g} mm [E-VALUE-02]")
+        problems.at_value(keys, f"{shown} is beyond the range of the encoder, {1e3 * reach:.4g} mm [E-RIG-06]")
     if displacement <= rts.encoder_noise:
         message = f"{shown} is lost in the noise of the encoder, {1e3 * rts.encoder_noise:.4g} mm [E-RIG-06]"
         problems.at_value(keys, message)

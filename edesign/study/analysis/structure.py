@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.core import Analysis, Channel, CoreError, Modes, Response
 from edesign.damper.harmonic import complex_stiffness, effective_stiffness
-from edesign.errors import AnalysisError
+from edesign.errors import AnalysisError, split_code
 from edesign.frame.devices import Device, DeviceLaw
 from edesign.frame.frame import build_frame
 from edesign.frame.frame_model import FrameModel
@@ -232,6 +232,7 @@ def make_structure(project: Project, frame: FrameModel | None = None, dampers: b
     except CoreError as error:
         if frame.isolated is None:
             raise
-        text = f"{error.words} (isolators must have a stiffness at rest that holds the base under gravity)"
+        why, _ = split_code(str(error))
+        text = f"{why} (isolators must have a stiffness at rest that holds the base under gravity)"
         raise CoreError(error.status, text) from error
     return Structure(frame, analysis)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
-from edesign.errors import AnalysisError
+from edesign.errors import AnalysisError, split_code
 from edesign.frame.isolation import base_masses
 from edesign.frame.masses import node_masses
 from edesign.ground_motion.project_records import find_recordings, references
@@ -129,7 +129,8 @@ def _period(project: Project) -> float | None:
     try:
         return fundamental_period(project)
     except AnalysisError as error:
-        raise AnalysisError(str(error).replace(" [E-", f". A unit may be wrong: {sizes(project)} [E-")) from error
+        sentence, code = split_code(str(error))
+        raise AnalysisError(f"{sentence}. A unit may be wrong: {sizes(project)}{code}") from error
 
 
 def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:

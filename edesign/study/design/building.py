@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from edesign.core import LawValues
-from edesign.errors import AnalysisError, InputError
+from edesign.errors import AnalysisError, InputError, split_code
 from edesign.frame.devices import DeviceLaw
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
@@ -96,7 +96,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         _, trial_device, message = str(error).rpartition("dampers.devices[0]: ")
         if not trial_device:
             raise
-        sentence = message.rpartition(" [")[0]  # its code is not that of the whole message
+        sentence, _ = split_code(message)
         raise InputError(
             f"designs.{name}: {sentence}; its bays and storeys reach beyond the members [E-DESIGN-01]"
         ) from error

@@ -12,7 +12,7 @@ from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
-from edesign.errors import EdesignError, Interrupted
+from edesign.errors import EdesignError, Interrupted, split_code
 from edesign.stopping import stoppable
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.plan.plan import Task, waves
@@ -96,8 +96,8 @@ def run_plan(
                 run.stop.set()
             except EdesignError as error:
                 if _keep(run):
-                    sentence, bracket, code = str(error).partition(" [E-")
-                    error.args = (f"{sentence}; {_kept(run)}{bracket}{code}",)
+                    sentence, code = split_code(str(error))
+                    error.args = (f"{sentence}; {_kept(run)}{code}",)
                 raise
             if run.stopped() and len(run.outcomes) < len(tasks):
                 _keep(run)

@@ -10,6 +10,7 @@ import re
 
 import pytest
 
+from edesign.errors import split_code
 from tools.messages import ROOT, SENTENCES, sentences, text_of, uncoded
 
 PAGES = ROOT / "docs" / "reference" / "messages"
@@ -36,3 +37,9 @@ def test_every_code_has_a_remedy() -> None:
 
 def test_the_sentences_are_those_of_the_golden_file() -> None:
     assert "".join(f"{code}  {text}\n" for code, text in sentences(PACKAGE)) == SENTENCES.read_text(encoding="utf-8")
+
+
+def test_a_code_is_split_off_wherever_it_stands() -> None:
+    assert split_code("a [1, 2] b [E-TABLE-08]") == ("a [1, 2] b", " [E-TABLE-08]")
+    assert split_code("a [E-TABLE-08]\n  b") == ("a\n  b", " [E-TABLE-08]")
+    assert split_code("a [1, 2]") == ("a [1, 2]", "")

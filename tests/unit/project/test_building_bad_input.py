@@ -155,7 +155,7 @@ def test_a_floor_in_parts_has_no_diaphragm() -> None:
     text = text.replace("bays: 1, kind", "bays: 1, storeys: 1, kind")
     ((place, message),) = faults(text)
     assert place == (5, 1)
-    assert says(message, "setbacks floor 2 `diaphragms` E-KEY-03")
+    assert says(message, "setbacks floor 2 `diaphragms` E-VALUE-04")
     assert building(text.replace("setbacks:", "diaphragms: 1\nsetbacks:")).diaphragms.ranges == ((1, 1),)
 
 

@@ -88,10 +88,10 @@ ONE_PROBLEM = {
     "sure event": ("probability: 2 %", "probability: «100 %", "hazard.levels.MCE.probability", "E-VALUE-02"),
     "impossible event": ("probability: 2 %", "probability: «0 %", "hazard.levels.MCE.probability", "E-VALUE-02"),
     "bare return period": ("2475 years", "«2475", "hazard.levels.rare.return_period", "E-UNIT-01"),
-    "short return period": ("2475 years", "«2475 s", "hazard.levels.rare.return_period", "E-VALUE-01"),
+    "short return period": ("2475 years", "«2475 s", "hazard.levels.rare.return_period", "E-VALUE-02"),
     "unknown class": ("IV}", "«V}", "hazard.levels.hospital.importance_class", "E-VALUE-03"),
     "zero factor": ("gamma_I: 1.3", "gamma_I: «0", "hazard.levels.own.gamma_I", "E-VALUE-02"),
-    "bad level name": ("own: {", "«my own: {", "hazard.levels.my own", "E-VALUE-02"),
+    "bad level name": ("own: {", "«my own: {", "hazard.levels.my own", "E-NAME-03"),
     "list for mapping": ("own: {gamma_I: 1.3}", "own: «[1.3]", "hazard.levels.own", "E-VALUE-01"),
 }
 

@@ -41,7 +41,7 @@ ONE_PROBLEM = {
         "sections.girder.width",
         "line 14, column 28 E-KEY-04",
     ),
-    "bad name": ("  rod: {", "  «my rod: {", "sections.my rod", "E-VALUE-02"),
+    "bad name": ("  rod: {", "  «my rod: {", "sections.my rod", "E-NAME-03"),
     # units
     "bare number": (BAYS, "bays: [6 m, «7.5]", "frame.bays[1]", "E-UNIT-01"),
     "bare integer": ("height: 3.5 m", "height: «3", "frame.storeys.height", "E-UNIT-01"),
@@ -248,7 +248,7 @@ EMPTY = {
 def test_an_empty_key_is_no_default(broken: Broken, kind: str) -> None:
     old, new, key = EMPTY[kind]
     (problem,) = broken((old, new))
-    assert problem.keys_text == key and says(problem.message, "empty E-KEY-03")
+    assert problem.keys_text == key and says(problem.message, "empty E-KEY-02")
 
 
 MISSPELT = {

@@ -81,7 +81,7 @@ def written(folder: Path, old: str, new: str) -> Path:
     ("old", "new", "said"),
     [
         ("475 years", "475", "hazard.levels.DBE.return_period.*`475 years`.*E-UNIT-01"),
-        ("475 years", "475 s", "hazard.levels.DBE.return_period.*`475 years`.*E-VALUE-01"),
+        ("475 years", "475 s", "hazard.levels.DBE.return_period.*`475 years`.*E-VALUE-02"),
         ("475 years", "475 y", "hazard.levels.DBE.return_period.*`475 years`.*E-UNIT-02"),
         ("ec8-2004", "ec8", "hazard.code.*`ec8-2004`.*E-VALUE-03"),
         ("ratio: 2 %", "ratio: 2", "damping.ratio.*`2 %`.*E-VALUE-02"),

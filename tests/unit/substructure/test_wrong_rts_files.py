@@ -248,7 +248,7 @@ def test_nothing_to_test() -> None:
         ("lag: 0.5 ms", "lag: @0.2 ms", "compensators.sample.lag 795.8 500 E-VALUE-04"),
         # tests
         ("name: cycles", "name: @white", "tests[1].name E-NAME-02"),
-        ("name: white", "name: @white noise", "tests[0].name E-VALUE-01"),
+        ("name: white", "name: @white noise", "tests[0].name E-NAME-03"),
         ("kind: effective_force", "kind: @effectiv_force", "did you mean `effective_force`?"),
         ("displacement: 5.5 mm", "displacement: @130 mm", "tests[0].command.displacement E-RIG-06"),
         ("displacement: 5.5 mm", "displacement: @0.5 um", "tests[0].command.displacement E-RIG-06"),
@@ -299,7 +299,7 @@ def test_wrong_values(old: str, new: str, said: str) -> None:
         ("[10000.0]", "@[1, 0, 1]", "rig.numerator jump E-RIG-04"),
         ("[10000.0]", "@[1, 0]", "rig.numerator 0: E-RIG-04"),
         ("[10000.0]", "@[-10000.0]", "rig.numerator -1: E-RIG-04"),
-        ("[10000.0]", "[@0, 10000.0]", "rig.numerator[0] E-KEY-03"),
+        ("[10000.0]", "[@0, 10000.0]", "rig.numerator[0] E-RIG-04"),
         ("[1, 120, 10000.0]", "@[1, -120, 10000.0]", "rig.denominator 80i E-RIG-04"),
         ("[1, 120, 10000.0]", "@[1, 0, 10000.0]", "rig.denominator 100i E-RIG-04"),
         ("[1, 120, 10000.0]", "[1, 120, @0]", "rig.denominator[2] E-RIG-04"),
@@ -315,12 +315,12 @@ def test_wrong_values(old: str, new: str, said: str) -> None:
         (
             "newmark_explicit}",
             "newmark_explicit}\nloop: {main_step: @100 ms}",
-            "loop.main_step `newmark_explicit` (3.637 87.5 E-VALUE-02",
+            "loop.main_step `newmark_explicit` (3.637 87.5 E-RTS-03",
         ),
         (
             "newmark_explicit}",
             "bogacki_shampine}\nloop: {main_step: @80 ms}",
-            "loop.main_step `bogacki_shampine` 75.8 E-VALUE-02",
+            "loop.main_step `bogacki_shampine` 75.8 E-RTS-03",
         ),
         ("record: motion", "record: @montion", "there is no record `montion`; did you mean `motion`?"),
         (", record: motion", "", "tests[0].record E-KEY-02"),
