@@ -41,7 +41,4 @@ def _coded(self: EdesignError, *args: object) -> None:
         assert CODE.search(message), f"a message without a code: {message}"
 
 
-def pytest_configure(config: pytest.Config) -> None:
-    """Look at messages in `make test`, whose tests meet each kind of input; `make slow` is of other things."""
-    if config.option.markexpr != "slow":
-        EdesignError.__init__ = _coded  # type: ignore[method-assign]
+EdesignError.__init__ = _coded  # type: ignore[method-assign]

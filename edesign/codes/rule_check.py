@@ -4,8 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 ROUNDING = 1e-9
 """Share of a limit by which rounding may miss it: a suite scaled to a_g S exactly must not fail by the last bits."""
+
+
+def first_of_largest(values: np.ndarray) -> int:
+    """Return the flat index of the largest value, and of values that differ by rounding alone the first.
+
+    Symmetric members govern alike; which one has the larger last bits depends on the processor.
+
+    Args:
+        values: not empty, no NaN.
+    """
+    largest = float(values.max())
+    least = largest - ROUNDING * abs(largest) if np.isfinite(largest) else largest
+    return int(np.flatnonzero(values >= least)[0])
 
 
 _NAMED = ("EN ", "ASCE ", "NTC ")  # a clause of another standard than EN 1998-1 begins with its name

@@ -11,7 +11,7 @@ from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
-from edesign.codes.rule_check import RuleCheck
+from edesign.codes.rule_check import ROUNDING, RuleCheck
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -39,7 +39,7 @@ from edesign.space.analysis.storeys import Storeys, storeys
 from edesign.space.analysis.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
 from edesign.space.analysis.vertical_component import vertical_combinations, vertical_component
 from edesign.space.analysis.yielded_braces import with_yielded_braces, yielded_combinations
-from edesign.space.checks.capacity import ROUNDING, Joint, Overstrength, dissipative_members, joints, overstrength
+from edesign.space.checks.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.checks.column_bases import base_criteria, hinged_bases
 from edesign.space.checks.foundations import Foundations, foundation_factors, foundations, supports
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from edesign.codes.rule_check import first_of_largest
 from edesign.report.building.results import MET, NOT_MET, BuildingResults
 from edesign.report.tables.cell import Value
 from edesign.report.tables.column import col, count, text, verdict
@@ -52,7 +53,7 @@ def group_checks_table(results: BuildingResults) -> Table:
             if not applies.any():
                 continue
             ratios = np.where(applies, np.nan_to_num(utilisation[chosen, k], nan=-1.0), -1.0)
-            member = members[int(chosen[int(ratios.argmax())])]
+            member = members[int(chosen[first_of_largest(ratios)])]
             ratio = float(member["utilisation"][k])
             row: dict[str, Value] = {name: member[name] for name in ("group", "section", "member")}
             row |= {"check": check_words(str(check["check"])), "clause": check["clause"], "D/C": use(ratio)}

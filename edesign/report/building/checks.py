@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.codes.ec3.member import Member, Stability
 from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
+from edesign.codes.rule_check import first_of_largest
 from edesign.codes.trace import Step, Trace
 from edesign.errors import InputError
 from edesign.frame.sections.steel_section import steel_section
@@ -177,7 +178,7 @@ def governing(results: BuildingResults, member: int) -> int:
     Args:
         member: number of the member, from 0.
     """
-    return int(np.nan_to_num(results.values("members", "utilisation")[member], nan=-1.0).argmax())
+    return first_of_largest(np.nan_to_num(results.values("members", "utilisation")[member], nan=-1.0))
 
 
 def member_tables(results: BuildingResults, name: str) -> list[Table]:

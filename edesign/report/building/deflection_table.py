@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.codes.rule_check import first_of_largest
 from edesign.report.building.results import BuildingResults
 from edesign.report.tables.column import col, text
 from edesign.report.tables.table import Table, TableSpec
@@ -63,7 +64,7 @@ def worst_beams(deflections: Group) -> Iterator[WorstBeam]:
     for group in dict.fromkeys(of["group"].tolist()):
         for load in ("total", "live"):
             share = np.where(of["group"] == group, of[load] / of["span"], -1.0)
-            worst = int(share.argmax())
+            worst = first_of_largest(share)
             limit = deflections.attributes.get(f"limit_{load}")
             yield WorstBeam(
                 group=str(group),

@@ -11,6 +11,7 @@ from functools import partial
 import numpy as np
 
 from edesign.archive.reader import Archive
+from edesign.codes.rule_check import first_of_largest
 from edesign.errors import ArchiveError
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
@@ -197,7 +198,7 @@ def worst_of_groups(results: BuildingResults) -> Iterator[Worst]:
     for group in dict.fromkeys(groups.tolist()):
         chosen = np.flatnonzero(groups == group)
         filled = np.where(np.isnan(utilisation[chosen]), -1.0, utilisation[chosen])
-        which, check = (int(place) for place in np.unravel_index(int(filled.argmax()), filled.shape))
+        which, check = (int(place) for place in np.unravel_index(first_of_largest(filled), filled.shape))
         member = int(chosen[which])
         yield Worst(
             group=str(group),

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.en1990.combinations import Combination
-from edesign.codes.rule_check import RuleCheck, at_most
+from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 from edesign.core.space import PROPERTIES
 from edesign.project.building.design import BeamDeflections
 from edesign.space.analysis.response import StaticResponse
@@ -136,7 +136,7 @@ def deflection_criteria(deflections: Deflections, limits: BeamDeflections, names
     ):
         if limit is not None and of.size:
             share = of / deflections.span
-            worst = int(share.argmax())
+            worst = first_of_largest(share)
             name = f"deflection of beams over span, characteristic, {text}"
             found.append(at_most(LIMITED, name, limit, float(share[worst]), names[deflections.members[worst]]))
     return found

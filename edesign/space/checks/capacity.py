@@ -20,11 +20,11 @@ from edesign.codes.ec3.cross_section import (
 )
 from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
+from edesign.codes.rule_check import first_of_largest
 from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.building.building import Steel
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
-ROUNDING = 1e-9
 N, M_Y = 0, 4  # places in internal forces
 _DIAGONAL = 0.7  # cosine: a web is along x or along y
 
@@ -142,7 +142,7 @@ def overstrength(
         resistance = by_section(frame, materials, lambda of, steel: axial_resistance(of.A, steel.fy, gamma_M0))
         effect = acting[members, :, N].max(axis=1)
     ratios = strength_over_demand(resistance[members], effect)
-    least = int(np.flatnonzero(ratios <= ratios.min() * (1.0 + ROUNDING))[0])  # of equal ones the first
+    least = first_of_largest(-ratios)
     return Overstrength(axis, members, ratios, float(ratios[least]), frame.members[members[least]].name)
 
 

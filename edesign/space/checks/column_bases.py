@@ -9,7 +9,7 @@ import numpy as np
 from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
-from edesign.codes.rule_check import RuleCheck, at_most
+from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 from edesign.frame.sections.section_class import section_class
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
@@ -88,7 +88,7 @@ def base_criteria(
     )
     M_pl, V_pl = np.where(about_y, resistances[0], resistances[1]), np.where(about_y, resistances[2], resistances[3])
     ratio = column_hinge_shear(M_pl, head, frame.length[bases]) / V_pl
-    worst_base = int(ratio.argmax())
+    worst_base = first_of_largest(ratio)
     yield at_most(
         "6.6.3(4)",
         f"V_Ed / V_pl,Rd of columns with M_pl,Rd at the column base, direction {axis}",

@@ -10,12 +10,13 @@ import numpy as np
 from edesign.codes.ec8.capacity import foundation_factor
 from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.en1990.combinations import Combination
+from edesign.codes.rule_check import first_of_largest
 from edesign.core.space import combine
 from edesign.project.building.building import Building
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.response import SeismicResponse, StaticResponse
 from edesign.space.analysis.storeys import Storeys
-from edesign.space.checks.capacity import ROUNDING, Overstrength, bend_about_y, column_moments
+from edesign.space.checks.capacity import Overstrength, bend_about_y, column_moments
 from edesign.space.checks.column_bases import M_Y, M_Z, N, hinged_bases
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.structure.frame import AXES, Axis, SpaceFrame
@@ -104,7 +105,7 @@ class Foundations:
             return []
         return [
             f"{lifted} of {least.size} foundations are pulled upwards with gamma_Rd Omega (EN 1998-1, 4.4.2.6(4)), "
-            f"most at {self.nodes[int((least <= least.min() * (1.0 - ROUNDING)).argmax())]}, by "
+            f"most at {self.nodes[first_of_largest(-least)]}, by "
             f"{-least.min() / 1e3:.0f} kN"
         ]
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.rule_check import RuleCheck
+from edesign.codes.rule_check import RuleCheck, first_of_largest
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
@@ -224,7 +224,7 @@ def governing_check(design: ElasticDesign, group: str) -> Governing:
     numbers = [number for number, member in enumerate(design.frame.members) if member.group == group]
     of = design.members.utilisation[numbers]
     of = np.where(np.isnan(of), -1.0, of)
-    place, check = np.unravel_index(int(of.argmax()), of.shape)
+    place, check = np.unravel_index(first_of_largest(of), of.shape)
     member = numbers[int(place)]
     row = int(design.members.combination[member, check]) - 1
     return Governing(
