@@ -1,4 +1,4 @@
-/* Analyses of plane frames (edmodel.h): static loads, pushovers, time histories, and what they record. */
+/* Analyses of frames (edmodel.h): static loads, pushovers, time histories, and what they record. */
 #ifndef EDANALYSIS_H
 #define EDANALYSIS_H
 
@@ -20,7 +20,7 @@ void ed_analysis_ask(ed_analysis *analysis, const ed_stop *stop);
 
 int ed_n_equations(const ed_analysis *analysis);
 int ed_n_nonzeros(const ed_analysis *analysis);
-void ed_equations(const ed_analysis *analysis, int *equation); /* 3 n_nodes; -1 where fixed */
+void ed_equations(const ed_analysis *analysis, int *equation); /* over the degrees of all nodes; -1 where fixed */
 /* Tangent stiffness at the present state, compressed columns: column_start n+1, row nnz, value nnz. */
 int ed_stiffness(ed_analysis *analysis, int *column_start, int *row, double *value);
 void ed_mass(const ed_analysis *analysis, double *mass); /* n */
@@ -50,19 +50,20 @@ int ed_install_dampers(ed_analysis *analysis);
 
 /* Recorded quantities: weighted sums of terms. Components in brackets. */
 enum {
-  ED_DISPLACEMENT = 0,       /* node (0..2), relative to the ground */
+  ED_DISPLACEMENT = 0,       /* node (degree), relative to the ground */
   ED_VELOCITY = 1,
   ED_ACCELERATION = 2,
   ED_TOTAL_ACCELERATION = 3,
-  ED_REACTION = 4,           /* node (0..2): resisting force of the elements at the degree, without inertia and damping */
-  ED_GROUND_ACCELERATION = 5,/* 0 (0 x, 1 y) */
+  ED_REACTION = 4,           /* node (degree): resisting force of the elements at the degree, without inertia and damping */
+  ED_GROUND_ACCELERATION = 5,/* 0 (0 x, 1 y, 2 z) */
   ED_LOAD_FACTOR = 6,        /* pattern */
-  ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j), on the element, axes of the undeformed member */
-  ED_GLOBAL_FORCE = 8,       /* element (0..5), on its nodes, in global axes; both with second-order terms */
+  ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j; in space 0..11: N V_y V_z T M_y M_z at i, at j), on the element, axes of
+                                the undeformed member */
+  ED_GLOBAL_FORCE = 8,       /* element (0..5; in space 0..11), on its nodes, in global axes; both with second-order terms */
   ED_AXIAL_FORCE = 9,        /* element; of a spring its force */
-  ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord); of a spring 0 */
-  ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j): chord rotation less its elastic part; of a spring 0, the same of its deformation */
-  ED_SECTION_FORCE = 12,     /* element (2 point + 0 N, + 1 M) */
+  ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord, about z, 3 4 about y); of a spring 0 */
+  ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j about z, 2 i, 3 j about y): chord rotation less its elastic part; of a spring 0, the same of its deformation */
+  ED_SECTION_FORCE = 12,     /* element (2 point + 0 N, + 1 M; in space 3 point + 0 N, + 1 M_z, + 2 M_y) */
   ED_SECTION_DEFORMATION = 13,
   ED_FIBRE_STRESS = 14,      /* element (point * layers of the first section + layer) */
   ED_FIBRE_STRAIN = 15,
@@ -95,12 +96,12 @@ enum { ED_INPUT = 0, ED_KINETIC = 1, ED_DAMPING = 2, ED_STORED = 3, ED_HYSTERETI
 int ed_static_begin(ed_analysis *analysis, int pattern, double factor, int steps);
 int ed_pushover_begin(ed_analysis *analysis, int pattern, int node, int degree, double target, int steps);
 enum { ED_NEWMARK = 0, ED_GENERALISED_ALPHA = 1 };
-/* ground_*: n+1 samples dt apart, relative motion starts at sample 0; y may be NULL. parameters: NEWMARK gamma, beta;
+/* ground_*: n+1 samples dt apart, relative motion starts at sample 0; any may be NULL, z does nothing in a plane. parameters: NEWMARK gamma, beta;
  * GENERALISED_ALPHA alpha_m, alpha_f, gamma, beta (HHT: alpha_m = 0). */
-int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *ground_x, const double *ground_y, int method,
-                     const double *parameters);
+int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *ground_x, const double *ground_y, const double *ground_z,
+                     int method, const double *parameters);
 /* Forces that the caller gives from step to step of a history, such as that of a damper in a laboratory. A force acts along coefficient *
- * degree (0 ux, 1 uy, 2 rz) of up to 12 degrees of nodes; several may act at once. Between ed_history_begin and ed_run_end. Returns its
+ * degree of up to 12 degrees of nodes; several may act at once. Between ed_history_begin and ed_run_end. Returns its
  * number; at first it is 0. */
 #define ED_HISTORY_FORCES 8
 int ed_history_force(ed_analysis *analysis, int n_terms, const int *node, const int *degree, const double *coefficient);
@@ -108,7 +109,7 @@ int ed_history_force(ed_analysis *analysis, int n_terms, const int *node, const 
  * is between both. A start that is not the last end is a jump, with which accelerations jump. Its work counts as input. On supports it
  * goes into the reactions. */
 int ed_history_set_force(ed_analysis *analysis, int force, double start, double end);
-/* A supported degree (0 ux, 1 uy, 2 rz) of a node, and those tied to it, move from rest relative to the ground: n+1 samples as many as
+/* A supported degree of a node, and those tied to it, move from rest relative to the ground: n+1 samples as many as
  * those of the ground, the first displacement and velocity 0. Within a step the displacement is the cubic through both ends. Between
  * ed_history_begin and the first step. Damping acts on what moves beyond the structure that follows supports slowly; what moves them
  * is input. The degree stays where it is in the end. */

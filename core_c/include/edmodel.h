@@ -1,5 +1,9 @@
-/* Models of plane frames: materials, sections, nodes, members, dampers and loads. Each call that adds returns the id of what it added, or
- * an ed_status below zero; ed_model_message then says why, and the model is as before. */
+/* Models of frames in a plane or in space: materials, sections, nodes, members, dampers and loads. Each call that adds returns the id of what
+ * it added, or an ed_status below zero; ed_model_message then says why, and the model is as before.
+ *
+ * In a plane: x to the right, y upwards; degrees of a node 0 ux, 1 uy, 2 rz. In space: x, y horizontal, z upwards; 0 ux, 1 uy, 2 uz, 3 rx, 4 ry,
+ * 5 rz, right-handed. Arrays over degrees have 3 or 6 numbers, positions 2 or 3. Local x of a member runs from i to j. In a plane local y is
+ * across, to the left of it; in space local z is the direction of the web and local y completes a right-handed system. */
 #ifndef EDMODEL_H
 #define EDMODEL_H
 
@@ -11,7 +15,7 @@ extern "C" {
 
 typedef struct ed_model ed_model;
 
-ed_model *ed_model_new(void); /* NULL: out of memory */
+ed_model *ed_model_new(int dimension); /* 2 or 3; NULL: out of memory */
 void ed_model_free(ed_model *model);
 const char *ed_model_message(const ed_model *model); /* the last error, for people */
 
@@ -24,29 +28,37 @@ int ed_model_material(ed_model *model, int law, int n_parameters, const double *
  * of 1 the fibre breaks as soon as it is in tension. Before any section. */
 int ed_model_fatigue(ed_model *model, int material, double strain, double exponent);
 
-int ed_model_elastic_section(ed_model *model, double EA, double EI);
-/* n fibres at depths y with areas and materials; those of one depth and material are merged into one layer. */
-int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *area, const int *material);
+int ed_model_elastic_section(ed_model *model, const double *stiffness); /* EA, EI; in space EA, EI about z, EI about y, GJ */
+/* n fibres at depths y with areas and materials; those of one place and material are merged into one layer. In space at (y, z) along the local
+ * axes: the strain is e0 - kappa_z y + kappa_y z, the torsion elastic, GJ, beside it and without warping. Braces (ed_model_strut) take
+ * sections in one plane in space too: z NULL. */
+int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
+                           double torsion);
 int ed_model_section_layers(const ed_model *model, int section); /* layers after merging */
 
-int ed_model_node(ed_model *model, const char *name, double x, double y);
-int ed_model_fix(ed_model *model, int node, int ux, int uy, int rz);
-int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz); /* the node shares the master's degrees */
-int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz);  /* added to what is there */
+int ed_model_node(ed_model *model, const char *name, const double *position);
+int ed_model_fix(ed_model *model, int node, const int *degrees);
+int ed_model_tie(ed_model *model, int node, int master, const int *degrees);     /* the node shares the master's degrees */
+/* In space: ux, uy and rz of n nodes follow those of the master as a body that is rigid in plan and turns a little. The master stands at the
+ * centre of mass of what moves with it; a support of the diaphragm is a support of its master. Before dampers. */
+int ed_model_diaphragm(ed_model *model, int master, int n, const int *node);
+int ed_model_mass(ed_model *model, int node, const double *mass);                /* over degrees; added to what is there */
 
 enum { ED_LINEAR = 0, ED_P_DELTA = 1, ED_COROTATIONAL = 2 };
-/* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release_*: moment-free end. Two points integrate
+/* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release: ends that are free of moment, about z at i and at j,
+ * in space then about y at i and at j; NULL: none. web: in space the direction of local z, of length 1 at right angles to the member. In space
+ * the geometry is linear or P-Delta, of both planes. Two points integrate
  * the square of a linear moment wrongly (far too flexible); from three on an elastic prismatic member is exact.
  * A load that begins, ends or stands inside leaves a kink in the moment, which quadrature meets only with a break there. */
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
-                         int release_i, int release_j);
+                         const int *release, const double *web);
 /* A beam-column of one section is integrated piece by piece, by its points in each piece, between n positions (0..1, rising) of its length:
  * a kink of the moment at such a place is met exactly. A place between two pieces is one point, with the weight of both. */
 int ed_model_breaks(ed_model *model, int element, int n, const double *position);
-/* The first and the last part of a beam-column do not bend; lengths. End forces and deformations are then those where it begins to. */
+/* In a plane: the first and the last part of a beam-column do not bend; lengths. End forces and deformations are then those where it begins to. */
 int ed_model_rigid_ends(ed_model *model, int element, double start, double end);
-int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
-                          int release_j);
+int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, const int *release,
+                          const double *web);
 int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry);
 /* A brace that buckles between its ends, which stay on its chord. Inside are `elements` (even, 2..16) corotational fibre beams of the
  * section with `points` integration points each (3..10), in a camber of the first mode: its height / buckling length, > 0. The part
@@ -54,11 +66,11 @@ int ed_model_truss(ed_model *model, const char *name, int i, int j, int material
  * of each end; 0 pinned, infinite fixed. */
 int ed_model_strut(ed_model *model, const char *name, int i, int j, int section, int points, int elements, double camber,
                    double buckling_length, double end_stiffness, int material, double area, int geometry);
-/* Elastic link with stiffnesses along local x, y and in rotation. Two nodes apart: local x runs along the link and shear
+/* In a plane: elastic link with stiffnesses along local x, y and in rotation. Two nodes apart: local x runs along the link and shear
  * acts at mid-length; at one place: local x is at `angle` (rad) from global x. */
 int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle);
 
-/* A spring without length: its deformation is the sum of coefficient * displacement of the degrees of i, then of j (6), which may be at
+/* A spring without length: its deformation is the sum of coefficient * displacement of the degrees of i, then of j, which may be at
  * one place. Laws and their parameters, of force and deformation (or moment and rotation):
  * MULTILINEAR  deformation and force of each corner (0..4), then the last slope: kinematic, Masing's rule; without corners it is linear.
  * CONTACT      stiffness and capacity: forces are negative, up to the capacity, at which it gives way (HUGE_VAL: never).
@@ -76,7 +88,7 @@ int ed_model_without_flexibility(ed_model *model, int element, double at_i, doub
  * stiffer than what they stand for, and more than 1 for the members beside them (Zareian & Medina 2010). */
 int ed_model_damping_factor(ed_model *model, int element, double factor);
 
-/* A damper (laws: eddamper.h) whose deformation is the sum of coefficient * displacement of n_terms degrees (0 ux, 1 uy, 2 rz) of nodes,
+/* A damper (laws: eddamper.h) whose deformation is the sum of coefficient * displacement of n_terms degrees of nodes,
  * F = force_scale * law(deformation_scale * u); brace: stiffness in series at the size of the device, 0: rigid; play: of its pins, from
  * end to end, 0: none. It carries nothing before ed_install_dampers. Give its degrees mass: velocities of others are left to ring by
  * the trapezoidal rule. Up to 12 terms. */
@@ -93,12 +105,13 @@ int ed_model_damper_weighs(ed_model *model, int damper, int element, double weig
 int ed_model_add_damper_effect(ed_model *model, int damper, int form, int placement, int n_parameters, const double *parameters);
 
 int ed_model_pattern(ed_model *model);
-int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);
-/* Loads on beam-columns, force a length in local axes, or a force at position (0..1) of the length. */
-int ed_model_uniform_load(ed_model *model, int pattern, int element, double axial, double transverse);
-int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse);
+int ed_model_nodal_load(ed_model *model, int pattern, int node, const double *force); /* over degrees */
+/* Loads on beam-columns, force a length in local axes, or a force at position (0..1) of the length. transverse: along y, in space along z too. */
+int ed_model_uniform_load(ed_model *model, int pattern, int element, double axial, const double *transverse);
+int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, const double *transverse);
 /* Across a beam-column from `start` to `end` (0..1) of its length, linear from at_start to at_end, force a length. */
-int ed_model_partial_load(ed_model *model, int pattern, int element, double start, double end, double at_start, double at_end);
+int ed_model_partial_load(ed_model *model, int pattern, int element, double start, double end, const double *at_start,
+                          const double *at_end);
 
 #ifdef __cplusplus
 }

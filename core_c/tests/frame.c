@@ -15,13 +15,13 @@ int frame_node(frame_options o, int line, int floor)
 
 ed_model *frame_model(frame_options o)
 {
-  ed_model *model = ed_model_new();
+  ed_model *model = ed_model_new(2);
   const double steel[] = {2.1e11, 275e6, o.hardening};
   double y[MOST_FIBRES], area[MOST_FIBRES];
   int material[MOST_FIBRES], sections[10];
   CHECK_INT(ed_model_material(model, ED_BILINEAR, 3, steel), 0);
   const int fibres = i_section_fibres(4, 1, 0, 0, y, area, material);
-  CHECK_INT(ed_model_fibre_section(model, fibres, y, area, material), 0);
+  CHECK_INT(ed_model_fibre_section(model, fibres, y, NULL, area, material, 0.0), 0);
   for (int p = 0; p < 10; p++)
     sections[p] = 0;
   CHECK_INT(ed_model_pattern(model), GRAVITY);
@@ -30,28 +30,26 @@ ed_model *frame_model(frame_options o)
     for (int line = 0; line <= o.bays; line++) {
       char name[16];
       snprintf(name, sizeof name, "%c%d", 'A' + line % 26, floor);
-      const int node = ed_model_node(model, name, 6.0 * line, 3.5 * floor);
+      const int node = ed_model_node(model, name, (double[]){6.0 * line, 3.5 * floor});
       CHECK_INT(node, frame_node(o, line, floor));
       if (floor == 0)
-        CHECK_STATUS(ed_model_fix(model, node, 1, 1, 1), ED_OK);
+        CHECK_STATUS(ed_model_fix(model, node, (int[]){1, 1, 1}), ED_OK);
       else
-        CHECK_STATUS(ed_model_mass(model, node, 20e3, 20e3, 0.0), ED_OK);
+        CHECK_STATUS(ed_model_mass(model, node, (double[]){20e3, 20e3, 0.0}), ED_OK);
     }
   for (int floor = 1; floor <= o.storeys; floor++) {
     for (int line = 0; line <= o.bays; line++) {
       char name[24];
       snprintf(name, sizeof name, "C_%c_%d", 'A' + line % 26, floor);
-      CHECK(ed_model_beam_column(model, name, frame_node(o, line, floor - 1), frame_node(o, line, floor), o.points,
-                                 sections, o.geometry, 0, 0) >= 0);
+      CHECK(ed_model_beam_column(model, name, frame_node(o, line, floor - 1), frame_node(o, line, floor), o.points, sections, o.geometry, NULL, NULL) >= 0);
     }
     for (int bay = 1; bay <= o.bays; bay++) {
       char name[24];
       snprintf(name, sizeof name, "B_%d_%d", bay, floor);
-      const int beam = ed_model_beam_column(model, name, frame_node(o, bay - 1, floor), frame_node(o, bay, floor),
-                                            o.points, sections, ED_LINEAR, 0, 0);
-      CHECK_STATUS(ed_model_uniform_load(model, GRAVITY, beam, 0.0, -25e3), ED_OK);
+      const int beam = ed_model_beam_column(model, name, frame_node(o, bay - 1, floor), frame_node(o, bay, floor), o.points, sections, ED_LINEAR, NULL, NULL);
+      CHECK_STATUS(ed_model_uniform_load(model, GRAVITY, beam, 0.0, (double[]){-25e3}), ED_OK);
     }
-    CHECK_STATUS(ed_model_nodal_load(model, LATERAL, frame_node(o, 0, floor), 1e3 * floor, 0.0, 0.0), ED_OK);
+    CHECK_STATUS(ed_model_nodal_load(model, LATERAL, frame_node(o, 0, floor), (double[]){1e3 * floor, 0.0, 0.0}), ED_OK);
   }
   return model;
 }

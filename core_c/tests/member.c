@@ -19,23 +19,22 @@ static int new_section(ed_model *model, steel_kind steel)
   for (int i = 0; i < n; i++)
     if (steel != PLASTIC && y[i] > 0.2)
       area[i] *= 1.5; /* couples axial force and moment */
-  return ed_model_fibre_section(model, n, y, area, materials);
+  return ed_model_fibre_section(model, n, y, NULL, area, materials, 0.0);
 }
 
 member member_new(member_options o)
 {
-  member m = {.model = ed_model_new(), .control = {.tolerance = 1e-22, .fast_elastic = 1}};
+  member m = {.model = ed_model_new(2), .control = {.tolerance = 1e-22, .fast_elastic = 1}};
   const int section = new_section(m.model, o.steel);
-  const int i = ed_model_node(m.model, "i", 1.0, 2.0);
-  const int j = ed_model_node(m.model, "j", 1.0 + 4.0 * cos(0.523598775598299), 2.0 + 4.0 * sin(0.523598775598299));
+  const int i = ed_model_node(m.model, "i", (double[]){1.0, 2.0});
+  const int j = ed_model_node(m.model, "j", (double[]){1.0 + 4.0 * cos(0.523598775598299), 2.0 + 4.0 * sin(0.523598775598299)});
   int sections[ED_MAX_RULE], id;
   for (int p = 0; p < ED_MAX_RULE; p++)
     sections[p] = section;
   if (o.kind == ED_FIBRE_BEAM)
-    id = ed_model_beam_column(m.model, "m", i, j, o.points ? o.points : 5, sections, o.geometry,
-                              o.release[0], o.release[1]);
+    id = ed_model_beam_column(m.model, "m", i, j, o.points ? o.points : 5, sections, o.geometry, (int[]){o.release[0], o.release[1]}, NULL);
   else if (o.kind == ED_ELASTIC_BEAM)
-    id = ed_model_elastic_beam(m.model, "m", i, j, section, o.geometry, o.release[0], o.release[1]);
+    id = ed_model_elastic_beam(m.model, "m", i, j, section, o.geometry, (int[]){o.release[0], o.release[1]}, NULL);
   else if (o.kind == ED_TRUSS)
     id = ed_model_truss(m.model, "m", i, j, 0, 0.01, o.geometry);
   else
@@ -59,8 +58,8 @@ void member_free(member *m)
 
 void member_load(member *m, double wx, double wy, double px, double py)
 {
-  const ed_member_load uniform = {.position = -1.0, .axial = wx, .transverse = wy};
-  const ed_member_load point = {.position = 0.3, .axial = px, .transverse = py};
+  const ed_member_load uniform = {.position = -1.0, .axial = wx, .transverse = {wy}};
+  const ed_member_load point = {.position = 0.3, .axial = px, .transverse = {py}};
   ed_element_clear_loads(&m->e);
   (m->e.rigid ? ed_rigid_add_load : ed_element_add_load)(&m->e, &uniform, 1.0);
   (m->e.rigid ? ed_rigid_add_load : ed_element_add_load)(&m->e, &point, 1.0);

@@ -41,7 +41,7 @@ static void add_steels(caller *c, things *m)
   }
   for (int i = whole(c, 1, 3); i > 0; i--) {
     if (chance(c, 0.4)) {
-      count(c, &m->sections, ed_model_elastic_section(m->model, or_absurd(c, 2e9), or_absurd(c, 4e7)));
+      count(c, &m->sections, ed_model_elastic_section(m->model, (double[]){or_absurd(c, 2e9), or_absurd(c, 4e7)}));
       continue;
     }
     const int n = chance(c, c->wild) ? 0 : whole(c, 2, 20);
@@ -52,7 +52,7 @@ static void add_steels(caller *c, things *m)
       area[k] = or_absurd(c, 1e-3);
       material[k] = some_id(c, m->materials);
     }
-    count(c, &m->sections, ed_model_fibre_section(m->model, n, y, area, material));
+    count(c, &m->sections, ed_model_fibre_section(m->model, n, y, NULL, area, material, 0.0));
     if (chance(c, 0.2))
       expect_listed(c, ed_model_section_layers(m->model, some_id(c, m->sections)) < 0 ? ED_E_ID : ED_OK);
     free(y), free(area), free(material);
@@ -87,10 +87,10 @@ static void add_element(caller *c, things *m)
                            some_id(c, m->materials), or_absurd(c, 1e-2), geometry));
       break;
     case 2:
-      count(c, &m->elements, ed_model_elastic_beam(m->model, name(c), i, j, sections[0], geometry, release_i, release_j));
+      count(c, &m->elements, ed_model_elastic_beam(m->model, name(c), i, j, sections[0], geometry, (int[]){release_i, release_j}, NULL));
       break;
     default:
-      count(c, &m->elements, ed_model_beam_column(m->model, name(c), i, j, points, sections, geometry, release_i, release_j));
+      count(c, &m->elements, ed_model_beam_column(m->model, name(c), i, j, points, sections, geometry, (int[]){release_i, release_j}, NULL));
   }
 }
 
@@ -137,34 +137,33 @@ static void add_loads(caller *c, things *m)
     count(c, &m->patterns, ed_model_pattern(m->model));
   for (int i = whole(c, 1, 6); i > 0; i--) {
     const int pattern = some_id(c, m->patterns);
-    expect_listed(c, ed_model_nodal_load(m->model, pattern, some_id(c, m->nodes), or_absurd(c, 1e4), or_absurd(c, -1e5), or_absurd(c, 0.0)));
+    expect_listed(c, ed_model_nodal_load(m->model, pattern, some_id(c, m->nodes), (double[]){or_absurd(c, 1e4), or_absurd(c, -1e5), or_absurd(c, 0.0)}));
     if (chance(c, 0.3))
-      expect_listed(c, ed_model_uniform_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.0), or_absurd(c, -1e4)));
+      expect_listed(c, ed_model_uniform_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.0), (double[]){or_absurd(c, -1e4)}));
     if (chance(c, 0.2))
-      expect_listed(c, ed_model_point_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.4), or_absurd(c, 0.0), or_absurd(c, -1e4)));
+      expect_listed(c, ed_model_point_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.4), or_absurd(c, 0.0), (double[]){or_absurd(c, -1e4)}));
     if (chance(c, 0.2))
-      expect_listed(c, ed_model_partial_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.1), or_absurd(c, 0.7), or_absurd(c, -1e4), or_absurd(c, -2e4)));
+      expect_listed(c, ed_model_partial_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.1), or_absurd(c, 0.7), (double[]){or_absurd(c, -1e4)}, (double[]){or_absurd(c, -2e4)}));
   }
 }
 
 static int make_model(caller *c, things *m)
 {
-  *m = (things){.model = ed_model_new()};
+  *m = (things){.model = ed_model_new(2)};
   if (!m->model) {
     expect_listed(c, ED_E_MEMORY);
     return 0;
   }
   add_steels(c, m);
   for (int i = whole(c, 2, 7); i > 0; i--)
-    count(c, &m->nodes, ed_model_node(m->model, name(c), or_absurd(c, chance(c, 0.7) ? 0.0 : 4.0 * m->nodes), or_absurd(c, 3.0 * m->nodes)));
-  expect_listed(c, ed_model_fix(m->model, some_id(c, 1), 1, 1, 1));
+    count(c, &m->nodes, ed_model_node(m->model, name(c), (double[]){or_absurd(c, chance(c, 0.7) ? 0.0 : 4.0 * m->nodes), or_absurd(c, 3.0 * m->nodes)}));
+  expect_listed(c, ed_model_fix(m->model, some_id(c, 1), (int[]){1, 1, 1}));
   for (int i = whole(c, 0, 2); i > 0; i--)
-    expect_listed(c, ed_model_fix(m->model, some_id(c, m->nodes), chance(c, 0.5), chance(c, 0.5), chance(c, 0.5)));
+    expect_listed(c, ed_model_fix(m->model, some_id(c, m->nodes), (int[]){chance(c, 0.5), chance(c, 0.5), chance(c, 0.5)}));
   for (int i = whole(c, 0, 2); i > 0 && chance(c, 0.3); i--)
-    expect_listed(c, ed_model_tie(m->model, some_id(c, m->nodes), some_id(c, m->nodes), chance(c, 0.7), chance(c, 0.2), chance(c, 0.2)));
+    expect_listed(c, ed_model_tie(m->model, some_id(c, m->nodes), some_id(c, m->nodes), (int[]){chance(c, 0.7), chance(c, 0.2), chance(c, 0.2)}));
   for (int i = 0; i < m->nodes; i++)
-    expect_listed(c, ed_model_mass(m->model, chance(c, 0.9) ? i : some_id(c, m->nodes), or_absurd(c, 1e4), or_absurd(c, 1e4),
-                                   chance(c, 0.5) ? 0.0 : or_absurd(c, 1e3)));
+    expect_listed(c, ed_model_mass(m->model, chance(c, 0.9) ? i : some_id(c, m->nodes), (double[]){or_absurd(c, 1e4), or_absurd(c, 1e4), chance(c, 0.5) ? 0.0 : or_absurd(c, 1e3)}));
   for (int i = 0; i < m->nodes + 2; i++) {
     add_element(c, m);
     shape_element(c, m);
@@ -259,8 +258,7 @@ static void begin_run(caller *c, run *r, const things *m)
     const double newmark[] = {or_absurd(c, 0.5), or_absurd(c, 0.25)};
     const double alpha[] = {or_absurd(c, 0.0), or_absurd(c, 0.05), or_absurd(c, 0.55), or_absurd(c, 0.275625)};
     const int method = chance(c, c->wild) ? whole(c, -1, 2) : whole(c, 0, 1);
-    status = ed_history_begin(r->analysis, steps, or_absurd(c, 0.01), steps > 0 && chance(c, 0.9) ? x : NULL,
-                              chance(c, 0.3) ? y : NULL, method, method == ED_GENERALISED_ALPHA ? alpha : newmark);
+    status = ed_history_begin(r->analysis, steps, or_absurd(c, 0.01), steps > 0 && chance(c, 0.9) ? x : NULL, chance(c, 0.3) ? y : NULL, NULL, method, method == ED_GENERALISED_ALPHA ? alpha : newmark);
     free(x), free(y);
   }
   if (expect_listed(c, status) != ED_OK) {

@@ -27,11 +27,11 @@ ed_section_response sum_of_fibres(int n, const double *y, const double *area, co
   for (int i = 0; i < n; i++) {
     double stress, tangent;
     r.elastic &= ed_steel_trial(&steels[material[i]], &plastic[i], e0 - kappa * y[i], &stress, &tangent);
-    r.N += area[i] * stress;
-    r.M -= area[i] * y[i] * stress;
-    r.k11 += area[i] * tangent;
-    r.k12 -= area[i] * y[i] * tangent;
-    r.k22 += area[i] * y[i] * y[i] * tangent;
+    r.force[0] += area[i] * stress;
+    r.force[1] -= area[i] * y[i] * stress;
+    r.k[0] += area[i] * tangent;
+    r.k[1] -= area[i] * y[i] * tangent;
+    r.k[2] += area[i] * y[i] * y[i] * tangent;
   }
   return r;
 }

@@ -53,7 +53,7 @@ static const frame_options FRAME = {.bays = 2, .storeys = 3, .points = 5, .geome
 static int in_place(void)
 {
   counting = 1;
-  ed_model_free(ed_model_new());
+  ed_model_free(ed_model_new(2));
   counting = 0;
   return calls > 0;
 }
@@ -99,7 +99,7 @@ static void check_runs(int damping)
   CHECK_INT(calls_while(analysis, 5), 0);
   ed_run_end(analysis);
   CHECK_STATUS(ed_install_dampers(analysis), ED_OK);
-  CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(analysis, 1, NULL, rows, energy);
   CHECK_INT(calls_while(analysis, N), 0);
   ed_get_statistics(analysis, &statistics);
@@ -125,7 +125,7 @@ static void check_dampers(void)
   CHECK_INT(calls_while(analysis, 5), 0);
   ed_run_end(analysis);
   CHECK_STATUS(ed_install_dampers(analysis), ED_OK);
-  CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_INT(calls_while(analysis, N), 0);
   ed_analysis_free(analysis);
   ed_model_free(model);
@@ -140,7 +140,7 @@ static void check_fallbacks(void)
   ed_analysis *analysis = frame_analysis(model);
   ed_rayleigh(analysis, 0.2, 0.002, ED_STIFFNESS_CURRENT);
   ed_set(analysis, ED_MAX_ITERATIONS, 4);
-  CHECK_STATUS(ed_history_begin(analysis, 40, 0.05, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, 40, 0.05, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_INT(calls_while(analysis, 40), 0);
   CHECK(ed_n_events(analysis) > 0);
   ed_analysis_free(analysis);

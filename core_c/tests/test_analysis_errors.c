@@ -79,19 +79,19 @@ static void check_runs(ed_analysis *analysis)
   REFUSED(ed_pushover_begin(analysis, LATERAL, roof, 0, 0.1, 0), ED_E_ARGUMENT, "0 steps");
   REFUSED(ed_pushover_begin(analysis, LATERAL, roof, 0, HUGE_VAL, 5), ED_E_ARGUMENT, "inf");
   REFUSED(ed_pushover_begin(analysis, GRAVITY, roof, 0, 0.1, 5), ED_E_ARGUMENT, "nodes only");
-  REFUSED(ed_history_begin(analysis, 0, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+  REFUSED(ed_history_begin(analysis, 0, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
           ED_E_ARGUMENT, "0 steps");
-  REFUSED(ed_history_begin(analysis, 2, 0.0, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+  REFUSED(ed_history_begin(analysis, 2, 0.0, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
           ED_E_ARGUMENT, "of 0");
-  REFUSED(ed_history_begin(analysis, 2, NAN, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+  REFUSED(ed_history_begin(analysis, 2, NAN, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
           ED_E_ARGUMENT, "nan");
-  REFUSED(ed_history_begin(analysis, 2, 0.01, broken, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+  REFUSED(ed_history_begin(analysis, 2, 0.01, broken, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
           ED_E_NOT_FINITE, "sample 2");
-  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, broken, ED_NEWMARK, AVERAGE_ACCELERATION),
+  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, broken, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
           ED_E_NOT_FINITE, "sample 2");
-  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, NULL, ED_NEWMARK, flat), ED_E_ARGUMENT, "parameters");
-  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, NULL, ED_GENERALISED_ALPHA, wild), ED_E_ARGUMENT, "parameters");
-  CHECK(ed_history_begin(analysis, 2, 0.01, ground, NULL, 7, AVERAGE_ACCELERATION) < 0); /* unknown method */
+  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, NULL, NULL, ED_NEWMARK, flat), ED_E_ARGUMENT, "parameters");
+  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, NULL, NULL, ED_GENERALISED_ALPHA, wild), ED_E_ARGUMENT, "parameters");
+  CHECK(ed_history_begin(analysis, 2, 0.01, ground, NULL, NULL, 7, AVERAGE_ACCELERATION) < 0); /* unknown method */
   ed_run_end(analysis);
   REFUSED(ed_run_advance(analysis, 1), ED_E_STATE, "no run");
   CHECK_STATUS(ed_static_begin(analysis, LATERAL, 1.0, 1), ED_OK); /* all the same */
@@ -101,15 +101,15 @@ static void check_runs(ed_analysis *analysis)
 static void check_without_mass(void)
 {
   const double EA = 1e9, EI = 1e8, ground[2] = {0.0, 1.0};
-  ed_model *model = ed_model_new();
-  ed_model_elastic_section(model, EA, EI);
-  ed_model_node(model, "base", 0.0, 0.0);
-  ed_model_node(model, "top", 0.0, 3.0);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_elastic_beam(model, "post", 0, 1, 0, ED_LINEAR, 0, 0);
+  ed_model *model = ed_model_new(2);
+  ed_model_elastic_section(model, (double[]){EA, EI});
+  ed_model_node(model, "base", (double[]){0.0, 0.0});
+  ed_model_node(model, "top", (double[]){0.0, 3.0});
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_elastic_beam(model, "post", 0, 1, 0, ED_LINEAR, NULL, NULL);
   const int empty = ed_model_pattern(model);
   ed_analysis *analysis = frame_analysis(model);
-  REFUSED(ed_history_begin(analysis, 1, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+  REFUSED(ed_history_begin(analysis, 1, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
           ED_E_ARGUMENT, "mass");
   REFUSED(ed_pushover_begin(analysis, empty, 1, 0, 0.1, 1), ED_E_ARGUMENT, "no load");
   ed_analysis_free(analysis);

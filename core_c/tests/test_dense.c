@@ -75,9 +75,9 @@ static void check_release(void)
     double a[6] = {2.0, 0.3, -0.4, 5.0, 0.7, 4.0}, inverse[6];
     const double kept = which == 1 ? a[5] : a[3], mixed = which == 1 ? a[2] : a[1];
     const double determinant = a[0] * kept - mixed * mixed;
-    ed_sym3_release(a, which, 1.0);
+    ed_sym_release(3, a, which, 1.0);
     CHECK(ed_sym3_inverse(a, inverse) > 0.0);
-    ed_sym3_release(inverse, which, 0.0);
+    ed_sym_release(3, inverse, which, 0.0);
     CHECK_NEAR(inverse[0], kept / determinant, 1e-15);
     CHECK_NEAR(inverse[which == 1 ? 5 : 3], 2.0 / determinant, 1e-15);
     CHECK_NEAR(inverse[which == 1 ? 2 : 1], -mixed / determinant, 1e-15);

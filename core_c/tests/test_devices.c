@@ -58,8 +58,8 @@ static void check_link(void)
   for (int as_link = 0; as_link < 2; as_link++) {
     ed_model *model = frame_model(FRAME);
     if (as_link) {
-      const int top = frame_node(FRAME, 0, 1), base = ed_model_node(model, "base", 0.0, 3.5);
-      ed_model_fix(model, base, 1, 1, 1);
+      const int top = frame_node(FRAME, 0, 1), base = ed_model_node(model, "base", (double[]){0.0, 3.5});
+      ed_model_fix(model, base, (int[]){1, 1, 1});
       CHECK(ed_model_link(model, "spring", base, top, STIFF, 0.0, 0.0, 0.0) >= 0);
     } else
       damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
@@ -67,7 +67,7 @@ static void check_link(void)
     CHECK_STATUS(ed_install_dampers(a), ED_OK); /* both from the unloaded frame */
     CHECK_STATUS(ed_set(a, ED_TOLERANCE, 1e-10), ED_OK);
     const int channel = add_channel(a, ED_DISPLACEMENT, frame_node(FRAME, 0, 2), 0);
-    CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
     CHECK_STATUS(run_to_end(a, N), ED_OK);
     double most[2], when[2], least[2], since[2], last[2];
     ed_extremes(a, most, when, least, since, last);
@@ -85,7 +85,7 @@ static double bare_energy_error(const double *ground)
   ed_statistics statistics;
   ed_model *model = frame_model(FRAME);
   ed_analysis *a = under_gravity(model);
-  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(run_to_end(a, N), ED_OK);
   ed_run_end(a);
   ed_get_statistics(a, &statistics);
@@ -101,8 +101,8 @@ static void check_tries(int exact, double brace)
   ground_motion(N, DT, 6.0, ground);
   ed_model *model = damped_frame(exact, brace);
   ed_analysis *straight = under_gravity(model), *hesitant = under_gravity(model);
-  CHECK_STATUS(ed_history_begin(straight, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
-  CHECK_STATUS(ed_history_begin(hesitant, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(straight, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(hesitant, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   for (int i = 0; i < N; i++) {
     CHECK_STATUS(ed_run_advance(straight, 1), ED_OK);
     CHECK_STATUS(ed_try_and_revert(hesitant, i % 2 ? 1.0 : 0.25), ED_OK);
@@ -134,7 +134,7 @@ static ed_statistics tight_history(const ed_model *model, int dampers, int reuse
   for (int i = 0; i < dampers; i++)
     add_channel(a, ED_DAMPER_FORCE, i, 0);
   ed_get_statistics(a, &before);
-  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(run_to_end(a, N), ED_OK);
   ed_extremes(a, most, when, least, since, end);
   ed_get_statistics(a, &after);
@@ -172,7 +172,7 @@ static void check_saved(void)
   ed_analysis *a = under_gravity(model), *b = under_gravity(model);
   CHECK_STATUS(ed_set(a, ED_REUSE_FACTORS, 0), ED_OK); /* factors of an earlier step are no part of the state */
   CHECK_STATUS(ed_set(b, ED_REUSE_FACTORS, 0), ED_OK);
-  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(run_to_end(a, N), ED_OK);
   ed_run_end(a);
   double *saved = state_of(a);
@@ -181,7 +181,7 @@ static void check_saved(void)
   CHECK_SAME(set, saved, ed_state_size(a));
   for (int i = 0; i < 2; i++) {
     ed_analysis *each = i ? b : a;
-    CHECK_STATUS(ed_history_begin(each, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(ed_history_begin(each, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
     CHECK_STATUS(run_to_end(each, N), ED_OK);
     ed_run_end(each);
     ed_state_get(each, i ? set : saved);
@@ -198,15 +198,15 @@ static void check_saved(void)
 enum { MASS_NODE = 1 };
 static ed_model *oscillator(double mass, double k, int law, int n, const double *parameters)
 {
-  ed_model *model = ed_model_new();
-  const int base = ed_model_node(model, "base", 0.0, 0.0), top = ed_model_node(model, "top", 1.0, 0.0), degree = 0;
+  ed_model *model = ed_model_new(2);
+  const int base = ed_model_node(model, "base", (double[]){0.0, 0.0}), top = ed_model_node(model, "top", (double[]){1.0, 0.0}), degree = 0;
   const double one = 1.0;
-  ed_model_fix(model, base, 1, 1, 1);
-  ed_model_fix(model, top, 0, 1, 1);
-  ed_model_mass(model, top, mass, 0.0, 0.0);
+  ed_model_fix(model, base, (int[]){1, 1, 1});
+  ed_model_fix(model, top, (int[]){0, 1, 1});
+  ed_model_mass(model, top, (double[]){mass, 0.0, 0.0});
   ed_model_link(model, "spring", base, top, k, 0.0, 0.0, 0.0);
   ed_model_pattern(model);
-  ed_model_nodal_load(model, 0, top, 1.0, 0.0, 0.0);
+  ed_model_nodal_load(model, 0, top, (double[]){1.0, 0.0, 0.0});
   CHECK_INT(ed_model_damper(model, "damper", law, n, parameters, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
   return model;
 }
@@ -234,7 +234,7 @@ static void check_hht(void)
   CHECK_STATUS(ed_set(a, ED_TOLERANCE, 1e-12), ED_OK);
   CHECK_STATUS(ed_initial_velocity(a, &start), ED_OK);
   const int channel = add_channel(a, ED_DISPLACEMENT, MASS_NODE, 0);
-  CHECK_STATUS(ed_history_begin(a, STEPS, dt, still, NULL, ED_GENERALISED_ALPHA, parameters), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, STEPS, dt, still, NULL, NULL, ED_GENERALISED_ALPHA, parameters), ED_OK);
   CHECK_STATUS(run_to_end(a, STEPS), ED_OK);
   double most, when, least, since, last;
   ed_extremes(a, &most, &when, &least, &since, &last);
@@ -258,7 +258,7 @@ static void check_static_after(void)
     CHECK_STATUS(ed_install_dampers(a), ED_OK);
     add_channel(a, ED_DISPLACEMENT, MASS_NODE, 0);
     add_channel(a, ED_VELOCITY, MASS_NODE, 0);
-    CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
     CHECK_STATUS(run_to_end(a, N), ED_OK);
     ed_run_end(a);
     CHECK_STATUS(ed_static_begin(a, 0, load, 2), ED_OK);
@@ -280,12 +280,12 @@ static void check_carrying(void)
   const double load = 2e3, one = 1.0;
   const int degree = 0;
   for (int carries = 0; carries < 3; carries++) { /* 2: a Bouc-Wen damper carries too */
-    ed_model *model = ed_model_new();
-    const int top = ed_model_node(model, "top", 0.0, 0.0);
-    ed_model_fix(model, top, 0, 1, 1);
-    ed_model_mass(model, top, 1e4, 0.0, 0.0);
+    ed_model *model = ed_model_new(2);
+    const int top = ed_model_node(model, "top", (double[]){0.0, 0.0});
+    ed_model_fix(model, top, (int[]){0, 1, 1});
+    ed_model_mass(model, top, (double[]){1e4, 0.0, 0.0});
     ed_model_pattern(model);
-    ed_model_nodal_load(model, 0, top, 1.0, 0.0, 0.0);
+    ed_model_nodal_load(model, 0, top, (double[]){1.0, 0.0, 0.0});
     CHECK_INT(ed_model_damper(model, "bearing", ED_LAW_ZENER, 3, zener, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
     CHECK_INT(ed_model_damper(model, "later", ED_LAW_BOUC_WEN, 7, soft, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 1);
     CHECK_INT(ed_model_damper(model, "other", ED_LAW_BOUC_WEN, 7, soft, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 2);
@@ -343,16 +343,16 @@ static void check_pressed(void)
   double still[STEPS + 1] = {0.0}, lift[STEPS + 1];
   for (int i = 0; i <= STEPS; i++) /* slowly, beside the 11 Hz of the mass on the spring */
     lift[i] = i < STEPS / 2 ? 3.0 * i / (STEPS / 2) : 3.0;
-  ed_model *model = ed_model_new();
-  const int base = ed_model_node(model, "base", 0.0, 0.0), top = ed_model_node(model, "top", 0.0, 0.0);
-  ed_model_fix(model, base, 1, 1, 1);
-  ed_model_fix(model, top, 0, 0, 1);
-  ed_model_mass(model, top, mass, mass, 0.0);
+  ed_model *model = ed_model_new(2);
+  const int base = ed_model_node(model, "base", (double[]){0.0, 0.0}), top = ed_model_node(model, "top", (double[]){0.0, 0.0});
+  ed_model_fix(model, base, (int[]){1, 1, 1});
+  ed_model_fix(model, top, (int[]){0, 0, 1});
+  ed_model_mass(model, top, (double[]){mass, mass, 0.0});
   const int spring = ed_model_spring(model, "bearing", base, top, up, ED_SPRING_CONTACT, 2, contact);
   const double pull[] = {-1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, soft[] = {1.0};
   ed_model_spring(model, "soft", base, top, pull, ED_SPRING_MULTILINEAR, 1, soft); /* holds it along the dashpot */
   ed_model_pattern(model);
-  ed_model_nodal_load(model, 0, top, 0.0, -weight, 0.0);
+  ed_model_nodal_load(model, 0, top, (double[]){0.0, -weight, 0.0});
   CHECK_INT(ed_model_damper(model, "dashpot", ED_LAW_VISCOUS, 1, dashpot, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
   CHECK_STATUS(ed_model_damper_weighs(model, 0, spring, 0.0), ED_E_ARGUMENT);
   CHECK_STATUS(ed_model_damper_weighs(model, 0, spring, weight), ED_OK);
@@ -371,7 +371,7 @@ static void check_pressed(void)
   add_channel(a, ED_DAMPER_FORCE, 0, 0);
   add_channel(a, ED_VELOCITY, top, 0);
   add_channel(a, ED_AXIAL_FORCE, spring, 0);
-  CHECK_STATUS(ed_history_begin(a, STEPS, dt, still, lift, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, STEPS, dt, still, lift, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   double most[3], when[3], least[3], since[3], last[3];
   for (int i = 0; i < STEPS; i++) {
     CHECK_STATUS(ed_run_advance(a, 1), ED_OK);

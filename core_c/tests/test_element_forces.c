@@ -64,7 +64,7 @@ static void check_fixed_ends(ed_element_kind kind, int release_j)
   member m = member_new((member_options){.kind = kind, .steel = PLASTIC, .points = 6, .release = {0, release_j}});
   const double L = m.e.length;
   const double d[6] = {0};
-  const ed_member_load uniform = {.position = -1.0, .transverse = WY};
+  const ed_member_load uniform = {.position = -1.0, .transverse = {WY}};
   ed_element_add_load(&m.e, &uniform, 1.0);
   ed_element_finish_loads(&m.e);
   double f[6];
@@ -83,7 +83,7 @@ static void check_point_load(void)
 {
   member m = member_new((member_options){.kind = ED_ELASTIC_BEAM, .steel = PLASTIC});
   const double L = m.e.length, a = SHARE * L, b = L - a, P = -PY, d[6] = {0};
-  const ed_member_load point = {.position = SHARE, .transverse = PY, .axial = PX};
+  const ed_member_load point = {.position = SHARE, .transverse = {PY}, .axial = PX};
   ed_element_add_load(&m.e, &point, 1.0);
   ed_element_finish_loads(&m.e);
   double f[6];

@@ -22,13 +22,13 @@ static void check_state(const member *m, const double *v)
   const double *q = m->block + ED_BLOCK_Q, strain = 1e-8 * fmax(fabs(v[0]), fabs(v[1]) + fabs(v[2]));
   double sum[3] = {0};
   for (int p = 0; p < m->e.points; p++) {
-    const double *point = m->block + ED_BLOCK_POINTS + p * ED_POINT_SIZE, x = m->e.x[p], w = m->e.weight[p];
+    const double *point = m->block + ed_point_at(ED_PLANE, p), x = m->e.x[p], w = m->e.weight[p];
     const ed_section *section = m->e.section[p];
     const double plastic_force = 0.02 * 275e6 * 1.5;
     ed_section_response r;
-    ed_section_trial(section, m->layers + m->e.layer_offset[p], point[0], point[1], NULL, &r);
-    CHECK_NEAR(r.N, q[0] + m->e.section_load[p][0], 1e-7 * plastic_force);
-    CHECK_NEAR(r.M, (x - 1.0) * q[1] + x * q[2] + m->e.section_load[p][1], 1e-7 * plastic_force * section->depth);
+    ed_section_trial(section, m->layers + m->e.layer_offset[p], point, NULL, &r);
+    CHECK_NEAR(r.force[0], q[0] + m->e.section_load[p][0], 1e-7 * plastic_force);
+    CHECK_NEAR(r.force[1], (x - 1.0) * q[1] + x * q[2] + m->e.section_load[p][1], 1e-7 * plastic_force * section->depth);
     sum[0] += w * point[0];
     sum[1] += w * (x - 1.0) * point[1];
     sum[2] += w * x * point[1];
@@ -87,7 +87,7 @@ static void check_shortcut(steel_kind steel, int release_i, int release_j, int l
       CHECK_NEAR(fast.block[ED_BLOCK_K + k], slow.block[ED_BLOCK_K + k], 1e-9 * fast.e.stiffness[0] * fast.e.length);
     for (int p = 0; p < 5; p++)
       for (int k = 0; k < 2; k++) {
-        const int at = ED_BLOCK_POINTS + p * ED_POINT_SIZE + k;
+        const int at = ed_point_at(ED_PLANE, p) + k;
         CHECK_NEAR(fast.block[at], slow.block[at], 1e-11 * YIELD / 0.1);
       }
     member_free(&fast);
@@ -145,7 +145,7 @@ static void check_plastic_limits(void)
   CHECK_NEAR(bent.block[ED_BLOCK_Q], 0.0, 1e-6 * plastic_moment);
   ed_element_commit(&bent.e, bent.block, bent.layers);
   /* elastic flexibility takes its part; what is left is plastic */
-  const double EI = bent.e.section[0]->k22, expected = 0.5 - plastic_moment * bent.e.length / (6.0 * EI);
+  const double EI = bent.e.section[0]->k[2], expected = 0.5 - plastic_moment * bent.e.length / (6.0 * EI);
   CHECK_NEAR(ed_element_plastic_rotation(&bent.e, bent.block, 0), expected, 1e-8);
   CHECK_NEAR(ed_element_plastic_rotation(&bent.e, bent.block, 1), expected, 1e-8);
   const double back[3] = {0.0, 0.4999, 0.4999}; /* unloads elastically */

@@ -38,9 +38,9 @@ static int evaluate(member *m, const double *d, double chord, double *force, dou
 static int nearly_plastic(const member *m)
 {
   for (int p = 0; p < m->e.points; p++) {
-    const double *k = m->block + ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_K;
+    const double *k = m->block + ed_point_at(ED_PLANE, p) + ed_point_k(ED_PLANE);
     const ed_section *section = m->e.section[p];
-    const double a = k[0] / section->k11, b = k[2] / section->k22, c = k[1] * k[1] / (section->k11 * section->k22);
+    const double a = k[0] / section->k[0], b = k[2] / section->k[2], c = k[1] * k[1] / (section->k[0] * section->k[2]);
     if (a * b - c < 1e-4 * (a + b) || a + b == 0.0) /* smaller eigenvalue, nearly */
       return 1;
   }
@@ -108,7 +108,7 @@ static void check_closed_form(ed_element_kind kind)
 {
   member m = member_new((member_options){.kind = kind, .steel = PLASTIC});
   const ed_section *section = m.e.section[0];
-  const double L = m.e.length, EA = section->k11, EI = section->k22;
+  const double L = m.e.length, EA = section->k[0], EI = section->k[2];
   const double d[6] = {0};
   double t[36];
   CHECK_STATUS(member_update(&m, d), ED_OK);

@@ -14,17 +14,17 @@ static const double M = 4e3, K = 9e5, C = 3e3; /* about 0.42 s and 2.5 % */
 /* A mass on a bar: K = E A / L. */
 static ed_model *oscillator(double fy)
 {
-  ed_model *model = ed_model_new();
+  ed_model *model = ed_model_new(2);
   const double E = K, steel[] = {K, fy, 0.0};
   if (fy > 0.0)
     ed_model_material(model, ED_BILINEAR, 3, steel);
   else
     ed_model_material(model, ED_ELASTIC, 1, &E);
-  ed_model_node(model, "ground", 0.0, 0.0);
-  ed_model_node(model, "mass", 1.0, 0.0);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_fix(model, 1, 0, 1, 1);
-  ed_model_mass(model, 1, M, 0.0, 0.0);
+  ed_model_node(model, "ground", (double[]){0.0, 0.0});
+  ed_model_node(model, "mass", (double[]){1.0, 0.0});
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_fix(model, 1, (int[]){0, 1, 1});
+  ed_model_mass(model, 1, (double[]){M, 0.0, 0.0});
   ed_model_truss(model, "spring", 0, 1, 0, 1.0, ED_LINEAR);
   return model;
 }
@@ -63,7 +63,7 @@ static void check_recursion(int method, scheme s)
   CHECK_STATUS(ed_set(analysis, ED_TOLERANCE, 1e-12), ED_OK);
   CHECK_STATUS(ed_rayleigh(analysis, C / M, 0.0, ED_STIFFNESS_INITIAL), ED_OK);
   add_channel(analysis, ED_DISPLACEMENT, 1, 0);
-  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, method, method == ED_NEWMARK ? newmark : alpha), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, NULL, method, method == ED_NEWMARK ? newmark : alpha), ED_OK);
   ed_run_buffers(analysis, 1, time, got, NULL);
   CHECK_STATUS(run_to_end(analysis, N), ED_OK);
   const double peak = largest_of(expected, N + 1);
@@ -87,7 +87,7 @@ static void check_taken_rows(void)
   for (int taken = 0; taken < 2; taken++) {
     ed_analysis *analysis = frame_analysis(model);
     add_channel(analysis, ED_DISPLACEMENT, 1, 0);
-    CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
     if (taken)
       ed_run_buffers(analysis, 1, time, piece, NULL);
     else
@@ -121,7 +121,7 @@ static double phase_error(double dt, double duration)
   double *u = malloc(((size_t)n + 1) * sizeof *u);
   add_channel(analysis, ED_DISPLACEMENT, 1, 0);
   CHECK_STATUS(ed_initial_velocity(analysis, &start), ED_OK);
-  CHECK_STATUS(ed_history_begin(analysis, n, dt, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, n, dt, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(ed_initial_velocity(analysis, &start), ED_E_STATE);
   ed_run_buffers(analysis, 1, NULL, u, NULL);
   CHECK_STATUS(run_to_end(analysis, n), ED_OK);
@@ -155,7 +155,7 @@ static void check_frame(int geometry, int stiffness, int method)
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 2), ED_OK);
   CHECK_STATUS(run_to_end(analysis, 2), ED_OK);
   const double *parameters = method == ED_NEWMARK ? AVERAGE_ACCELERATION : hht;
-  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, method, parameters), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, NULL, method, parameters), ED_OK);
   ed_run_buffers(analysis, 1, NULL, NULL, energy);
   CHECK_STATUS(ed_run_advance(analysis, N), ED_OK);
   CHECK_INT(ed_run_steps_done(analysis), N);
@@ -187,7 +187,7 @@ static void check_yielding_oscillator(void)
   ed_model *model = oscillator(fy);
   ed_analysis *analysis = frame_analysis(model);
   add_channel(analysis, ED_AXIAL_FORCE, 0, 0);
-  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(analysis, 1, NULL, force, NULL);
   CHECK_STATUS(run_to_end(analysis, N), ED_OK);
   CHECK_NEAR(largest_of(force, N + 1), fy, 1e-9 * fy);

@@ -14,14 +14,14 @@ static double ground[N + 1], values[2][N + 1], energy[2][(N + 1) * ED_N_ENERGY];
 /* A mass on an elastic bar. */
 static ed_model *oscillator(void)
 {
-  ed_model *model = ed_model_new();
+  ed_model *model = ed_model_new(2);
   const double E = K;
   const int steel = ed_model_material(model, ED_ELASTIC, 1, &E);
-  ed_model_node(model, "support", 0.0, 0.0);
-  ed_model_node(model, "mass", 1.0, 0.0);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_fix(model, 1, 0, 1, 1);
-  ed_model_mass(model, 1, M, M, 0.0);
+  ed_model_node(model, "support", (double[]){0.0, 0.0});
+  ed_model_node(model, "mass", (double[]){1.0, 0.0});
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_fix(model, 1, (int[]){0, 1, 1});
+  ed_model_mass(model, 1, (double[]){M, M, 0.0});
   ed_model_truss(model, "bar", 0, 1, steel, 1.0, ED_LINEAR);
   return model;
 }
@@ -41,7 +41,7 @@ static void run_frame(ed_analysis *a, frame_options o, int method, int by_force,
   CHECK_STATUS(run_to_end(a, 5), ED_OK);
   CHECK_STATUS(ed_install_dampers(a), ED_OK);
   add_channel(a, ED_DISPLACEMENT, frame_node(o, 0, o.storeys), 0);
-  CHECK_STATUS(ed_history_begin(a, N, DT, by_force ? still : ground, NULL, method, method == ED_NEWMARK ? AVERAGE_ACCELERATION : ALPHA),
+  CHECK_STATUS(ed_history_begin(a, N, DT, by_force ? still : ground, NULL, NULL, method, method == ED_NEWMARK ? AVERAGE_ACCELERATION : ALPHA),
                ED_OK);
   ed_run_buffers(a, 1, NULL, value, balance);
   if (by_force)
@@ -95,7 +95,7 @@ static void check_jumps(void)
   const double one = 1.0;
   double u = 0.0, v = 0.0, largest = 0.0;
   add_channel(a, ED_DISPLACEMENT, 1, 0);
-  CHECK_STATUS(ed_history_begin(a, N, DT, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(a, 1, NULL, values[0], energy[0]);
   CHECK_INT(ed_history_force(a, 1, &node, &degree, &one), 0);
   for (int k = 0; k < N; k++) {
@@ -129,7 +129,7 @@ static void check_balance(void)
   const int node[] = {frame_node(o, 0, 2), frame_node(o, 0, 0)}, across[] = {0, 0}, turn = 2;
   const double coefficient[] = {1.0, -1.0};
   ed_rayleigh(a, 0.3, 1e-3, ED_STIFFNESS_INITIAL);
-  CHECK_STATUS(ed_history_begin(a, N, DT, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(a, 1, NULL, NULL, energy[0]);
   CHECK_INT(ed_history_force(a, 2, node, across, coefficient), 0); /* the second degree is fixed */
   CHECK_INT(ed_history_force(a, 1, node, &turn, coefficient), 1);
@@ -172,7 +172,7 @@ static void check_restart(void)
         add_channel(a, ED_DISPLACEMENT, 1, 0);
         CHECK_STATUS(ed_state_set(a, state), ED_OK);
       }
-      CHECK_STATUS(ed_history_begin(a, steps, DT, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+      CHECK_STATUS(ed_history_begin(a, steps, DT, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
       ed_run_buffers(a, 1, NULL, values[parts - 1] + first, NULL);
       CHECK_INT(ed_history_force(a, 1, &node, &degree, &one), 0);
       for (int k = first; k < first + steps; k++) {
@@ -205,7 +205,7 @@ static void check_refusals(void)
   const double coefficient[] = {1.0, INFINITY};
   REFUSED(ed_history_force(a, 1, node, degree, coefficient), ED_E_STATE, "while one runs");
   REFUSED(ed_history_set_force(a, 0, 0.0, 0.0), ED_E_STATE, "while one runs");
-  CHECK_STATUS(ed_history_begin(a, 3, DT, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, 3, DT, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   REFUSED(ed_history_force(a, 0, node, degree, coefficient), ED_E_ARGUMENT, "1 to 12");
   REFUSED(ed_history_force(a, 13, node, degree, coefficient), ED_E_ARGUMENT, "1 to 12");
   REFUSED(ed_history_force(a, 1, node + 1, degree, coefficient), ED_E_ID, "node 7");
@@ -226,7 +226,7 @@ static void check_refusals(void)
   CHECK_SAME(after, before, ed_state_size(a));
   CHECK_STATUS(run_to_end(a, 3), ED_OK);
   REFUSED(ed_history_set_force(a, 0, 0.0, 0.0), ED_E_STATE, "while one runs");
-  CHECK_STATUS(ed_history_begin(a, 3, DT, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, 3, DT, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   REFUSED(ed_history_set_force(a, 0, 0.0, 0.0), ED_E_ID, "no force"); /* they end with their run */
   CHECK_INT(ed_history_force(a, 1, node, degree, coefficient), 0);
   CHECK_STATUS(ed_history_set_force(a, 0, 0.0, 1e308), ED_OK);

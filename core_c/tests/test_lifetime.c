@@ -37,12 +37,12 @@ static void use(ed_analysis *analysis, int how)
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 2), ED_OK);
   CHECK_STATUS(run_to_end(analysis, 2), ED_OK);
   const double *vertical = how % 2 ? ground : NULL;
-  CHECK_STATUS(ed_history_begin(analysis, N, 0.02, ground, vertical, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, 0.02, ground, vertical, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(analysis, 1, NULL, rows, energy);
   CHECK_STATUS(ed_run_advance(analysis, how % 5 == 4 ? N / 2 : N), ED_OK);
   if (how % 2 == 0)
     ed_run_end(analysis);
-  CHECK_STATUS(ed_history_begin(analysis, N, -1.0, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+  CHECK_STATUS(ed_history_begin(analysis, N, -1.0, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
                how % 2 ? ED_E_STATE : ED_E_ARGUMENT);
 }
 
@@ -53,9 +53,9 @@ static void refused(int how)
   char message[64];
   int status;
   if (how % 2)
-    ed_model_node(model, "loose", 99.0, 0.0);
+    ed_model_node(model, "loose", (double[]){99.0, 0.0});
   else {
-    const int tip = ed_model_node(model, "tip", 20.0, 7.0);
+    const int tip = ed_model_node(model, "tip", (double[]){20.0, 7.0});
     const int material = 0;
     ed_model_truss(model, "bar", frame_node(FRAME, 1, 2), tip, material, 0.01, ED_LINEAR);
   }

@@ -18,7 +18,7 @@ static ed_analysis *shaken(const ed_model *model)
   ed_analysis *analysis = frame_analysis(model);
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 2), ED_OK);
   CHECK_STATUS(run_to_end(analysis, 2), ED_OK);
-  CHECK_STATUS(ed_history_begin(analysis, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   return analysis;
 }
 
@@ -106,7 +106,7 @@ static void check_several(void)
   CHECK_INT(ed_run_limit(analysis, &value, &at), -1);
   ed_clear_channels(analysis);
   add_channel(analysis, ED_DISPLACEMENT, roof, 0);
-  CHECK_STATUS(ed_history_begin(analysis, N, DT, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(analysis, N, DT, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(ed_run_advance(analysis, N), ED_OK);
   ed_analysis_free(analysis);
   ed_model_free(model);

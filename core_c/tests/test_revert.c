@@ -22,7 +22,7 @@ static int begin(ed_analysis *analysis, run_kind kind, const double *ground)
     case PUSHOVER:
       return ed_pushover_begin(analysis, LATERAL, frame_node(FRAME, 0, 2), 0, 0.3, N);
     default:
-      return ed_history_begin(analysis, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION);
+      return ed_history_begin(analysis, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION);
   }
 }
 

@@ -17,7 +17,7 @@ static member rigid_member(ed_element_kind kind, int geometry, steel_kind steel)
 static void check_stiffness(ed_element_kind kind)
 {
   member m = rigid_member(kind, ED_LINEAR, PLASTIC);
-  const double l = L - A - B, EI = m.e.section[0]->k22, k = EI / l, d[6] = {0};
+  const double l = L - A - B, EI = m.e.section[0]->k[2], k = EI / l, d[6] = {0};
   double t[36];
   CHECK_NEAR(m.e.length, l, 1e-15);
   CHECK_STATUS(member_update(&m, d), ED_OK);
@@ -48,9 +48,9 @@ static void check_uniform_load(ed_element_kind kind, int geometry)
 /* Sums of forces and moments of a triangular load over the whole length and of forces on both arms. */
 static void check_resultants(void)
 {
-  const ed_member_load loads[] = {{.position = 0.0, .end = 1.0, .transverse_end = -30e3},
-                                  {.position = 0.05, .transverse = -7e3, .axial = 2e3},
-                                  {.position = 0.95, .transverse = -5e3, .axial = 1e3}};
+  const ed_member_load loads[] = {{.position = 0.0, .end = 1.0, .transverse_end = {-30e3}},
+                                  {.position = 0.05, .transverse = {-7e3}, .axial = 2e3},
+                                  {.position = 0.95, .transverse = {-5e3}, .axial = 1e3}};
   member m = rigid_member(ED_ELASTIC_BEAM, ED_LINEAR, PLASTIC);
   const double d[6] = {0};
   double f[6];

@@ -132,7 +132,7 @@ static void check_run(void)
     CHECK_STATUS(run_to_end(a, 2), ED_OK);
     CHECK_STATUS(ed_install_dampers(a), ED_OK);
     ed_analysis_ask(a, k ? &stop : NULL);
-    CHECK_STATUS(ed_history_begin(a, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(ed_history_begin(a, N, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
     int status, before = -1;
     do {
       status = ed_run_advance(a, N);

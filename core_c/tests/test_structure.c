@@ -11,13 +11,13 @@
 
 static ed_model *beam_line(int nodes, double EA, double EI)
 {
-  ed_model *model = ed_model_new();
+  ed_model *model = ed_model_new(2);
   static const char *const names[] = {"left", "middle", "right", "end"};
-  ed_model_elastic_section(model, EA, EI);
+  ed_model_elastic_section(model, (double[]){EA, EI});
   for (int i = 0; i < nodes; i++) {
-    ed_model_node(model, names[i], 3.0 * i, 0.0);
+    ed_model_node(model, names[i], (double[]){3.0 * i, 0.0});
     if (i > 0)
-      ed_model_elastic_beam(model, names[i], i - 1, i, 0, ED_LINEAR, 0, 0);
+      ed_model_elastic_beam(model, names[i], i - 1, i, 0, ED_LINEAR, NULL, NULL);
   }
   return model;
 }
@@ -44,31 +44,31 @@ static void check_refusals(void)
   refused(model, ED_E_DISCONNECTED, "left", "right"); /* no support at all */
 
   model = beam_line(3, 1e9, 1e8);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_node(model, "alone", 50.0, 0.0);
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_node(model, "alone", (double[]){50.0, 0.0});
   refused(model, ED_E_DISCONNECTED, "alone", "1 node");
 
   model = beam_line(3, 1e9, 1e8);
-  ed_model_fix(model, 0, 0, 1, 0);
-  ed_model_fix(model, 2, 0, 1, 0);
+  ed_model_fix(model, 0, (int[]){0, 1, 0});
+  ed_model_fix(model, 2, (int[]){0, 1, 0});
   refused(model, ED_E_MECHANISM, "middle.ux", "mechanism"); /* rolls away */
 
   model = beam_line(3, 1e9, 1e8);
-  ed_model_fix(model, 0, 1, 1, 0);
+  ed_model_fix(model, 0, (int[]){1, 1, 0});
   refused(model, ED_E_MECHANISM, "right.uy", "mechanism"); /* turns about its hinge */
 
   model = beam_line(2, 1e9, 1e8);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_node(model, "tip", 6.0, 0.0);
-  ed_model_elastic_beam(model, "hinged", 1, 2, 0, ED_LINEAR, 1, 1);
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_node(model, "tip", (double[]){6.0, 0.0});
+  ed_model_elastic_beam(model, "hinged", 1, 2, 0, ED_LINEAR, (int[]){1, 1}, NULL);
   refused(model, ED_E_MECHANISM, "tip.", "mechanism");
 
   model = beam_line(2, 1e9, 1e8);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_fix(model, 1, 1, 1, 1);
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_fix(model, 1, (int[]){1, 1, 1});
   refused(model, ED_E_EMPTY, "free", "");
 
-  refused(ed_model_new(), ED_E_EMPTY, "", "");
+  refused(ed_model_new(2), ED_E_EMPTY, "", "");
 }
 
 static void check_ties(void)
@@ -77,7 +77,7 @@ static void check_ties(void)
   ed_model *model = frame_model(o);
   for (int floor = 1; floor <= 2; floor++)
     for (int line = 1; line <= 2; line++) /* in a chain: C to B to A */
-      CHECK_STATUS(ed_model_tie(model, frame_node(o, line, floor), frame_node(o, line - 1, floor), 1, 0, 0), ED_OK);
+      CHECK_STATUS(ed_model_tie(model, frame_node(o, line, floor), frame_node(o, line - 1, floor), (int[]){1, 0, 0}), ED_OK);
   ed_analysis *analysis = frame_analysis(model);
   CHECK_INT(ed_n_equations(analysis), 2 * (1 + 3 * 2));
   int equation[27];
@@ -104,8 +104,8 @@ static void check_ties(void)
   /* a support at a tied node supports all of them */
   ed_model_free(model);
   model = frame_model(o);
-  ed_model_tie(model, frame_node(o, 1, 1), frame_node(o, 0, 1), 1, 0, 0);
-  ed_model_fix(model, frame_node(o, 1, 1), 1, 0, 0);
+  ed_model_tie(model, frame_node(o, 1, 1), frame_node(o, 0, 1), (int[]){1, 0, 0});
+  ed_model_fix(model, frame_node(o, 1, 1), (int[]){1, 0, 0});
   analysis = frame_analysis(model);
   ed_equations(analysis, equation);
   CHECK_INT(equation[3 * frame_node(o, 0, 1)], -1);
@@ -118,7 +118,7 @@ static void check_matrix(void)
 {
   const double EI = 1e8, L = 6.0;
   ed_model *model = beam_line(3, 1e9, EI);
-  ed_model_fix(model, 0, 1, 1, 1);
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
   ed_analysis *analysis = frame_analysis(model);
   const int n = ed_n_equations(analysis), nnz = ed_n_nonzeros(analysis);
   CHECK_INT(n, 6);

@@ -19,7 +19,7 @@ typedef struct {
 
 static strut strut_new(int elements, double buckling_length, double end_stiffness, int law, double fatigue)
 {
-  strut s = {.model = ed_model_new(), .control = {.tolerance = 1e-22, .fast_elastic = 1}};
+  strut s = {.model = ed_model_new(2), .control = {.tolerance = 1e-22, .fast_elastic = 1}};
   const double parameters[] = {E, FY, 0.01, 20.0, 0.925, 0.15};
   const int bar = ed_model_material(s.model, law, law == ED_BILINEAR ? 3 : 6, parameters);
   const int steel = ed_model_material(s.model, law, law == ED_BILINEAR ? 3 : 6, parameters);
@@ -32,8 +32,8 @@ static strut strut_new(int elements, double buckling_length, double end_stiffnes
     area[i] = DEPTH * DEPTH / LAYERS;
     material[i] = steel;
   }
-  const int section = ed_model_fibre_section(s.model, LAYERS, y, area, material);
-  const int i = ed_model_node(s.model, "i", 0.0, 0.0), j = ed_model_node(s.model, "j", LENGTH, 0.0);
+  const int section = ed_model_fibre_section(s.model, LAYERS, y, NULL, area, material, 0.0);
+  const int i = ed_model_node(s.model, "i", (double[]){0.0, 0.0}), j = ed_model_node(s.model, "j", (double[]){LENGTH, 0.0});
   const int id = ed_model_strut(s.model, "s", i, j, section, 5, elements, 1e-3, buckling_length, end_stiffness, bar, DEPTH * DEPTH, ED_LINEAR);
   CHECK_INT(id, 0);
   CHECK_STATUS(ed_element_setup(&s.e, s.model, id), ED_OK);

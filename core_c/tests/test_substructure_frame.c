@@ -68,14 +68,14 @@ static int run(const loop *l, int n, double *rows, int *done)
 static void check_oscillator(int held, int divisions)
 {
   const double M = 4e3, K = 9e5, k_E = 4e5, h = 2e-3, dt = h / divisions;
-  ed_model *model = ed_model_new();
+  ed_model *model = ed_model_new(2);
   const int steel = ed_model_material(model, ED_ELASTIC, 1, &K), node = 1, degree = 0;
   const double one = 1.0;
-  ed_model_node(model, "support", 0.0, 0.0);
-  ed_model_node(model, "mass", 1.0, 0.0);
-  ed_model_fix(model, 0, 1, 1, 1);
-  ed_model_fix(model, 1, 0, 1, 1);
-  ed_model_mass(model, 1, M, M, 0.0);
+  ed_model_node(model, "support", (double[]){0.0, 0.0});
+  ed_model_node(model, "mass", (double[]){1.0, 0.0});
+  ed_model_fix(model, 0, (int[]){1, 1, 1});
+  ed_model_fix(model, 1, (int[]){0, 1, 1});
+  ed_model_mass(model, 1, (double[]){M, M, 0.0});
   ed_model_truss(model, "bar", 0, 1, steel, 1.0, ED_LINEAR);
   ed_analysis *a = frame_analysis(model);
   add_channel(a, ED_DISPLACEMENT, 1, 0);
@@ -149,7 +149,7 @@ static double error_of_loop(int held, int finer)
   ground_motion(n, BASE_STEP / finer, 14.0, ground);
   ed_analysis *whole = ready(&model, 1, node);
   add_channel(whole, ED_DAMPER_DEFORMATION, 0, 0);
-  CHECK_STATUS(ed_history_begin(whole, n, BASE_STEP / finer, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(whole, n, BASE_STEP / finer, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(whole, 1, NULL, direct, NULL);
   CHECK_STATUS(run_to_end(whole, n), ED_OK);
   ed_analysis_free(whole);
@@ -197,7 +197,7 @@ static void check_specimen_of_frame(void)
     add_channel(a, with_specimen ? ED_DAMPER_WORK : ED_GIVEN_WORK, 0, 0);
     add_channel(a, ED_REACTION, node[1], 0);
     if (with_specimen) {
-      CHECK_STATUS(ed_history_begin(a, BASE, h, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+      CHECK_STATUS(ed_history_begin(a, BASE, h, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
       ed_run_buffers(a, 1, NULL, whole_values, NULL);
       CHECK_STATUS(run_to_end(a, BASE), ED_OK);
       ed_run_end(a);
@@ -280,7 +280,7 @@ static void check_life(void)
   CHECK(done > 1 && done < BASE);
   CHECK_CONTAINS(ed_substructure_message(test), "the numerical part: ");
   CHECK_STATUS(ed_state_set(a, rest), ED_OK);
-  CHECK_STATUS(ed_history_begin(a, BASE, BASE_STEP, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, BASE, BASE_STEP, NULL, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(ed_substructure_run(test, BASE, ground, 0, again, &done), ED_E_STATE);
   CHECK(ed_substructure_new(&l.input, &status, message, sizeof message) == NULL);
   CHECK_CONTAINS(message, "in the middle of a run");

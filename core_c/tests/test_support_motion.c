@@ -28,7 +28,7 @@ static void prepare(ed_analysis *a)
   CHECK_STATUS(run_to_end(a, 5), ED_OK);
   CHECK_STATUS(ed_install_dampers(a), ED_OK);
   ed_rayleigh(a, 0.3, 1e-3, ED_STIFFNESS_CURRENT);
-  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
 }
 
 /* A yielding frame with every damper: trials that are left change nothing, and the balance closes. */
@@ -106,7 +106,7 @@ static void check_restart(void)
   ed_state_get(a, state);
   CHECK_STATUS(ed_state_set(b, state), ED_OK);
   double last[1], other[1];
-  CHECK_STATUS(ed_history_begin(b, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(b, N, DT, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   const int channel = add_channel(b, ED_DISPLACEMENT, base, 0);
   CHECK_STATUS(ed_run_advance(b, 3), ED_OK);
   ed_extremes(b, other, other, other, other, last);

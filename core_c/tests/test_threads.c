@@ -37,7 +37,7 @@ static void *run(void *argument)
   if (j->status == ED_OK)
     j->status = ed_install_dampers(analysis);
   if (j->status == ED_OK)
-    j->status = ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION);
+    j->status = ed_history_begin(analysis, N, 0.01, ground, NULL, NULL, ED_NEWMARK, AVERAGE_ACCELERATION);
   if (j->status == ED_OK) {
     ed_run_buffers(analysis, 1, NULL, j->displacement, j->energy);
     for (int i = 0; i < N && j->status == ED_OK; i += 10)

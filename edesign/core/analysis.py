@@ -22,7 +22,6 @@ from edesign.core.response import FALLBACK_NAMES, KINDS, Channel, Passed, Respon
 from edesign.core.stop import STOP, raise_if_stopped
 from edesign.stopping import stoppable
 
-DEGREES = {"ux": 0, "uy": 1, "rz": 2}
 STIFFNESS = {
     "initial": lib.ED_STIFFNESS_INITIAL,
     "committed": lib.ED_STIFFNESS_COMMITTED,
@@ -53,7 +52,7 @@ class SupportMotion:
 
     Attributes:
         node: its id.
-        degree: "ux", "uy" or "rz"; what is tied to it moves along.
+        degree: "ux", "uy", ...; what is tied to it moves along.
         samples: displacement (m), velocity and acceleration, each (nt,), at the times of the ground acceleration.
     """
 
@@ -90,7 +89,7 @@ class Analysis:
             self.set(name, value)
         n_nodes = len(model.node_names)
         self.n_equations = int(lib.ed_n_equations(self._c))
-        self.equations = np.empty((n_nodes, 3), dtype=np.int32)
+        self.equations = np.empty((n_nodes, len(model.degrees)), dtype=np.int32)
         lib.ed_equations(self._c, ffi.from_buffer("int[]", self.equations))
 
     @property
@@ -232,9 +231,10 @@ class Analysis:
         """
         if damper_stiffness is None and lib.ed_unstable_directions(self._c) > 0:
             raise CoreError("ED_E_UNSTABLE", "the structure is unstable in its present state: it has no natural modes")
-        influence = np.zeros(self.n_equations)
-        free = self.equations[:, 0] >= 0
-        influence[self.equations[free, 0]] = 1.0
+        influence = np.zeros((self.model.dimension, self.n_equations))
+        for axis, along in enumerate(influence):
+            free = self.equations[:, axis] >= 0
+            along[self.equations[free, axis]] = 1.0
         stiffness: np.ndarray | scipy.sparse.csc_matrix
         if damper_stiffness is not None:
             along = self.damper_directions()
@@ -242,7 +242,10 @@ class Analysis:
             stiffness = (self.stiffness() + added).tocsc()
         else:
             stiffness = self.dense_stiffness() if self.n_equations <= DENSE else self.stiffness()
-        return natural_modes(stiffness, self.masses(), self.equations, influence, count)
+        modes = natural_modes(stiffness, self.masses(), self.equations, influence, count)
+        for node, master in self.model.masters.items():
+            modes.shapes[:, node, :2] += modes.shapes[:, master, 5:] * self.model.levers(node)
+        return modes
 
     def damper_directions(self) -> scipy.sparse.csr_matrix:
         """Return the deformation of each damper by displacements of the equations, (n_dampers, n_equations)."""
@@ -357,7 +360,7 @@ class Analysis:
         """Move a degree in equal steps under a pattern of nodal loads (displacement control).
 
         Args:
-            degree: "ux", "uy" or "rz".
+            degree: "ux", "uy", ...
             target: displacement at the end, m or rad.
             steps: how many.
             channels: what to record.
@@ -365,7 +368,7 @@ class Analysis:
             stop: asked now and then; True ends the run.
             limits: as in `history`.
         """
-        self._check(lib.ed_pushover_begin(self._c, pattern, node, DEGREES[degree], target, steps))
+        self._check(lib.ed_pushover_begin(self._c, pattern, node, self.model.degrees.index(degree), target, steps))
         return self._run(steps, channels, 1, progress, stop, limits)
 
     def history(
@@ -382,6 +385,7 @@ class Analysis:
         tail: int = 0,
         energies: bool = True,
         supports: Sequence[SupportMotion] = (),
+        along_y: ArrayLike | None = None,
     ) -> Response:
         """Run a time history under ground acceleration.
 
@@ -391,13 +395,14 @@ class Analysis:
             channels: what to record.
             every: every so many steps are kept, extremes and the balance of the energies count every step. 0: only the
                 start is kept, and energies are not counted in between.
-            vertical: (nt,) m/s2 along y.
+            vertical: (nt,) m/s2 upwards.
             progress: called with (steps done, steps) now and then.
             stop: asked now and then; True ends the run with status "interrupted".
             limits: by name of a channel; the run ends with status "limit" in the step in which its magnitude passes it.
             tail: how many of the last steps are kept of channels with a tail.
             energies: whether the energies of the steps that are kept are kept as well.
             supports: supported degrees that move relative to the ground.
+            along_y: (nt,) m/s2 along y of a structure in space.
 
         Returns:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
@@ -406,15 +411,17 @@ class Analysis:
             ValueError: a limit belongs to no channel.
             CoreError: a limit is not positive; a degree has no support or is not at rest, or the structure is unstable.
         """
-        ground = np.ascontiguousarray(ground_acceleration, dtype=float)
-        other = None if vertical is None else np.ascontiguousarray(vertical, dtype=float)
-        if ground.ndim != 1 or ground.size < 2 or (other is not None and other.shape != ground.shape):
-            raise ValueError("ground acceleration needs at least two samples, and as many vertically")
+        across, upwards = (along_y, vertical) if self.model.dimension == 3 else (vertical, along_y)
+        given = (ground_acceleration, across, upwards)
+        ground = [None if one is None else np.ascontiguousarray(one, dtype=float) for one in given]
+        shape = np.shape(ground_acceleration)
+        if len(shape) != 1 or shape[0] < 2 or any(one is not None and one.shape != shape for one in ground):
+            raise ValueError("ground acceleration needs at least two samples, and as many in every direction")
         kind, parameters = method.parameters()
-        steps = ground.size - 1
-        self._check(lib.ed_history_begin(self._c, steps, dt, _doubles(ground), _doubles(other), kind, parameters))
+        samples, steps = shape[0], shape[0] - 1
+        self._check(lib.ed_history_begin(self._c, steps, dt, *(_doubles(one) for one in ground), kind, parameters))
         try:
-            self._move_supports(supports, ground.size)
+            self._move_supports(supports, samples)
         except (CoreError, ValueError):
             lib.ed_run_end(self._c)
             raise
@@ -425,7 +432,7 @@ class Analysis:
             parts = [np.ascontiguousarray(part, dtype=float) for part in motion.samples]
             if any(part.shape != (samples,) for part in parts):
                 raise ValueError("the motion of a support has as many samples as that of the ground")
-            degree = DEGREES[motion.degree]
+            degree = self.model.degrees.index(motion.degree)
             self._check(lib.ed_history_support(self._c, motion.node, degree, *(_doubles(part) for part in parts)))
 
     def _add_channels(self, channels: Sequence[Channel]) -> None:

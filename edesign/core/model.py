@@ -1,8 +1,8 @@
-"""The numerical model of a plane frame: a thin typed layer over the C core."""
+"""The numerical model of a frame in a plane or in space: a thin typed layer over the C core."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, assert_never
 
 import numpy as np
@@ -17,22 +17,35 @@ from edesign.core.springs import SpringLaw
 GEOMETRY = {"linear": lib.ED_LINEAR, "p_delta": lib.ED_P_DELTA, "corotational": lib.ED_COROTATIONAL}
 
 
+PLANE_DEGREES = ("ux", "uy", "rz")
+SPACE_DEGREES = ("ux", "uy", "uz", "rx", "ry", "rz")
+NO_RELEASE = (False, False, False, False)
+
+
 class Model:
     """Nodes, elements, masses, supports and load patterns, in SI units.
 
-    Three degrees a node: ux, uy (upwards), rz (anticlockwise). Ids are the integers that the methods return. Materials
-    come before sections. Every method raises CoreError with a message for people when the core refuses its arguments.
+    In a plane a node has three degrees: ux, uy (upwards), rz (anticlockwise). In space it has six: ux, uy, uz (upwards),
+    rx, ry, rz, right-handed. Local x of a member runs from i to j; in space local z is the direction of its web, and
+    local y completes a right-handed system. Ids are the integers that the methods return. Materials come before
+    sections. Every method raises CoreError with a message for people when the core refuses its arguments.
+
+    Args:
+        dimension: 2 or 3.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, dimension: int = 2) -> None:
         self._frozen = False
-        self._handle = ffi.gc(lib.ed_model_new(), lib.ed_model_free)
+        self.dimension = dimension
+        self.degrees = SPACE_DEGREES if dimension == 3 else PLANE_DEGREES
+        self._handle = ffi.gc(lib.ed_model_new(dimension), lib.ed_model_free)
         if self._handle == ffi.NULL:
             raise MemoryError
         self.node_names: list[str] = []
         self.element_names: list[str] = []
         self.element_sections: list[int] = []
-        self.node_xy: list[tuple[float, float]] = []
+        self.node_places: list[tuple[float, float, float]] = []
+        self.masters: dict[int, int] = {}
         self.damper_names: list[str] = []
         self.damper_terms: list[tuple[tuple[float, int, int], ...]] = []
 
@@ -76,25 +89,38 @@ class Model:
             self._checked(lib.ed_model_fatigue(self._c, number, fatigue.strain, -1.0 / fatigue.exponent))
         return number
 
-    def elastic_section(self, EA: float, EI: float) -> int:
+    def elastic_section(self, EA: float, EI: float, EI_y: float = 0.0, GJ: float = 0.0) -> int:
         """Add an elastic section.
 
         Args:
             EA: N.
-            EI: N m2.
+            EI: in space about local z, N m2.
+            EI_y: in space about local y, N m2.
+            GJ: in space, N m2.
 
         Returns:
             Number of the section.
         """
-        return self._checked(lib.ed_model_elastic_section(self._c, EA, EI))
+        return self._checked(lib.ed_model_elastic_section(self._c, [EA, EI, EI_y, GJ]))
 
-    def fibre_section(self, y: ArrayLike, area: ArrayLike, material: int | ArrayLike) -> int:
-        """Add a section of fibres; those at one depth are merged exactly.
+    def fibre_section(
+        self,
+        y: ArrayLike,
+        area: ArrayLike,
+        material: int | ArrayLike,
+        z: ArrayLike | None = None,
+        GJ: float = 0.0,
+    ) -> int:
+        """Add a section of fibres; those at one place are merged exactly.
+
+        In space the strain is e0 - kappa_z y + kappa_y z, and torsion is elastic beside it, without warping.
 
         Args:
-            y: (n,) depths, m.
+            y: (n,) depths, in space along local y, m.
             area: (n,) m2.
             material: one number, or (n,).
+            z: in space (n,) along local z, m; None for a section in one plane, as buckling braces have.
+            GJ: in space, N m2.
 
         Returns:
             Number of the section.
@@ -103,17 +129,20 @@ class Model:
             ValueError: there are not as many areas as depths, or the materials do not fit them.
         """
         depth = np.ascontiguousarray(y, dtype=float).ravel()
+        across = None if z is None else np.ascontiguousarray(z, dtype=float).ravel()
         areas = np.ascontiguousarray(area, dtype=float).ravel()
         laws = np.ascontiguousarray(np.broadcast_to(material, depth.shape), dtype=np.int32)
-        if areas.shape != depth.shape:
+        if areas.shape != depth.shape or (across is not None and across.shape != depth.shape):
             raise ValueError(f"{depth.size} depths and {areas.size} areas")
         return self._checked(
             lib.ed_model_fibre_section(
                 self._c,
                 depth.size,
                 ffi.from_buffer("double[]", depth),
+                ffi.NULL if across is None else ffi.from_buffer("double[]", across),
                 ffi.from_buffer("double[]", areas),
                 ffi.from_buffer("int[]", laws),
+                GJ,
             )
         )
 
@@ -121,50 +150,131 @@ class Model:
         """Return the number of layers of a fibre section after merging."""
         return self._checked(lib.ed_model_section_layers(self._handle, section))
 
-    def node(self, name: str, x: float, y: float) -> int:
+    def node(self, name: str, x: float, y: float, z: float = 0.0) -> int:
         """Add a node.
 
         Args:
             x: m.
             y: m.
+            z: in space, m.
 
         Returns:
             Number of the node.
         """
-        result = self._checked(lib.ed_model_node(self._c, name.encode(), x, y))
+        result = self._checked(lib.ed_model_node(self._c, name.encode(), [x, y, z]))
         self.node_names.append(name)
-        self.node_xy.append((x, y))
+        self.node_places.append((x, y, z))
         return result
 
-    def fix(self, node: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
+    def _over_degrees(self, values: Mapping[str, float]) -> list[Any]:
+        """Return values in the order of the degrees; of a plane frame those of space must be 0."""
+        unknown = [name for name, value in values.items() if value and name not in self.degrees]
+        if unknown:
+            raise ValueError(f"a plane frame has no degree {', '.join(unknown)}")
+        return [values[name] for name in self.degrees]
+
+    def fix(
+        self,
+        node: int,
+        ux: bool = False,
+        uy: bool = False,
+        rz: bool = False,
+        *,
+        uz: bool = False,
+        rx: bool = False,
+        ry: bool = False,
+    ) -> None:
         """Support degrees of a node.
 
         Args:
-            ux: fix the horizontal displacement.
-            uy: fix the vertical displacement.
-            rz: fix the rotation.
+            ux: fix the displacement along x.
+            uy: fix the displacement along y.
+            rz: fix the rotation about z.
+            uz: in space, fix the vertical displacement.
+            rx: in space, fix the rotation about x.
+            ry: in space, fix the rotation about y.
         """
-        self._checked(lib.ed_model_fix(self._c, node, ux, uy, rz))
+        fixed = {"ux": ux, "uy": uy, "uz": uz, "rx": rx, "ry": ry, "rz": rz}
+        self._checked(lib.ed_model_fix(self._c, node, self._over_degrees(fixed)))
 
-    def tie(self, node: int, master: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
-        """Let degrees of a node be those of another one (rigid diaphragm: ux).
+    def tie(
+        self,
+        node: int,
+        master: int,
+        ux: bool = False,
+        uy: bool = False,
+        rz: bool = False,
+        *,
+        uz: bool = False,
+        rx: bool = False,
+        ry: bool = False,
+    ) -> None:
+        """Let degrees of a node be those of another one (rigid floor of a plane frame: ux).
 
         Args:
-            ux: tie the horizontal displacement.
-            uy: tie the vertical displacement.
-            rz: tie the rotation.
+            ux: tie the displacement along x.
+            uy: tie the displacement along y.
+            rz: tie the rotation about z.
+            uz: in space, tie the vertical displacement.
+            rx: in space, tie the rotation about x.
+            ry: in space, tie the rotation about y.
         """
-        self._checked(lib.ed_model_tie(self._c, node, master, ux, uy, rz))
+        tied = {"ux": ux, "uy": uy, "uz": uz, "rx": rx, "ry": ry, "rz": rz}
+        self._checked(lib.ed_model_tie(self._c, node, master, self._over_degrees(tied)))
 
-    def mass(self, node: int, mx: float, my: float = 0.0, mrz: float = 0.0) -> None:
+    def diaphragm(self, master: int, nodes: Sequence[int]) -> None:
+        """Let ux, uy and rz of nodes in space follow a master as a body that is rigid in plan and turns a little.
+
+        Args:
+            master: a node at the centre of mass of the diaphragm, so that the masses stay uncoupled. Supports of the
+                diaphragm in plan are supports of its master.
+            nodes: their numbers, without that of the master.
+        """
+        self._checked(lib.ed_model_diaphragm(self._c, master, len(nodes), list(nodes)))
+        self.masters |= dict.fromkeys(nodes, master)
+
+    def on_masters(self, terms: Sequence[tuple[float, int, int]]) -> tuple[tuple[float, int, int], ...]:
+        """Return terms (coefficient, node, degree) with those in plan of nodes of diaphragms put on their masters."""
+        found: list[tuple[float, int, int]] = []
+        for coefficient, node, degree in terms:
+            master = self.masters.get(node)
+            if master is None or self.degrees[degree] not in ("ux", "uy", "rz"):
+                found.append((coefficient, node, degree))
+                continue
+            found.append((coefficient, master, degree))
+            if degree < 2:
+                lever = self.levers(node)[degree]
+                found.append((coefficient * lever, master, self.degrees.index("rz")))
+        return tuple(found)
+
+    def levers(self, node: int) -> tuple[float, float]:
+        """Return what ux and uy of a node of a diaphragm are of the turn of its master, m/rad."""
+        (x, y, _), (x0, y0, _) = self.node_places[node], self.node_places[self.masters[node]]
+        return y0 - y, x - x0
+
+    def mass(
+        self,
+        node: int,
+        mx: float,
+        my: float = 0.0,
+        mrz: float = 0.0,
+        *,
+        mz: float = 0.0,
+        mrx: float = 0.0,
+        mry: float = 0.0,
+    ) -> None:
         """Add lumped mass to a node.
 
         Args:
             mx: along x, kg.
             my: along y, kg.
-            mrz: against rotation, kg m2.
+            mrz: against rotation about z, kg m2.
+            mz: in space, along z, kg.
+            mrx: in space, against rotation about x, kg m2.
+            mry: in space, against rotation about y, kg m2.
         """
-        self._checked(lib.ed_model_mass(self._c, node, mx, my, mrz))
+        masses = {"ux": mx, "uy": my, "uz": mz, "rx": mrx, "ry": mry, "rz": mrz}
+        self._checked(lib.ed_model_mass(self._c, node, self._over_degrees(masses)))
 
     def _element(self, name: str, result: int, section: int) -> int:
         self._checked(result)
@@ -180,8 +290,9 @@ class Model:
         section: int | Sequence[int],
         points: int = 5,
         geometry: str = "p_delta",
-        release: tuple[bool, bool] = (False, False),
+        release: Sequence[bool] = NO_RELEASE,
         breaks: Sequence[float] = (),
+        web: Sequence[float] = (0.0, 0.0, 0.0),
     ) -> int:
         """Add a beam-column: force-based for fibre sections, closed form for an elastic one.
 
@@ -191,10 +302,11 @@ class Model:
             j: number of the node at its end.
             section: one id, or one id for each Gauss-Lobatto point.
             points: Gauss-Lobatto points, 2 to 10.
-            geometry: "linear", "p_delta" or "corotational".
-            release: moment-free ends i, j.
+            geometry: "linear", "p_delta" or, in a plane, "corotational".
+            release: moment-free ends: i, j; in space about y at i, about z at i, about y at j, about z at j.
             breaks: rising positions 0..1 of its length, between which a force-based member of one section is integrated
                 piece by piece, by `points` in each: where loads begin, end or stand.
+            web: in space the direction of local z, of length 1 and at right angles to the member.
 
         Returns:
             Number of the element.
@@ -203,19 +315,21 @@ class Model:
             ValueError: there are not as many sections as points.
         """
         ids = [section] * points if isinstance(section, int) else list(section)
+        free = [bool(release[k]) for k in ((1, 3, 0, 2) if self.dimension == 3 else (0, 1))]
+        shape = GEOMETRY[geometry]
         if isinstance(section, int) and 0 <= section and lib.ed_model_section_layers(self._c, section) == 0:
-            result = lib.ed_model_elastic_beam(self._c, name.encode(), i, j, section, GEOMETRY[geometry], *release)
+            result = lib.ed_model_elastic_beam(self._c, name.encode(), i, j, section, shape, free, list(web))
             return self._element(name, result, section)
         if len(ids) != points:
             raise ValueError(f"element {name}: {len(ids)} sections for {points} points")
-        result = lib.ed_model_beam_column(self._c, name.encode(), i, j, points, ids, GEOMETRY[geometry], *release)
+        result = lib.ed_model_beam_column(self._c, name.encode(), i, j, points, ids, shape, free, list(web))
         self._element(name, result, ids[0])
         if breaks:
             self._checked(lib.ed_model_breaks(self._c, result, len(breaks), list(breaks)))
         return result
 
     def rigid_ends(self, element: int, start: float, end: float) -> None:
-        """Let the first and the last part of a beam-column not bend; its end forces are those where it begins to.
+        """Let the first and the last part of a beam-column in a plane not bend; its end forces are those where it begins to.
 
         Args:
             start: length of the first part, m.
@@ -293,7 +407,7 @@ class Model:
         return self._element(name, result, section)
 
     def link(self, name: str, i: int, j: int, stiffness: tuple[float, float, float], angle: float = 0.0) -> int:
-        """Add an elastic link.
+        """Add an elastic link in a plane.
 
         Between two places local x runs along the link and shear acts at mid-length.
 
@@ -316,8 +430,8 @@ class Model:
             name: of the element.
             i: number of the first node.
             j: number of the second node.
-            terms: coefficients of ux, uy, rz at i and of those at j (6,) whose sum is its deformation; between turns of
-                two nodes at one place (0, 0, -1, 0, 0, 1).
+            terms: coefficients of the degrees at i and of those at j, (6,) or in space (12,), whose sum is its
+                deformation; between turns of two nodes at one place in a plane (0, 0, -1, 0, 0, 1).
             law: of its force and deformation.
 
         Returns:
@@ -360,8 +474,8 @@ class Model:
 
         Args:
             law: the law with its parameters and effects.
-            terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux, 1
-                uy, 2 rz. They should have mass.
+            terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees are
+                places in `degrees`. They should have mass.
             brace: stiffness in series at the size of the device, N/m; 0: rigid.
             force_scale: force of the device over that of the law, F = force_scale * law(deformation_scale * u).
             deformation_scale: deformation of the law over that of the device.
@@ -398,7 +512,7 @@ class Model:
             place = placement_number(effect.placement)
             self._checked(lib.ed_model_add_damper_effect(self._c, number, form, place, len(values), values))
         self.damper_names.append(name)
-        self.damper_terms.append(tuple(terms))
+        self.damper_terms.append(self.on_masters(terms))
         return number
 
     def pattern(self) -> int:
@@ -409,41 +523,66 @@ class Model:
         """
         return self._checked(lib.ed_model_pattern(self._c))
 
-    def nodal_load(self, pattern: int, node: int, fx: float = 0.0, fy: float = 0.0, mz: float = 0.0) -> None:
-        """Add a force and a moment on a node.
+    def nodal_load(
+        self,
+        pattern: int,
+        node: int,
+        fx: float = 0.0,
+        fy: float = 0.0,
+        mz: float = 0.0,
+        *,
+        fz: float = 0.0,
+        mx: float = 0.0,
+        my: float = 0.0,
+    ) -> None:
+        """Add forces and moments on a node.
 
         Args:
             fx: N.
             fy: N.
             mz: N m.
+            fz: in space, N.
+            mx: in space, N m.
+            my: in space, N m.
         """
-        self._checked(lib.ed_model_nodal_load(self._c, pattern, node, fx, fy, mz))
+        loads = {"ux": fx, "uy": fy, "uz": fz, "rx": mx, "ry": my, "rz": mz}
+        self._checked(lib.ed_model_nodal_load(self._c, pattern, node, self._over_degrees(loads)))
 
-    def uniform_load(self, pattern: int, element: int, axial: float = 0.0, transverse: float = 0.0) -> None:
+    def uniform_load(
+        self, pattern: int, element: int, axial: float = 0.0, transverse: float = 0.0, transverse_z: float = 0.0
+    ) -> None:
         """Add a load along a beam-column in its local axes.
 
         Args:
             axial: N/m.
-            transverse: N/m.
+            transverse: along local y, N/m.
+            transverse_z: in space, along local z, N/m.
         """
-        self._checked(lib.ed_model_uniform_load(self._c, pattern, element, axial, transverse))
+        self._checked(lib.ed_model_uniform_load(self._c, pattern, element, axial, [transverse, transverse_z]))
 
     def point_load(
-        self, pattern: int, element: int, position: float, axial: float = 0.0, transverse: float = 0.0
+        self,
+        pattern: int,
+        element: int,
+        position: float,
+        axial: float = 0.0,
+        transverse: float = 0.0,
+        transverse_z: float = 0.0,
     ) -> None:
         """Add a force on a beam-column in its local axes.
 
         Args:
             position: 0 to 1 of its length.
             axial: N.
-            transverse: N.
+            transverse: along local y, N.
+            transverse_z: in space, along local z, N.
         """
-        self._checked(lib.ed_model_point_load(self._c, pattern, element, position, axial, transverse))
+        self._checked(lib.ed_model_point_load(self._c, pattern, element, position, axial, [transverse, transverse_z]))
 
     def partial_load(
         self, pattern: int, element: int, start: float, end: float, at_start: float, at_end: float
     ) -> None:
-        """Add a linear load across a beam-column between two positions.
+        """Add a linear load across a beam-column, along local y, between two positions.
 
         Args:
             start: first position, 0 to 1 of its length.
@@ -451,4 +590,5 @@ class Model:
             at_start: load there, N/m.
             at_end: load there, N/m.
         """
-        self._checked(lib.ed_model_partial_load(self._c, pattern, element, start, end, at_start, at_end))
+        across = [at_start, 0.0], [at_end, 0.0]
+        self._checked(lib.ed_model_partial_load(self._c, pattern, element, start, end, *across))

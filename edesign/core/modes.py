@@ -25,24 +25,34 @@ class Modes:
         omega: (n,) rad/s.
         period: (n,) s.
         equations: (n, n_equations) shapes over the equations, generalised mass 1.
-        shapes: (n, n_nodes, 3) shapes over the nodes, zero where fixed.
-        participation_x: (n,) participation factor for ground motion along x, sqrt(kg).
-        effective_mass_ratio_x: (n,) effective modal mass over the total mass that moves along x.
+        shapes: (n, n_nodes, 3 or 6) shapes over the nodes, zero where fixed.
+        participation: (n, 2 or 3) participation factor for ground motion along x, y, z, sqrt(kg).
+        effective_mass_ratio: (n, 2 or 3) effective modal mass over the total mass that moves along x, y, z.
     """
 
     omega: np.ndarray
     period: np.ndarray
     equations: np.ndarray
     shapes: np.ndarray
-    participation_x: np.ndarray
-    effective_mass_ratio_x: np.ndarray
+    participation: np.ndarray
+    effective_mass_ratio: np.ndarray
+
+    @property
+    def participation_x(self) -> np.ndarray:
+        """Participation factors for ground motion along x, (n,) sqrt(kg)."""
+        return self.participation[:, 0]
+
+    @property
+    def effective_mass_ratio_x(self) -> np.ndarray:
+        """Effective modal masses over the total mass that moves along x, (n,)."""
+        return self.effective_mass_ratio[:, 0]
 
 
 def natural_modes(
     stiffness: np.ndarray | scipy.sparse.csc_matrix,
     mass: np.ndarray,
     equations: np.ndarray,
-    influence_x: np.ndarray,
+    influence: np.ndarray,
     count: int,
 ) -> Modes:
     """Return the lowest modes of K phi = omega^2 M phi with lumped, partly zero masses.
@@ -53,8 +63,8 @@ def natural_modes(
     Args:
         stiffness: (n, n) N/m.
         mass: (n,) kg.
-        equations: (n_nodes, 3) equation of each degree, -1 where fixed.
-        influence_x: (n,) 1 where the equation moves along x.
+        equations: (n_nodes, 3 or 6) equation of each degree, -1 where fixed.
+        influence: (2 or 3, n) 1 where the equation moves along x, y, z.
         count: how many modes; at most as many as degrees with mass.
 
     Raises:
@@ -94,16 +104,17 @@ def natural_modes(
     shapes /= np.sqrt(np.einsum("ki,i,ki->k", shapes, mass, shapes))[:, None]
     largest = np.take_along_axis(shapes, np.argmax(np.abs(shapes), axis=1)[:, None], axis=1)
     shapes = shapes * np.sign(largest)
-    participation = shapes @ (mass * influence_x)
+    participation = [shapes @ (mass * along) for along in influence]
     padded = np.concatenate([shapes, np.zeros((count, 1))], axis=1)
-    total = float(np.sum(mass * influence_x))
+    total = [float(np.sum(mass * along)) for along in influence]
+    ratios = [p**2 / m if m > 0.0 else np.zeros(count) for p, m in zip(participation, total, strict=True)]
     return Modes(
         omega=omega,
         period=2.0 * np.pi / omega,
         equations=shapes,
         shapes=padded[:, equations],
-        participation_x=participation,
-        effective_mass_ratio_x=participation**2 / total if total > 0.0 else np.zeros(count),
+        participation=np.transpose(participation),
+        effective_mass_ratio=np.transpose(ratios),
     )
 
 

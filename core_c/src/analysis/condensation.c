@@ -160,7 +160,7 @@ static double reach(const ed_analysis *a, int i)
   const ed_device *device = &a->model->devices[i];
   double most = 0.0;
   for (int k = 0; k < device->n_terms; k++)
-    most = fmax(most, fabs(device->coefficient[k]) / (device->degree[k] % 3 == 2 ? a->numbering.length : 1.0));
+    most = fmax(most, fabs(device->coefficient[k]) / (ed_is_rotation(a->model, device->degree[k]) ? a->numbering.length : 1.0));
   return most;
 }
 

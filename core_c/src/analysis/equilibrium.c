@@ -53,11 +53,13 @@ void ed_raise_force_level(ed_analysis *a)
 {
   double force = 0.0, moment = 0.0;
   for (int m = 0; m < a->model->n_members; m++) {
-    const double *f = a->members.force + 6 * m;
-    for (int end = 0; end < 6; end += 3) {
-      force = larger(force, fabs(f[end]));
-      force = larger(force, fabs(f[end + 1]));
-      moment = larger(moment, fabs(f[end + 2]));
+    const double *f = ed_member_force(&a->members, m);
+    const int degrees = a->members.element[m].degrees, forces = degrees == 6 ? 2 : 3;
+    for (int end = 0; end < degrees; end += degrees / 2) {
+      for (int i = 0; i < forces; i++)
+        force = larger(force, fabs(f[end + i]));
+      for (int i = forces; i < degrees / 2; i++)
+        moment = larger(moment, fabs(f[end + i]));
     }
   }
   for (int i = 0; i < a->numbering.n; i++) {

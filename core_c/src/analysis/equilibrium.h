@@ -20,7 +20,7 @@ typedef struct ed_step {
   /* Moves the trial state by the solution in `du` with the dampers in balance, first: of the step; NULL: it moves by the solution
    * alone, and the dampers follow. */
   int (*balance)(ed_analysis *a, const struct ed_step *step, int first);
-  double ground[2], ground_before[2];
+  double ground[3], ground_before[3];
 } ed_step;
 
 int ed_iteration_allocate(ed_iteration *iteration, int n);

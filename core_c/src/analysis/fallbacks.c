@@ -28,16 +28,17 @@ static int describe_state(const ed_analysis *a, char *buffer, int size)
     const ed_element *e = &a->members.element[m];
     const double *block = a->committed.elements + e->state;
     const int before = sections;
-    double d[6];
+    double d[ED_MAX_DEGREES];
     for (int p = 0; p < e->points; p++)
-      sections += block[ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_ELASTIC] == 0.0;
+      sections += block[ed_point_at(e->axes, p) + ed_point_elastic(e->axes)] == 0.0;
     members += sections > before;
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < e->degrees; i++)
       d[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
     ed_kinematics k;
     ed_kinematics_of(e, d, &k);
-    if (e->length > 0.0 && e->geometry != ED_COROTATIONAL && fabs(k.drift) / e->length > turned) {
-      turned = fabs(k.drift) / e->length;
+    const double drift = e->degrees == 6 ? fabs(k.drift[0]) : hypot(k.drift[0], k.drift[1]);
+    if (e->length > 0.0 && e->geometry != ED_COROTATIONAL && drift / e->length > turned) {
+      turned = drift / e->length;
       furthest = m;
     }
   }
@@ -58,14 +59,14 @@ static void explain(ed_analysis *a, int status)
     e = &a->members.element[a->members.failed];
   /* else one at the worst degree's node that has yielded */
   for (int m = 0; !e && m < a->model->n_members; m++)
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < a->members.element[m].degrees; i++)
       if (a->numbering.equation[a->members.element[m].dof[i]] == a->iteration.worst &&
-          (a->trial.elements[a->members.element[m].state + ED_BLOCK_INELASTIC] != 0.0))
+          (a->trial.elements[a->members.element[m].state + ed_block_inelastic(a->members.element[m].axes)] != 0.0))
         e = &a->members.element[m];
   if (e) {
     int section = 0;
     for (int p = 0; p < e->points; p++)
-      if (a->trial.elements[e->state + ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_ELASTIC] == 0.0)
+      if (a->trial.elements[e->state + ed_point_at(e->axes, p) + ed_point_elastic(e->axes)] == 0.0)
         section = p + 1;
     snprintf(where, sizeof where, section ? ", element %s section %d" : ", element %s", e->member->name, section);
   }

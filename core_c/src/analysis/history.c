@@ -6,6 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Inertia by the vertical motion of the ground of a model in space. */
+static void subtract_vertical(const ed_numbering *numbering, double ground, double *r)
+{
+  for (int i = 0; numbering->influence[2] && ground != 0.0 && i < numbering->n; i++)
+    r[i] -= numbering->mass[i] * numbering->influence[2][i] * ground;
+}
+
 static void residual(ed_analysis *a, const ed_step *step, double *r)
 {
   const ed_numbering *numbering = &a->numbering;
@@ -17,6 +24,7 @@ static void residual(ed_analysis *a, const ed_step *step, double *r)
     for (int i = 0; i < n; i++)
       r[i] = a->loading.external[i] - now->resisting[i] - now->damping[i] -
              numbering->mass[i] * (now->a[i] + numbering->influence[0][i] * step->ground[0] + numbering->influence[1][i] * step->ground[1]);
+    subtract_vertical(numbering, step->ground[2], r);
   } else {
     const double gx = (1.0 - af) * step->ground[0] + af * step->ground_before[0];
     const double gy = (1.0 - af) * step->ground[1] + af * step->ground_before[1];
@@ -25,6 +33,7 @@ static void residual(ed_analysis *a, const ed_step *step, double *r)
              af * (before->resisting[i] + before->damping[i]) -
              numbering->mass[i] * ((1.0 - am) * now->a[i] + am * before->a[i] + numbering->influence[0][i] * gx +
                            numbering->influence[1][i] * gy);
+    subtract_vertical(numbering, (1.0 - af) * step->ground[2] + af * step->ground_before[2], r);
   }
   ed_add_history_forces(&a->run, numbering->mass, af, r);
   ed_raise_force_level(a);
@@ -38,8 +47,8 @@ static void end_where_it_began(ed_analysis *a)
   memset(&a->run, 0, sizeof a->run);
 }
 
-int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, const double *ground_y, int method,
-                     const double *p)
+int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, const double *ground_y, const double *ground_z,
+                     int method, const double *p)
 {
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "another run has not ended");
@@ -57,11 +66,11 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   if (!(beta > 0.0 && gamma > 0.0 && am < 1.0 && af >= 0.0 && af < 1.0) || !isfinite(beta + gamma + am))
     return ed_fail(a, ED_E_ARGUMENT, "integration parameters out of range");
   const size_t samples = (size_t)n + 1;
-  double *block = calloc(2 * samples, sizeof *block);
+  double *block = calloc(3 * samples, sizeof *block);
   if (!block)
     return ed_fail(a, ED_E_MEMORY, "out of memory");
-  const double *given[2] = {ground_x, ground_y};
-  for (int axis = 0; axis < 2; axis++)
+  const double *given[3] = {ground_x, ground_y, a->model->dimension == 3 ? ground_z : NULL};
+  for (int axis = 0; axis < 3; axis++)
     for (size_t i = 0; given[axis] && i < samples; i++) {
       block[(size_t)axis * samples + i] = given[axis][i];
       if (!isfinite(given[axis][i])) {
@@ -73,15 +82,15 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   ed_start_run(a, ED_RUN_HISTORY, n, 0.0);
   ed_run *run = &a->run;
   run->dt = dt;
-  run->ground[0] = block;
-  run->ground[1] = block + samples;
+  for (int axis = 0; axis < 3; axis++)
+    run->ground[axis] = block + (size_t)axis * samples;
   run->alpha_m = am;
   run->alpha_f = af;
   run->gamma = gamma;
   run->beta = beta;
   memset(a->committed.support_v, 0, 2 * (size_t)a->numbering.n_supports * sizeof(double)); /* accelerations lie behind */
   memset(a->trial.support_v, 0, 2 * (size_t)a->numbering.n_supports * sizeof(double));
-  for (int axis = 0; axis < 2; axis++)
+  for (int axis = 0; axis < 3; axis++)
     run->ground_now[axis] = run->ground_before[axis] = run->ground[axis][0];
   /* the first acceleration from equilibrium, where there is mass */
   int status = ed_start_devices(a);
@@ -95,10 +104,14 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   }
   ed_freeze_damping(a, 0);
   ed_damping_force(a, a->trial.v, a->trial.damping);
+  const double *const *influence = (const double *const *)a->numbering.influence;
   for (int i = 0; i < a->numbering.n; i++)
-    if (a->numbering.mass[i] > 0.0)
+    if (a->numbering.mass[i] > 0.0) {
       a->trial.a[i] = (a->loading.external[i] - a->trial.resisting[i] - a->trial.damping[i]) / a->numbering.mass[i] -
-                      a->numbering.influence[0][i] * run->ground_now[0] - a->numbering.influence[1][i] * run->ground_now[1];
+                      influence[0][i] * run->ground_now[0] - influence[1][i] * run->ground_now[1];
+      if (influence[2])
+        a->trial.a[i] -= influence[2][i] * run->ground_now[2];
+    }
   for (int i = 0; i < a->numbering.n; i++)
     if (!isfinite(a->trial.a[i])) {
       char name[ED_NAME + 8];
@@ -140,7 +153,7 @@ int ed_history_attempt(ed_analysis *a, double fraction, int fallback)
       .residual = residual,
       .balance = ed_condenses(a, fallback) ? ed_move_condensed : NULL,
   };
-  for (int axis = 0; axis < 2; axis++) {
+  for (int axis = 0; axis < 3; axis++) {
     step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);
     step.ground[axis] = run->ground_now[axis] = ground_at(run, axis, head->position + fraction);
   }

@@ -10,11 +10,8 @@ static void reference_load(const ed_analysis *a, int pattern, double *load)
   memset(load, 0, (size_t)a->numbering.n * sizeof *load);
   for (int i = 0; i < a->model->n_nodal_loads; i++) {
     const ed_nodal_load *nodal = &a->model->nodal_loads[i];
-    for (int d = 0; nodal->pattern == pattern && d < 3; d++) {
-      const int equation = a->numbering.equation[3 * nodal->node + d];
-      if (equation >= 0)
-        load[equation] += nodal->force[d];
-    }
+    for (int d = 0; nodal->pattern == pattern && d < ed_degrees(a->model); d++)
+      ed_add_at_degree(&a->numbering, ed_degrees(a->model) * nodal->node + d, nodal->force[d], load, NULL);
   }
 }
 
@@ -38,16 +35,19 @@ int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double 
   const ed_model *model = a->model;
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "another run has not ended");
-  if (pattern < 0 || pattern >= model->n_patterns || node < 0 || node >= model->n_nodes || degree < 0 || degree > 2)
+  if (pattern < 0 || pattern >= model->n_patterns || node < 0 || node >= model->n_nodes || degree < 0 || degree >= ed_degrees(model))
     return ed_fail(a, ED_E_ID, "there is no load pattern %d or no degree %d at node %d", pattern, degree, node);
   if (steps < 1 || !isfinite(target))
     return ed_fail(a, ED_E_ARGUMENT, "%d steps to %g", steps, target);
   for (int i = 0; i < model->n_member_loads; i++)
     if (model->member_loads[i].pattern == pattern)
       return ed_fail(a, ED_E_ARGUMENT, "a pushover pattern takes loads on nodes only");
-  const int control = a->numbering.equation[3 * node + degree];
+  const int at = ed_degrees(model) * node + degree, control = a->numbering.equation[at];
   if (control < 0)
     return ed_fail(a, ED_E_ARGUMENT, "node %s: the controlled degree is fixed", model->nodes[node].name);
+  if (a->numbering.plan && a->numbering.plan[at].turn >= 0)
+    return ed_fail(a, ED_E_ARGUMENT, "node %s is moved by a diaphragm; control its master %s", model->nodes[node].name,
+                   model->nodes[model->nodes[node].master[degree]].name);
   int loaded = 0;
   for (int i = 0; i < model->n_nodal_loads; i++)
     loaded |= model->nodal_loads[i].pattern == pattern;

@@ -136,7 +136,7 @@ int ed_try_and_revert(ed_analysis *a, double fraction)
 {
   if (a->run.kind == ED_RUN_NONE || a->run.done == a->run.steps)
     return ed_fail(a, ED_E_STATE, "there is no next step to try");
-  double ground[2][2];
+  double ground[2][3];
   memcpy(ground[0], a->run.ground_now, sizeof ground[0]);
   memcpy(ground[1], a->run.ground_before, sizeof ground[1]);
   a->watch = ed_watch_of(&a->stop);

@@ -21,8 +21,8 @@ struct ed_run {
   double control_start, control_end;
   /* history */
   double dt;
-  double *ground[2];             /* copies, n+1 samples */
-  double ground_now[2], ground_before[2]; /* of the present substep */
+  double *ground[3];             /* copies, n+1 samples */
+  double ground_now[3], ground_before[3]; /* of the present substep */
   double alpha_m, alpha_f, gamma, beta;
   int n_forces;
   ed_history_load force[ED_HISTORY_FORCES];

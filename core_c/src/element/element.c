@@ -12,7 +12,7 @@ int ed_element_block_size(const ed_element *e)
   if (e->kind == ED_STRUT)
     return ed_strut_block_size(e->strut);
   const int rigid = e->rigid ? ED_RIGID_SIZE : 0;
-  return (e->kind == ED_FIBRE_BEAM ? ED_BLOCK_POINTS + e->points * ED_POINT_SIZE : ED_BLOCK_POINTS) + rigid;
+  return ed_point_at(e->axes, e->kind == ED_FIBRE_BEAM ? e->points : 0) + rigid;
 }
 
 int ed_element_record_size(const ed_element *e)
@@ -62,13 +62,11 @@ void ed_element_initialise(const ed_element *e, double *block, double *layers)
     ed_spring_initialise(e->spring, layers);
   for (int p = 0; p < e->points; p++)
     ed_section_initialise(e->section[p], layers + e->layer_offset[p]);
-  memcpy(block + ED_BLOCK_K, e->stiffness, sizeof e->stiffness);
+  memcpy(block + ed_block_k(e->axes), e->stiffness, (size_t)ed_basic_terms(e->axes) * sizeof *block);
   for (int p = 0; p < e->points; p++) {
-    double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-    point[ED_POINT_K] = e->section[p]->k11;
-    point[ED_POINT_K + 1] = e->section[p]->k12;
-    point[ED_POINT_K + 2] = e->section[p]->k22;
-    point[ED_POINT_ELASTIC] = 1.0;
+    double *point = block + ed_point_at(e->axes, p);
+    memcpy(point + ed_point_k(e->axes), e->section[p]->k, (size_t)ed_section_terms(e->axes) * sizeof *point);
+    point[ed_point_elastic(e->axes)] = 1.0;
   }
 }
 
@@ -79,7 +77,7 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
     return ED_OK;
   if (e->kind == ED_SPRING) {
     double u = 0.0;
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < e->degrees; i++)
       u += e->member->coefficient[i] * displacement[i];
     control->updates++;
     block[ED_BLOCK_V] = u;
@@ -88,18 +86,21 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
   }
   ed_kinematics k;
   ed_kinematics_of(e, displacement, &k);
+  if (e->axes == ED_SPACE)
+    block[ed_block_twist(ED_SPACE)] = k.twist;
   if (e->kind == ED_FIBRE_BEAM)
     return ed_fibre_beam_update(e, k.v, layers, block, control);
   if (e->kind == ED_STRUT)
     return ed_strut_update(e->strut, k.v[0], layers, block, control);
   control->updates++;
-  memcpy(block + ED_BLOCK_V, k.v, sizeof k.v);
-  double *q = block + ED_BLOCK_Q;
+  const int rows = ed_basic(e->axes);
+  memcpy(block + ED_BLOCK_V, k.v, (size_t)rows * sizeof *block);
+  double *q = block + ed_block_q(e->axes);
   if (e->kind == ED_ELASTIC_BEAM) {
-    double relative[3];
-    for (int i = 0; i < 3; i++)
+    double relative[ED_MAX_BASIC];
+    for (int i = 0; i < rows; i++)
       relative[i] = k.v[i] - e->free_deformation[i];
-    ed_sym3_times(e->stiffness, relative, q);
+    ed_sym_times(rows, e->stiffness, relative, q);
     return ED_OK;
   }
   double stress, tangent;
@@ -129,6 +130,7 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
     return e->area * e->length * ed_steel_commit(e->steel, layers, block[ED_BLOCK_V] / e->length);
   if (e->kind == ED_STRUT)
     return ed_strut_commit(e->strut, block, layers);
+  const int axes = e->axes;
   double dissipated = 0.0;
   if (e->kind == ED_SPRING) {
     dissipated = ed_spring_commit(e->spring, layers, block[ED_BLOCK_V]);
@@ -136,53 +138,64 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
       block[ED_BLOCK_INELASTIC] = 1.0;
   }
   for (int p = 0; p < e->points; p++) {
-    double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-    if (point[ED_POINT_ELASTIC] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
+    double *point = block + ed_point_at(axes, p), *reach = point + ed_point_reach(axes);
+    if (point[ed_point_elastic(axes)] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
       continue; /* no layer yields: nothing to remember */
-    const double *record = point[ED_POINT_REACH] > 0.0 ? e->record[p] : NULL; /* 0: no trial since the last commit */
-    block[ED_BLOCK_INELASTIC] = point[ED_POINT_INELASTIC] = 1.0;
-    point[ED_POINT_REACH] = 0.0;
-    dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point[0], point[1], record);
+    const double *record = *reach > 0.0 ? e->record[p] : NULL; /* 0: no trial since the last commit */
+    block[ed_block_inelastic(axes)] = point[ed_point_inelastic(axes)] = 1.0;
+    *reach = 0.0;
+    dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point, record);
   }
   return dissipated;
 }
 
+static double fibres_stored(const ed_element *e, const double *block, const double *layers)
+{
+  double energy = 0.0;
+  for (int p = 0; p < e->points; p++) {
+    const double *point = block + ed_point_at(e->axes, p), *force = point + ed_point_s(e->axes);
+    double density;
+    if (point[ed_point_inelastic(e->axes)] == 0.0 && e->section[p]->yield_strain > 0.0) {
+      density = point[0] * force[0] + point[1] * force[1];
+      if (e->axes == ED_SPACE)
+        density += point[2] * force[2];
+      density *= 0.5;
+    } else
+      density = ed_section_stored(e->section[p], layers + e->layer_offset[p], point);
+    energy += e->weight[p] * density;
+  }
+  return energy;
+}
+
 double ed_element_stored(const ed_element *e, const double *block, const double *layers)
 {
-  const double *q = block + ED_BLOCK_Q, *v = block + ED_BLOCK_V;
+  const double *q = block + ed_block_q(e->axes), *v = block + ED_BLOCK_V;
   if (e->kind == ED_TRUSS)
     return 0.5 * q[0] * q[0] * e->flexibility[0];
   if (e->kind == ED_STRUT)
     return ed_strut_stored(e->strut, block, layers);
   if (e->kind == ED_SPRING)
     return ed_spring_stored(e->spring, layers, v[0]);
-  if (e->kind == ED_FIBRE_BEAM) {
-    double energy = 0.0;
-    for (int p = 0; p < e->points; p++) {
-      const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-      double density;
-      if (point[ED_POINT_INELASTIC] == 0.0 && e->section[p]->yield_strain > 0.0)
-        density = 0.5 * (point[0] * point[ED_POINT_S] + point[1] * point[ED_POINT_S + 1]);
-      else
-        density = ed_section_stored(e->section[p], layers + e->layer_offset[p], point[0], point[1]);
-      energy += e->weight[p] * density;
-    }
-    return energy;
-  }
-  /* elastic beam: deformation energy of q, of the loads and of both together, up to the constant of the loads alone */
   double energy = 0.0;
-  for (int i = 0; i < 3; i++)
+  if (e->axes == ED_SPACE) {
+    const double twist = block[ed_block_twist(ED_SPACE)];
+    energy = 0.5 * e->twist_stiffness * twist * twist;
+  }
+  if (e->kind == ED_FIBRE_BEAM)
+    return energy + fibres_stored(e, block, layers);
+  /* elastic beam: deformation energy of q, of the loads and of both together, up to the constant of the loads alone */
+  for (int i = 0; i < ed_basic(e->axes); i++)
     energy += 0.5 * q[i] * (v[i] + e->free_deformation[i]);
   return energy;
 }
 
-double ed_element_plastic_rotation(const ed_element *e, const double *block, int end)
+double ed_element_plastic_rotation(const ed_element *e, const double *block, int which)
 {
   if (e->kind == ED_SPRING)
     return block[ED_BLOCK_V] - e->flexibility[0] * block[ED_BLOCK_Q];
-  if (e->kind != ED_FIBRE_BEAM || e->release[end])
+  if (e->kind != ED_FIBRE_BEAM || e->release[which])
     return 0.0; /* a hinge turns freely */
-  double elastic[3];
-  ed_sym3_times(e->flexibility, block + ED_BLOCK_Q, elastic);
-  return block[ED_BLOCK_V + 1 + end] - elastic[1 + end] - e->free_deformation[1 + end];
+  double elastic[ED_MAX_BASIC];
+  ed_sym_times(ed_basic(e->axes), e->flexibility, block + ed_block_q(e->axes), elastic);
+  return block[ED_BLOCK_V + 1 + which] - elastic[1 + which] - e->free_deformation[1 + which];
 }

@@ -1,28 +1,36 @@
 /* Elements at run time. Each keeps a block of doubles in the state: basic deformations v, basic forces q, tangent kb, and
  * what its kind needs; the layers' committed state lies elsewhere. Basic system: simply supported, axially fixed at i;
- * v = (elongation, rotation i, rotation j from the chord), q conjugate. */
+ * v = (elongation, rotation i, rotation j from the chord), q conjugate. Beams in space have rotations about local z, then about local y;
+ * their twist is elastic and beside this (basic_system.h). */
 #ifndef ED_ELEMENT_H
 #define ED_ELEMENT_H
 
+#include "element/basic_system.h"
 #include "system/model.h"
 
 typedef struct ed_strut ed_strut;
 
-/* symmetric 3x3: 00 01 02 11 12 22 */
+enum { ED_MAX_DEGREES = 12 };
+
+/* Symmetric matrices as rows of their upper triangles. */
 typedef struct {
   const ed_member *member;
   ed_element_kind kind;
   int geometry;
-  int dof[6];            /* into vectors over all degrees, 3 a node */
-  int release[2];
+  int axes;              /* ED_SPACE: a beam that bends about two axes; else ED_PLANE */
+  int degrees;           /* of both ends: 6 or 12 */
+  int dof[ED_MAX_DEGREES]; /* into vectors over all degrees */
+  int release[4];        /* of the rotations of the basic system, in their order */
   double length, c, s;
+  double axis[3][3];     /* in space: local x, y, z in global components */
   int points;
   const ed_section *section[ED_MAX_POINTS];
   double x[ED_MAX_POINTS];       /* 0..1 */
   double weight[ED_MAX_POINTS];  /* times length */
-  double inverse[ED_MAX_POINTS][3]; /* initial section flexibility 11 12 22 */
-  double flexibility[6];         /* elastic, of the whole basic system */
-  double stiffness[6];           /* elastic basic stiffness with releases */
+  double inverse[ED_MAX_POINTS][ED_MAX_SECTION_TERMS]; /* initial section flexibility */
+  double flexibility[ED_MAX_BASIC_TERMS]; /* elastic, of the whole basic system */
+  double stiffness[ED_MAX_BASIC_TERMS];   /* elastic basic stiffness with releases */
+  double twist_stiffness;        /* in space: GJ / L */
   const ed_steel *steel;         /* truss */
   double area;
   ed_strut *strut;               /* owns */
@@ -34,9 +42,9 @@ typedef struct {
   int layer_offset[ED_MAX_POINTS];
   double *record[ED_MAX_POINTS]; /* of the last trial of a section, for its commit; NULL: none kept */
   /* loads at the present factors */
-  double section_load[ED_MAX_POINTS][2]; /* N, M */
-  double end_load[3];            /* reactions: axial i, transverse i, transverse j */
-  double free_deformation[3];    /* elastic deformation under the loads with q = 0 */
+  double section_load[ED_MAX_POINTS][ED_MAX_RESULTANTS];
+  double end_load[ED_MAX_BASIC]; /* reactions: axial i, transverse i, transverse j along y, then along z */
+  double free_deformation[ED_MAX_BASIC]; /* elastic deformation under the loads with q = 0 */
   double mean_axial;             /* mean of N under the loads with q = 0: acts over the drift, as q[0] does */
   /* rigid ends; length, points and loads above are those of the part between */
   int rigid;
@@ -51,11 +59,6 @@ typedef struct {
   int no_softening;      /* tangents of struts that lose force count as 0: past a snap there is no other way */
   long updates, iterations, elastic;
 } ed_element_control;
-
-/* Offsets in the block. */
-enum { ED_BLOCK_V = 0, ED_BLOCK_Q = 3, ED_BLOCK_K = 6, ED_BLOCK_REFERENCE = 12, ED_BLOCK_INELASTIC = 13, ED_BLOCK_POINTS = 14 };
-/* a point: e0 kappa, N M, k11 k12 k22, elastic in this trial, some layer has yielded before, what is left of the reach of its tangent */
-enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_INELASTIC = 8, ED_POINT_REACH = 9, ED_POINT_SIZE = 10 };
 
 /* ED_OK; ED_E_NOT_FINITE: its length or stiffness is not a finite number; ED_E_MEMORY. */
 int ed_element_setup(ed_element *element, const ed_model *model, int index);
@@ -72,29 +75,34 @@ void ed_element_finish_loads(ed_element *element);
 
 /* Adds a load of the whole length, rigid ends included. */
 void ed_rigid_add_load(ed_element *element, const ed_member_load *load, double factor);
-/* Finds q and kb for the displacements of the six degrees. */
+/* Finds q and kb for the displacements of its degrees. */
 int ed_element_update(const ed_element *element, const double *displacement, const double *layers, double *block,
                       ed_element_control *control);
-/* Resisting forces at the six degrees in global axes. */
+/* Resisting forces at its degrees in global axes. */
 void ed_element_forces(const ed_element *element, const double *displacement, const double *block, double *force);
-/* Tangent 6x6 in global axes. */
+/* Tangent, degrees x degrees, in global axes. */
 void ed_element_tangent(const ed_element *element, const double *displacement, const double *block, double *tangent);
 /* Whether the layers may be in this state of finite numbers. */
 int ed_element_layers_valid(const ed_element *element, const double *layers);
 /* Advances the layers to the block's deformations; the return is the energy dissipated on the way. */
 double ed_element_commit(const ed_element *element, double *block, double *layers);
 double ed_element_stored(const ed_element *element, const double *block, const double *layers);
-/* Lateral second-order force N D / L and drift D across a P-Delta element; 0 for others. */
+/* Lateral second-order force N D / L and drift D across a P-Delta element, in space along y, then along z; 0 for others. */
 void ed_element_p_delta(const ed_element *element, const double *displacement, const double *block, double *force,
                         double *drift);
-double ed_element_plastic_rotation(const ed_element *element, const double *block, int end);
+/* which: rotation of the basic system, from 0 */
+double ed_element_plastic_rotation(const ed_element *element, const double *block, int which);
 
-/* Geometry (geometry.c). */
+/* Geometry (geometry.c, geometry_3d.c). */
 typedef struct {
   double c, s, l;        /* chord */
-  double v[3];
-  double drift;          /* transverse, from i to j, along the original axes */
+  double v[ED_MAX_BASIC];
+  double drift[ED_SPACE]; /* transverse, from i to j, along the original axes */
+  double twist;
 } ed_kinematics;
+void ed_kinematics_3d(const ed_element *element, const double *displacement, ed_kinematics *k);
+void ed_forces_3d(const ed_element *element, const double *displacement, const double *block, double *force);
+void ed_tangent_3d(const ed_element *element, const double *displacement, const double *block, double *tangent);
 void ed_kinematics_of(const ed_element *element, const double *displacement, ed_kinematics *k);
 /* The same between the ends of what bends: displacements of these. */
 void ed_face_forces(const ed_element *element, const double *face, const double *block, double *force);

@@ -8,18 +8,22 @@
 #include <math.h>
 #include <string.h>
 
-/* Condensed stiffness of a basic flexibility with moment releases. */
-static void stiffness_of(const double *flexibility, const int *release, double *stiffness)
+/* Condensed stiffness of the basic flexibility with moment releases. */
+static void find_stiffness(ed_element *e)
 {
-  double reduced[6];
-  memcpy(reduced, flexibility, sizeof reduced);
-  for (int end = 0; end < 2; end++)
-    if (release[end])
-      ed_sym3_release(reduced, end + 1, flexibility[3]);
-  ed_sym3_inverse(reduced, stiffness);
-  for (int end = 0; end < 2; end++)
-    if (release[end])
-      ed_sym3_release(stiffness, end + 1, 0.0);
+  const int rows = ed_basic(e->axes);
+  double reduced[ED_MAX_BASIC_TERMS];
+  memcpy(reduced, e->flexibility, sizeof reduced);
+  for (int i = 1; i < rows; i++)
+    if (e->release[i - 1])
+      ed_sym_release(rows, reduced, i, e->flexibility[rows]);
+  if (e->axes == ED_PLANE)
+    ed_sym3_inverse(reduced, e->stiffness);
+  else if (!ed_sym_inverse(rows, reduced, e->stiffness))
+    e->stiffness[0] = NAN; /* of numbers that are none */
+  for (int i = 1; i < rows; i++)
+    if (e->release[i - 1])
+      ed_sym_release(rows, e->stiffness, i, 0.0);
 }
 
 static void setup_link(ed_element *e, const ed_member *m, double dx, double dy)
@@ -89,13 +93,18 @@ static void setup_truss(ed_element *e, const ed_steel *steel, double area)
   e->stiffness[0] = 1.0 / e->flexibility[0];
 }
 
-/* Flexibility 11 12 22 of a section before any strain. */
-static void section_flexibility(const ed_section *section, double inverse[3])
+/* Flexibility of a section before any strain. */
+static void section_flexibility(const ed_section *section, double *inverse)
 {
-  const double determinant = section->k11 * section->k22 - section->k12 * section->k12;
-  inverse[0] = section->k22 / determinant;
-  inverse[1] = -section->k12 / determinant;
-  inverse[2] = section->k11 / determinant;
+  const double *k = section->k;
+  if (section->axes == ED_SPACE) {
+    ed_sym3_inverse(k, inverse);
+    return;
+  }
+  const double determinant = k[0] * k[2] - k[1] * k[1];
+  inverse[0] = k[2] / determinant;
+  inverse[1] = -k[1] / determinant;
+  inverse[2] = k[0] / determinant;
 }
 
 /* In closed form; `without`: flexibilities that its ends leave out. */
@@ -105,10 +114,18 @@ static void setup_elastic_beam(ed_element *e, const ed_section *section, const d
   const double L = e->length;
   e->section[0] = section;
   section_flexibility(section, f);
-  const double F[6] = {f[0] * L, -f[1] * L / 2.0, f[1] * L / 2.0, f[2] * L / 3.0, -f[2] * L / 6.0, f[2] * L / 3.0};
-  memcpy(e->flexibility, F, sizeof F);
-  e->flexibility[3] -= without[0];
-  e->flexibility[5] -= without[1];
+  if (e->axes == ED_PLANE) {
+    const double F[6] = {f[0] * L, -f[1] * L / 2.0, f[1] * L / 2.0, f[2] * L / 3.0, -f[2] * L / 6.0, f[2] * L / 3.0};
+    memcpy(e->flexibility, F, sizeof F);
+  } else { /* three points are exact for products of linear moments */
+    double x[3], weight[3];
+    ed_gauss_lobatto(3, x, weight);
+    for (int p = 0; p < 3; p++)
+      ed_add_flexibility(e->flexibility, f, x[p], weight[p] * L, ED_SPACE);
+  }
+  const int rows = ed_basic(e->axes);
+  e->flexibility[ed_sym_place(rows, 1, 1)] -= without[0];
+  e->flexibility[ed_sym_place(rows, 2, 2)] -= without[1];
 }
 
 static void setup_fibre_beam(ed_element *e, const ed_model *model, const ed_member *m)
@@ -123,20 +140,36 @@ static void setup_fibre_beam(ed_element *e, const ed_model *model, const ed_memb
     section_flexibility(section, e->inverse[p]);
     e->layer_offset[p] = offset;
     offset += section->state_size;
-    e->flexibility[0] += w * f[0];
-    e->flexibility[1] += w * f[1] * (x - 1.0);
-    e->flexibility[2] += w * f[1] * x;
-    e->flexibility[3] += w * f[2] * (x - 1.0) * (x - 1.0);
-    e->flexibility[4] += w * f[2] * (x - 1.0) * x;
-    e->flexibility[5] += w * f[2] * x * x;
+    ed_add_flexibility(e->flexibility, f, x, w, e->axes);
   }
 }
 
-/* Axis and length of what bends between two nodes. */
-static void place_axis(ed_element *e, const ed_member *m, double dx, double dy)
+/* A direction across an axis: from the global axis that is furthest from it. */
+static void find_across(const double *axis, double *across)
 {
-  e->c = dx / e->length;
-  e->s = dy / e->length;
+  int least = 0;
+  for (int i = 1; i < 3; i++)
+    if (fabs(axis[i]) < fabs(axis[least]))
+      least = i;
+  const double along = axis[least], size = sqrt(1.0 - along * along);
+  for (int i = 0; i < 3; i++)
+    across[i] = ((i == least) - along * axis[i]) / size;
+}
+
+/* Axis and length of what bends between two nodes; the web of a beam in space gives local z. */
+static void place_axis(ed_element *e, const ed_member *m, const double *between)
+{
+  e->c = between[0] / e->length;
+  e->s = between[1] / e->length;
+  for (int i = 0; i < 3; i++)
+    e->axis[0][i] = between[i] / e->length;
+  memcpy(e->axis[2], m->web, sizeof m->web);
+  if (e->degrees == ED_MAX_DEGREES && e->axes == ED_PLANE) /* a bar in space is the same in all directions across it: any serves */
+    find_across(e->axis[0], e->axis[2]);
+  for (int i = 0; i < 3; i++) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    e->axis[1][i] = e->axis[2][j] * e->axis[0][k] - e->axis[2][k] * e->axis[0][j];
+  }
   e->rigid = m->rigid[0] > 0.0 || m->rigid[1] > 0.0;
   if (e->rigid) {
     e->arm[0] = m->rigid[0];
@@ -148,25 +181,26 @@ static void place_axis(ed_element *e, const ed_member *m, double dx, double dy)
 int ed_element_setup(ed_element *e, const ed_model *model, int index)
 {
   const ed_member *m = &model->members[index];
+  const int degrees = ed_degrees(model);
   memset(e, 0, sizeof *e);
   e->member = m;
   e->kind = m->kind;
   e->geometry = m->geometry;
-  for (int end = 0; end < 2; end++) {
-    e->release[end] = m->release[end];
-    for (int d = 0; d < 3; d++)
-      e->dof[3 * end + d] = 3 * m->node[end] + d;
-  }
-  const ed_node *i = &model->nodes[m->node[0]], *j = &model->nodes[m->node[1]];
-  const double dx = j->x - i->x, dy = j->y - i->y;
-  e->length = hypot(dx, dy);
+  e->axes = model->dimension == 3 && (m->kind == ED_FIBRE_BEAM || m->kind == ED_ELASTIC_BEAM) ? ED_SPACE : ED_PLANE;
+  e->degrees = 2 * degrees;
+  memcpy(e->release, m->release, sizeof e->release);
+  for (int end = 0; end < 2; end++)
+    for (int d = 0; d < degrees; d++)
+      e->dof[degrees * end + d] = degrees * m->node[end] + d;
+  double between[3];
+  e->length = ed_between(model, m->node[0], m->node[1], between);
   if (!isfinite(e->length))
     return ED_E_NOT_FINITE;
   if (e->kind != ED_LINK && e->kind != ED_SPRING) /* which may have no length */
-    place_axis(e, m, dx, dy);
+    place_axis(e, m, between);
   switch (e->kind) {
     case ED_LINK:
-      setup_link(e, m, dx, dy);
+      setup_link(e, m, between[0], between[1]);
       return ed_all_finite(36, e->link) ? ED_OK : ED_E_NOT_FINITE;
     case ED_SPRING:
       setup_spring(e, &model->springs[m->spring]);
@@ -179,13 +213,15 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
       return !e->strut ? ED_E_MEMORY : ed_strut_finite(e->strut) ? ED_OK : ED_E_NOT_FINITE;
     case ED_ELASTIC_BEAM:
       setup_elastic_beam(e, &model->sections[m->section[0]], m->without);
-      stiffness_of(e->flexibility, e->release, e->stiffness);
+      find_stiffness(e);
       break;
     case ED_FIBRE_BEAM:
       setup_fibre_beam(e, model, m);
-      stiffness_of(e->flexibility, e->release, e->stiffness);
+      find_stiffness(e);
   }
-  return ed_all_finite(6, e->stiffness) ? ED_OK : ED_E_NOT_FINITE;
+  if (e->axes == ED_SPACE)
+    e->twist_stiffness = e->section[0]->torsion / e->length;
+  return ed_all_finite(ed_basic_terms(e->axes), e->stiffness) && isfinite(e->twist_stiffness) ? ED_OK : ED_E_NOT_FINITE;
 }
 
 void ed_element_clear(ed_element *e)

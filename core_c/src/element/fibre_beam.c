@@ -6,8 +6,10 @@
  * Newton on both at once, with e_p condensed out. After the first step compatibility holds exactly, and the iteration is
  * then Newton on the convex potential of the sections under linear constraints, so a line search on its slope makes it
  * converge from anywhere for laws without softening.
+ *
+ * Written for members that bend in one plane and for those in space, with `axes` as a constant: the compiler makes one of each. In space
+ * b = [1 0 0 0 0; 0 x-1 x 0 0; 0 0 0 x-1 x] for N, M_z, M_y.
  */
-#include "base/symmetric.h"
 #include "element/element.h"
 
 #include <math.h>
@@ -19,229 +21,246 @@ enum { MAX_ITERATIONS = 200, MAX_SEARCH = 40 };
  * the elastic one. */
 static const double RESIDUAL_STIFFNESS = 1e-8;
 
-/* b_p' f b_p with b = [1 0 0; 0 x-1 x], added with its weight to the flexibility. */
-static inline void add_flexibility(double *F, const double *f, double x, double w)
+/* s = b q + sl */
+ED_INLINE void section_forces(const double *q, const double *load, double x, double *s, const int axes)
 {
-  const double i = x - 1.0;
-  F[0] += w * f[0];
-  F[1] += w * f[1] * i;
-  F[2] += w * f[1] * x;
-  F[3] += w * f[2] * i * i;
-  F[4] += w * f[2] * i * x;
-  F[5] += w * f[2] * x * x;
+  s[0] = q[0] + load[0];
+  for (int a = 0; a < axes; a++)
+    s[1 + a] = ed_share(x, 0) * q[1 + 2 * a] + ed_share(x, 1) * q[2 + 2 * a] + load[1 + a];
 }
 
-static inline void section_flexibility(const ed_element *e, int p, const double *point, double *f)
+ED_INLINE void section_flexibility(const ed_element *e, int p, const double *point, double *f, const int axes)
 {
-  if (point[ED_POINT_ELASTIC] != 0.0) {
-    memcpy(f, e->inverse[p], 3 * sizeof *f);
+  if (point[ed_point_elastic(axes)] != 0.0) {
+    memcpy(f, e->inverse[p], (size_t)ed_section_terms(axes) * sizeof *f);
     return;
   }
-  const ed_section *section = e->section[p];
-  const double *k = point + ED_POINT_K;
-  const double k11 = k[0] + RESIDUAL_STIFFNESS * section->k11;
-  const double k12 = k[1] + RESIDUAL_STIFFNESS * section->k12;
-  const double k22 = k[2] + RESIDUAL_STIFFNESS * section->k22;
-  const double r = 1.0 / (k11 * k22 - k12 * k12);
-  f[0] = k22 * r;
-  f[1] = -k12 * r;
-  f[2] = k11 * r;
+  double k[ED_MAX_SECTION_TERMS];
+  for (int i = 0; i < ed_section_terms(axes); i++)
+    k[i] = point[ed_point_k(axes) + i] + RESIDUAL_STIFFNESS * e->section[p]->k[i];
+  if (axes == ED_SPACE) {
+    ed_sym3_inverse(k, f);
+    return;
+  }
+  const double r = 1.0 / (k[0] * k[2] - k[1] * k[1]);
+  f[0] = k[2] * r;
+  f[1] = -k[1] * r;
+  f[2] = k[0] * r;
 }
 
-static inline int invert_flexibility(const ed_element *e, const double *F, double *K)
+ED_INLINE int invert_flexibility(const ed_element *e, const double *F, double *K, const int axes)
 {
-  double reduced[6];
-  memcpy(reduced, F, sizeof reduced);
-  for (int end = 0; end < 2; end++)
-    if (e->release[end])
-      ed_sym3_release(reduced, end + 1, F[3]);
-  if (!(ed_sym3_inverse(reduced, K) > 0.0))
+  const int rows = ed_basic(axes);
+  double reduced[ED_MAX_BASIC_TERMS];
+  memcpy(reduced, F, (size_t)ed_basic_terms(axes) * sizeof *reduced);
+  for (int i = 1; i < rows; i++)
+    if (e->release[i - 1])
+      ed_sym_release(rows, reduced, i, F[rows]);
+  if (!(axes == ED_PLANE ? ed_sym3_inverse(reduced, K) > 0.0 : ed_sym_inverse(rows, reduced, K)))
     return 0;
-  for (int end = 0; end < 2; end++)
-    if (e->release[end])
-      ed_sym3_release(K, end + 1, 0.0);
+  for (int i = 1; i < rows; i++)
+    if (e->release[i - 1])
+      ed_sym_release(rows, K, i, 0.0);
   return 1;
 }
 
-/* Moves a section by (de, dk); the return is 1 where its forces follow the tangent that far, so that its layers need not be asked. */
-static inline int respond(const ed_element *e, int p, const double *layers, double *point, double de, double dk, int fast)
+/* Largest strain of a layer, or more. */
+ED_INLINE double strain_bound(const ed_section *section, const double *deformation, const int axes)
+{
+  const double bound = fabs(deformation[0]) + section->depth * fabs(deformation[1]);
+  return axes == ED_PLANE ? bound : bound + section->width * fabs(deformation[2]);
+}
+
+/* A point in a section that does not yield. */
+ED_INLINE void set_elastic(const ed_section *section, double *point, const int axes)
+{
+  memcpy(point + ed_point_k(axes), section->k, (size_t)ed_section_terms(axes) * sizeof *point);
+  point[ed_point_elastic(axes)] = 1.0;
+  point[ed_point_reach(axes)] = 0.0;
+}
+
+/* Moves a section by `change`; the return is 1 where its forces follow the tangent that far, so that its layers need not be asked. */
+ED_INLINE int respond(const ed_element *e, int p, const double *layers, double *point, const double *change, int fast, const int axes)
 {
   const ed_section *section = e->section[p];
-  point[0] += de;
-  point[1] += dk;
-  const double change = fabs(de) + section->depth * fabs(dk);
-  if (fast && change <= point[ED_POINT_REACH]) {
-    const double *k = point + ED_POINT_K;
-    point[ED_POINT_S] += k[0] * de + k[1] * dk;
-    point[ED_POINT_S + 1] += k[1] * de + k[2] * dk;
-    point[ED_POINT_REACH] -= change;
+  double *s = point + ed_point_s(axes), *k = point + ed_point_k(axes), *reach = point + ed_point_reach(axes);
+  for (int i = 0; i <= axes; i++)
+    point[i] += change[i];
+  const double strain = strain_bound(section, change, axes);
+  if (fast && strain <= *reach) {
+    double forces[ED_MAX_RESULTANTS];
+    ed_sym_times(1 + axes, k, change, forces);
+    for (int i = 0; i <= axes; i++)
+      s[i] += forces[i];
+    *reach -= strain;
     return 1;
   }
   /* a section that never yielded and provably does not yield now needs no layers */
-  if (fast && point[ED_POINT_INELASTIC] == 0.0 &&
-      fabs(point[0]) + section->depth * fabs(point[1]) < section->yield_strain) {
-    point[ED_POINT_S] = section->k11 * point[0] + section->k12 * point[1];
-    point[ED_POINT_S + 1] = section->k12 * point[0] + section->k22 * point[1];
-    point[ED_POINT_K] = section->k11;
-    point[ED_POINT_K + 1] = section->k12;
-    point[ED_POINT_K + 2] = section->k22;
-    point[ED_POINT_ELASTIC] = 1.0;
-    point[ED_POINT_REACH] = 0.0;
+  if (fast && point[ed_point_inelastic(axes)] == 0.0 && strain_bound(section, point, axes) < section->yield_strain) {
+    ed_sym_times(1 + axes, section->k, point, s);
+    set_elastic(section, point, axes);
     return 0;
   }
   ed_section_response r;
-  ed_section_trial(section, layers + e->layer_offset[p], point[0], point[1], e->record[p], &r);
-  point[ED_POINT_S] = r.N;
-  point[ED_POINT_S + 1] = r.M;
-  point[ED_POINT_K] = r.k11;
-  point[ED_POINT_K + 1] = r.k12;
-  point[ED_POINT_K + 2] = r.k22;
-  point[ED_POINT_ELASTIC] = r.elastic;
-  point[ED_POINT_REACH] = r.reach;
+  ed_section_trial(section, layers + e->layer_offset[p], point, e->record[p], &r);
+  memcpy(s, r.force, (size_t)(1 + axes) * sizeof *s);
+  memcpy(k, r.k, (size_t)ed_section_terms(axes) * sizeof *k);
+  point[ed_point_elastic(axes)] = r.elastic;
+  *reach = r.reach;
   return 0;
 }
 
 /* Slope of the potential of the sections along a step that keeps compatibility; q drops out but for rounding. */
-static double slope_at(const ed_element *e, const double *points, const double *q, double (*step)[2])
+ED_INLINE double slope_at(const ed_element *e, const double *points, const double *q, double (*step)[ED_MAX_RESULTANTS], const int axes)
 {
   double slope = 0.0;
   for (int p = 0; p < e->points; p++) {
-    const double *point = points + p * ED_POINT_SIZE;
-    const double x = e->x[p];
-    const double N = q[0] + e->section_load[p][0] - point[ED_POINT_S];
-    const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1] - point[ED_POINT_S + 1];
-    slope -= e->weight[p] * (N * step[p][0] + M * step[p][1]);
+    const double *point = points + p * ed_point_size(axes);
+    double s[ED_MAX_RESULTANTS], work = 0.0;
+    section_forces(q, e->section_load[p], e->x[p], s, axes);
+    for (int i = 0; i <= axes; i++) {
+      const double left = (s[i] - point[ed_point_s(axes) + i]) * step[p][i];
+      work = i ? work + left : left;
+    }
+    slope -= e->weight[p] * work;
   }
   return slope;
 }
 
 /* A member that never yielded and does not yield now is linear: closed form. Returns 0 when it does not apply. */
-static int elastic_shortcut(const ed_element *e, const double *v, double *block)
+ED_INLINE int elastic_shortcut(const ed_element *e, const double *v, double *block, const int axes)
 {
-  double relative[3], q[3];
-  for (int i = 0; i < 3; i++)
+  const int rows = ed_basic(axes);
+  double relative[ED_MAX_BASIC], q[ED_MAX_BASIC];
+  for (int i = 0; i < rows; i++)
     relative[i] = v[i] - e->free_deformation[i];
-  ed_sym3_times(e->stiffness, relative, q);
-  double deformation[ED_MAX_POINTS][2], force[ED_MAX_POINTS][2];
+  ed_sym_times(rows, e->stiffness, relative, q);
+  double deformation[ED_MAX_POINTS][ED_MAX_RESULTANTS], force[ED_MAX_POINTS][ED_MAX_RESULTANTS];
   for (int p = 0; p < e->points; p++) {
-    const double x = e->x[p];
-    const double N = q[0] + e->section_load[p][0];
-    const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1];
-    const double *f = e->inverse[p];
-    force[p][0] = N;
-    force[p][1] = M;
-    deformation[p][0] = f[0] * N + f[1] * M;
-    deformation[p][1] = f[1] * N + f[2] * M;
-    if (!(fabs(deformation[p][0]) + e->section[p]->depth * fabs(deformation[p][1]) < e->section[p]->yield_strain))
+    section_forces(q, e->section_load[p], e->x[p], force[p], axes);
+    ed_sym_times(1 + axes, e->inverse[p], force[p], deformation[p]);
+    if (!(strain_bound(e->section[p], deformation[p], axes) < e->section[p]->yield_strain))
       return 0;
   }
-  memcpy(block + ED_BLOCK_V, v, 3 * sizeof *v);
-  memcpy(block + ED_BLOCK_Q, q, sizeof q);
-  memcpy(block + ED_BLOCK_K, e->stiffness, 6 * sizeof(double));
+  memcpy(block + ED_BLOCK_V, v, (size_t)rows * sizeof *v);
+  memcpy(block + ed_block_q(axes), q, (size_t)rows * sizeof *q);
+  memcpy(block + ed_block_k(axes), e->stiffness, (size_t)ed_basic_terms(axes) * sizeof(double));
   for (int p = 0; p < e->points; p++) {
-    double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-    memcpy(point + ED_POINT_E, deformation[p], sizeof deformation[p]);
-    memcpy(point + ED_POINT_S, force[p], sizeof force[p]);
-    point[ED_POINT_K] = e->section[p]->k11;
-    point[ED_POINT_K + 1] = e->section[p]->k12;
-    point[ED_POINT_K + 2] = e->section[p]->k22;
-    point[ED_POINT_ELASTIC] = 1.0;
-    point[ED_POINT_REACH] = 0.0;
+    double *point = block + ed_point_at(axes, p);
+    memcpy(point, deformation[p], (size_t)(1 + axes) * sizeof *point);
+    memcpy(point + ed_point_s(axes), force[p], (size_t)(1 + axes) * sizeof *point);
+    set_elastic(e->section[p], point, axes);
   }
   return 1;
 }
 
-int ed_fibre_beam_update(const ed_element *e, const double *v, const double *layers, double *block,
-                         ed_element_control *control)
+/* sum over i, j of f_ij a_i a_j */
+ED_INLINE double form(const double *f, const double *a, const int axes)
 {
+  double sum = 0.0;
+  for (int i = 0; i <= axes; i++)
+    for (int j = i; j <= axes; j++) {
+      const double part = i == j ? f[ed_sym_place(1 + axes, i, j)] : 2.0 * f[ed_sym_place(1 + axes, i, j)];
+      sum = i + j ? sum + part * a[i] * a[j] : part * a[i] * a[j];
+    }
+  return sum;
+}
+
+ED_INLINE int update(const ed_element *e, const double *v, const double *layers, double *block, ed_element_control *control,
+                     const int axes)
+{
+  const int rows = ed_basic(axes), size = ed_point_size(axes);
   control->updates++;
-  if (control->fast_elastic && block[ED_BLOCK_INELASTIC] == 0.0 && elastic_shortcut(e, v, block)) {
+  if (control->fast_elastic && block[ed_block_inelastic(axes)] == 0.0 && elastic_shortcut(e, v, block, axes)) {
     control->elastic++;
     return ED_OK;
   }
-  double *q = block + ED_BLOCK_Q, *K = block + ED_BLOCK_K, *points = block + ED_BLOCK_POINTS;
-  double f[ED_MAX_POINTS][3], unbalance[ED_MAX_POINTS][2], step[ED_MAX_POINTS][2];
-  memcpy(block + ED_BLOCK_V, v, 3 * sizeof *v);
+  double *q = block + ed_block_q(axes), *K = block + ed_block_k(axes), *points = block + ed_block_points(axes);
+  double *reference = block + ed_block_reference(axes);
+  double f[ED_MAX_POINTS][ED_MAX_SECTION_TERMS], unbalance[ED_MAX_POINTS][ED_MAX_RESULTANTS], step[ED_MAX_POINTS][ED_MAX_RESULTANTS];
+  memcpy(block + ED_BLOCK_V, v, (size_t)rows * sizeof *v);
   int linear = 1; /* K is that of the sections as they are */
 
   for (int iteration = 0;; iteration++) {
-    double F[6] = {0};
-    double gap[3] = {v[0], v[1], v[2]};  /* of compatibility at present: rounding, after the first iteration */
-    double missing[3];                   /* after the sections have followed their unbalance */
-    double correction[3] = {0};
+    double F[ED_MAX_BASIC_TERMS] = {0};
+    double gap[ED_MAX_BASIC];     /* of compatibility at present: rounding, after the first iteration */
+    double missing[ED_MAX_BASIC]; /* after the sections have followed their unbalance */
+    double correction[ED_MAX_BASIC] = {0};
     double energy = 0.0, level = 0.0;
     int elastic = 1;
+    for (int i = 0; i < rows; i++)
+      gap[i] = v[i];
     for (int p = 0; p < e->points; p++)
-      elastic &= points[p * ED_POINT_SIZE + ED_POINT_ELASTIC] != 0.0;
+      elastic &= points[p * size + ed_point_elastic(axes)] != 0.0;
     for (int p = 0; p < e->points; p++) {
-      double *point = points + p * ED_POINT_SIZE;
+      double *point = points + p * size;
       const double x = e->x[p], w = e->weight[p];
-      const double N = q[0] + e->section_load[p][0];
-      const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1];
-      section_flexibility(e, p, point, f[p]);
-      unbalance[p][0] = N - point[ED_POINT_S];
-      unbalance[p][1] = M - point[ED_POINT_S + 1];
-      const double de = f[p][0] * unbalance[p][0] + f[p][1] * unbalance[p][1];
-      const double dk = f[p][1] * unbalance[p][0] + f[p][2] * unbalance[p][1];
+      double s[ED_MAX_RESULTANTS], change[ED_MAX_RESULTANTS];
+      section_forces(q, e->section_load[p], x, s, axes);
+      section_flexibility(e, p, point, f[p], axes);
+      for (int i = 0; i <= axes; i++)
+        unbalance[p][i] = s[i] - point[ed_point_s(axes) + i];
+      ed_sym_times(1 + axes, f[p], unbalance[p], change);
       gap[0] -= w * point[0];
-      gap[1] -= (x - 1.0) * w * point[1];
-      gap[2] -= x * w * point[1];
-      correction[0] += w * de;
-      correction[1] += (x - 1.0) * w * dk;
-      correction[2] += x * w * dk;
+      correction[0] += w * change[0];
+      for (int i = 1; i < rows; i++) {
+        const int moment = (i + 1) / 2, end = (i + 1) % 2;
+        gap[i] -= ed_share(x, end) * w * point[moment];
+        correction[i] += ed_share(x, end) * w * change[moment];
+      }
       if (!linear && !elastic)
-        add_flexibility(F, f[p], x, w);
+        ed_add_flexibility(F, f[p], x, w, axes);
       /* measured with the elastic flexibility: the softened one would magnify rounding */
-      const double *f0 = e->inverse[p];
-      energy += w * (f0[0] * unbalance[p][0] * unbalance[p][0] + 2.0 * f0[1] * unbalance[p][0] * unbalance[p][1] +
-                     f0[2] * unbalance[p][1] * unbalance[p][1]);
-      level += w * (f0[0] * N * N + 2.0 * f0[1] * N * M + f0[2] * M * M);
+      energy += w * form(e->inverse[p], unbalance[p], axes);
+      level += w * form(e->inverse[p], s, axes);
     }
-    double gap_force[3];
-    ed_sym3_times(e->stiffness, gap, gap_force);
-    for (int i = 0; i < 3; i++) {
+    double gap_force[ED_MAX_BASIC];
+    ed_sym_times(rows, e->stiffness, gap, gap_force);
+    for (int i = 0; i < rows; i++) {
       missing[i] = gap[i] - correction[i];
       energy += gap[i] * gap_force[i];
     }
     if (!isfinite(energy))
       return ED_E_NOT_FINITE;
-    if (level < block[ED_BLOCK_REFERENCE])
-      level = block[ED_BLOCK_REFERENCE];
+    if (level < *reference)
+      level = *reference;
     if (!linear) {
       if (elastic)
-        memcpy(K, e->stiffness, sizeof e->stiffness);
-      else if (!invert_flexibility(e, F, K))
+        memcpy(K, e->stiffness, (size_t)ed_basic_terms(axes) * sizeof *K);
+      else if (!invert_flexibility(e, F, K, axes))
         return ED_E_ELEMENT;
     }
     if (iteration > 0 && energy <= control->tolerance * level) {
-      block[ED_BLOCK_REFERENCE] = level;
+      *reference = level;
       return ED_OK;
     }
     if (iteration == MAX_ITERATIONS)
       return ED_E_ELEMENT;
     control->iterations++;
 
-    double dq[3], slope = 0.0;
+    double dq[ED_MAX_BASIC], slope = 0.0;
     linear = 1;
-    ed_sym3_times(K, missing, dq);
-    for (int i = 0; i < 3; i++)
+    ed_sym_times(rows, K, missing, dq);
+    for (int i = 0; i < rows; i++)
       q[i] += dq[i];
     for (int p = 0; p < e->points; p++) {
-      double *point = points + p * ED_POINT_SIZE;
+      double *point = points + p * size, left[ED_MAX_RESULTANTS], work = 0.0;
       const double x = e->x[p];
-      const double N = unbalance[p][0] + dq[0];
-      const double M = unbalance[p][1] + (x - 1.0) * dq[1] + x * dq[2];
-      step[p][0] = f[p][0] * N + f[p][1] * M;
-      step[p][1] = f[p][1] * N + f[p][2] * M;
-      slope -= e->weight[p] * (unbalance[p][0] * step[p][0] + unbalance[p][1] * step[p][1]);
-      linear &= respond(e, p, layers, point, step[p][0], step[p][1], control->fast_elastic);
+      left[0] = unbalance[p][0] + dq[0];
+      for (int a = 0; a < axes; a++)
+        left[1 + a] = unbalance[p][1 + a] + ed_share(x, 0) * dq[1 + 2 * a] + ed_share(x, 1) * dq[2 + 2 * a];
+      ed_sym_times(1 + axes, f[p], left, step[p]);
+      for (int i = 0; i <= axes; i++)
+        work = i ? work + unbalance[p][i] * step[p][i] : unbalance[p][i] * step[p][i];
+      slope -= e->weight[p] * work;
+      linear &= respond(e, p, layers, point, step[p], control->fast_elastic, axes);
     }
     if (iteration == 0)
       continue;
     /* slope of the potential along the step: negative at its start, rising; near zero where to stop */
     double taken = 1.0, low = 0.0, at_low = slope, high = 1.0, at_high = 0.0;
     for (int search = 0; search < MAX_SEARCH && slope < 0.0; search++) {
-      const double end = slope_at(e, points, q, step);
+      const double end = slope_at(e, points, q, step, axes);
       if (fabs(end) <= 0.5 * -slope || (taken == 1.0 && end <= 0.0))
         break;
       if (end > 0.0) {
@@ -254,10 +273,18 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       const double width = high - low, secant = low + width * at_low / (at_low - at_high);
       const double next = fmin(fmax(secant, low + 0.1 * width), high - 0.1 * width);
       for (int p = 0; p < e->points; p++) {
-        double *point = points + p * ED_POINT_SIZE;
-        linear &= respond(e, p, layers, point, (next - taken) * step[p][0], (next - taken) * step[p][1], control->fast_elastic);
+        double change[ED_MAX_RESULTANTS];
+        for (int i = 0; i <= axes; i++)
+          change[i] = (next - taken) * step[p][i];
+        linear &= respond(e, p, layers, points + p * size, change, control->fast_elastic, axes);
       }
       taken = next;
     }
   }
+}
+
+int ed_fibre_beam_update(const ed_element *e, const double *v, const double *layers, double *block,
+                         ed_element_control *control)
+{
+  return e->axes == ED_PLANE ? update(e, v, layers, block, control, ED_PLANE) : update(e, v, layers, block, control, ED_SPACE);
 }

@@ -6,9 +6,9 @@
 static void face_kinematics(const ed_element *e, const double *d, ed_kinematics *k)
 {
   const double dx = d[3] - d[0], dy = d[4] - d[1];
-  k->drift = -e->s * dx + e->c * dy;
+  k->drift[0] = -e->s * dx + e->c * dy;
   if (e->geometry != ED_COROTATIONAL) {
-    const double chord = k->drift / e->length;
+    const double chord = k->drift[0] / e->length;
     k->c = e->c;
     k->s = e->s;
     k->l = e->length;
@@ -18,8 +18,8 @@ static void face_kinematics(const ed_element *e, const double *d, ed_kinematics 
     return;
   }
   const double along = e->length + e->c * dx + e->s * dy;
-  k->l = hypot(along, k->drift);
-  const double cb = along / k->l, sb = k->drift / k->l; /* chord from its first direction */
+  k->l = hypot(along, k->drift[0]);
+  const double cb = along / k->l, sb = k->drift[0] / k->l; /* chord from its first direction */
   k->c = e->c * cb - e->s * sb;
   k->s = e->s * cb + e->c * sb;
   /* l - L without cancellation */
@@ -34,6 +34,10 @@ static void face_kinematics(const ed_element *e, const double *d, ed_kinematics 
 
 void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
 {
+  if (e->degrees == ED_MAX_DEGREES) {
+    ed_kinematics_3d(e, d, k);
+    return;
+  }
   if (e->rigid) {
     double arm[2][2], face[6];
     ed_rigid_faces(e, d, arm, face);
@@ -63,7 +67,7 @@ void ed_face_forces(const ed_element *e, const double *d, const double *block, d
   face_kinematics(e, d, &k);
   const double *q = block + ED_BLOCK_Q;
   const double shear = (q[1] + q[2]) / k.l;
-  const double second = e->geometry == ED_P_DELTA ? (q[0] + e->mean_axial) * k.drift / e->length : 0.0;
+  const double second = e->geometry == ED_P_DELTA ? (q[0] + e->mean_axial) * k.drift[0] / e->length : 0.0;
   const double fy_i = shear - second, fy_j = -shear + second;
   force[0] = -k.c * q[0] - k.s * fy_i;
   force[1] = -k.s * q[0] + k.c * fy_i;
@@ -79,7 +83,7 @@ void ed_face_forces(const ed_element *e, const double *d, const double *block, d
   if (e->geometry != ED_COROTATIONAL || e->mean_axial == 0.0)
     return;
   const double dx = d[3] - d[0], dy = d[4] - d[1];
-  const double couple = e->mean_axial * k.drift / (e->length + e->c * dx + e->s * dy);
+  const double couple = e->mean_axial * k.drift[0] / (e->length + e->c * dx + e->s * dy);
   force[0] += e->s * couple;
   force[1] -= e->c * couple;
   force[3] -= e->s * couple;
@@ -88,7 +92,9 @@ void ed_face_forces(const ed_element *e, const double *d, const double *block, d
 
 void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)
 {
-  if (e->rigid)
+  if (e->degrees == ED_MAX_DEGREES)
+    ed_forces_3d(e, d, block, force);
+  else if (e->rigid)
     ed_rigid_forces(e, d, block, force);
   else
     ed_face_forces(e, d, block, force);
@@ -149,7 +155,9 @@ void ed_face_tangent(const ed_element *e, const double *d, const double *block, 
 
 void ed_element_tangent(const ed_element *e, const double *d, const double *block, double *t)
 {
-  if (e->rigid)
+  if (e->degrees == ED_MAX_DEGREES)
+    ed_tangent_3d(e, d, block, t);
+  else if (e->rigid)
     ed_rigid_tangent(e, d, block, t);
   else
     ed_face_tangent(e, d, block, t);
@@ -157,11 +165,15 @@ void ed_element_tangent(const ed_element *e, const double *d, const double *bloc
 
 void ed_element_p_delta(const ed_element *e, const double *d, const double *block, double *force, double *drift)
 {
-  *force = *drift = 0.0;
+  const int directions = e->degrees == ED_MAX_DEGREES ? 2 : 1;
+  for (int i = 0; i < directions; i++)
+    force[i] = drift[i] = 0.0;
   if (e->geometry != ED_P_DELTA || e->kind == ED_LINK)
     return;
   ed_kinematics k;
   ed_kinematics_of(e, d, &k);
-  *drift = k.drift;
-  *force = (block[ED_BLOCK_Q] + e->mean_axial) * k.drift / e->length;
+  for (int i = 0; i < directions; i++) {
+    drift[i] = k.drift[i];
+    force[i] = (block[ed_block_q(e->axes)] + e->mean_axial) * k.drift[i] / e->length;
+  }
 }

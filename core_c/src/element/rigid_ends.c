@@ -113,7 +113,7 @@ void ed_rigid_add_load(ed_element *e, const ed_member_load *load, double factor)
       return;
     }
     const int end = x > last;
-    const double at = end ? x - whole : x, force[2] = {factor * load->axial, factor * load->transverse};
+    const double at = end ? x - whole : x, force[2] = {factor * load->axial, factor * load->transverse[0]};
     for (int d = 0; d < 2; d++) {
       e->arm_force[end][d] += force[d];
       e->arm_moment[end][d] += at * force[d];
@@ -121,13 +121,13 @@ void ed_rigid_add_load(ed_element *e, const ed_member_load *load, double factor)
     return;
   }
   const double start = uniform ? 0.0 : load->position * whole, stop = uniform ? whole : load->end * whole;
-  const double slope = uniform ? 0.0 : (load->transverse_end - load->transverse) / (stop - start);
+  const double slope = uniform ? 0.0 : (load->transverse_end[0] - load->transverse[0]) / (stop - start);
   const double bounds[4] = {0.0, first, last, whole};
   for (int piece = 0; piece < 3; piece++) {
     const double x0 = fmax(start, bounds[piece]), x1 = fmin(stop, bounds[piece + 1]);
     if (x0 >= x1)
       continue;
-    const double w0 = load->transverse + slope * (x0 - start), w1 = load->transverse + slope * (x1 - start);
+    const double w0 = load->transverse[0] + slope * (x0 - start), w1 = load->transverse[0] + slope * (x1 - start);
     if (piece != 1) {
       const int end = piece / 2;
       const double at0[2] = {factor * load->axial, factor * w0}, at1[2] = {factor * load->axial, factor * w1};
@@ -137,8 +137,8 @@ void ed_rigid_add_load(ed_element *e, const ed_member_load *load, double factor)
     } else {
       inside.position = fmax((x0 - first) / e->length, 0.0);
       inside.end = fmin((x1 - first) / e->length, 1.0);
-      inside.transverse = w0;
-      inside.transverse_end = w1;
+      inside.transverse[0] = w0;
+      inside.transverse_end[0] = w1;
       ed_element_add_load(e, &inside, factor);
     }
   }

@@ -71,7 +71,7 @@ static void make_parts(ed_strut *s, const ed_model *model, const ed_member *memb
       s->degree[p][2] = s->degree[p][5] = FIXED; /* a bar turns no node */
   }
   const ed_model inside = {
-      .materials = model->materials, .sections = model->sections, .nodes = (ed_node *)nodes->node, .members = members};
+      .dimension = 2, .materials = model->materials, .sections = model->sections, .nodes = (ed_node *)nodes->node, .members = members};
   int block = ed_strut_parts_at(s), layers = 0;
   s->finite = 1;
   for (int p = 0; p < s->parts; p++) {

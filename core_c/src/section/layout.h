@@ -2,8 +2,11 @@
 #ifndef ED_SECTION_LAYOUT_H
 #define ED_SECTION_LAYOUT_H
 
-/* A record of curved layers: where they were evaluated, then n_padded stresses and tangents. */
-enum { RECORD_E0, RECORD_KAPPA, RECORD_LAYERS };
+/* A record of curved layers: the deformation at which they were evaluated, 1 + axes numbers, then n_padded stresses and tangents. */
+static inline int record_layers(int axes)
+{
+  return 1 + axes;
+}
 
 /* Of layers that may break: how many have, and the largest damage. */
 enum { BROKEN_LAYERS, DAMAGE, FATIGUE_HEAD };

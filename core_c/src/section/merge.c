@@ -9,27 +9,41 @@
 #include <string.h>
 
 typedef struct {
-  double y, area;
+  double y, z, area;
   int material;
 } fibre;
 
-static int by_depth(const void *left, const void *right)
+static int by_place(const void *left, const void *right)
 {
   const fibre *a = left, *b = right;
   if (a->y != b->y)
     return a->y < b->y ? -1 : 1;
+  if (a->z != b->z)
+    return a->z < b->z ? -1 : 1;
   if (a->material != b->material)
     return a->material < b->material ? -1 : 1;
   return (a->area > b->area) - (a->area < b->area); /* so that the sum does not depend on the order given */
 }
 
-void ed_section_elastic(ed_section *section, double EA, double EI)
+void ed_section_elastic(ed_section *section, int axes, const double *stiffness)
 {
   memset(section, 0, sizeof *section);
+  section->axes = axes;
   section->elastic = 1;
-  section->k11 = EA;
-  section->k22 = EI;
+  for (int i = 0; i <= axes; i++)
+    section->k[ed_sym_place(1 + axes, i, i)] = stiffness[i];
   section->yield_strain = HUGE_VAL;
+}
+
+int ed_section_bends(const ed_section *section)
+{
+  const double *k = section->k;
+  /* relative, it is variance / (mean square) of the depths: fibres must spread over a millionth of their distance from the axis */
+  if (section->axes == ED_PLANE)
+    return k[0] * k[2] - k[1] * k[1] > 1e-12 * k[0] * k[2];
+  double inverse[ED_MAX_SECTION_TERMS];
+  return k[0] * k[3] - k[1] * k[1] > 1e-12 * k[0] * k[3] && k[0] * k[5] - k[2] * k[2] > 1e-12 * k[0] * k[5] &&
+         ed_sym3_inverse(k, inverse) > 1e-12 * k[0] * k[3] * k[5];
 }
 
 void ed_section_free(ed_section *section)
@@ -38,13 +52,14 @@ void ed_section_free(ed_section *section)
   free(section->steel);
 }
 
-/* Sorts fibres by depth, and merges those of one depth and law; returns how many are left. */
+/* Sorts fibres, and merges those of one place and law; returns how many are left. */
 static int merged(fibre *fibres, int n)
 {
   int layers = 0;
-  qsort(fibres, (size_t)n, sizeof *fibres, by_depth);
+  qsort(fibres, (size_t)n, sizeof *fibres, by_place);
   for (int i = 0; i < n; i++) {
-    if (layers && fibres[layers - 1].y == fibres[i].y && fibres[layers - 1].material == fibres[i].material)
+    const fibre *last = layers ? &fibres[layers - 1] : NULL;
+    if (last && last->y == fibres[i].y && last->z == fibres[i].z && last->material == fibres[i].material)
       fibres[layers - 1].area += fibres[i].area;
     else
       fibres[layers++] = fibres[i];
@@ -57,24 +72,26 @@ static int make_arrays(ed_section *section, int layers)
 {
   double **arrays[] = {&section->y,    &section->area, &section->E,  &section->EH,  &section->fy,   &section->hardening,
                        &section->flow, &section->A,    &section->Ay, &section->EA,  &section->EAy,  &section->EAyy,
-                       &section->curved_area};
-  enum { ARRAYS = sizeof arrays / sizeof *arrays };
+                       &section->curved_area, &section->z, &section->Az, &section->EAz, &section->EAyz, &section->EAzz};
+  enum { ALL = sizeof arrays / sizeof *arrays, OF_SPACE = 5 };
+  const int count = section->axes == ED_SPACE ? ALL : ALL - OF_SPACE;
   const int padded = (layers + ED_LANES - 1) / ED_LANES * ED_LANES;
   section->n = layers;
   section->n_padded = padded;
-  section->block = aligned_alloc(64, (size_t)(ARRAYS + ED_MENEGOTTO_PINTO_ARRAYS) * (size_t)padded * sizeof(double));
+  section->block = aligned_alloc(64, (size_t)(count + ED_MENEGOTTO_PINTO_ARRAYS) * (size_t)padded * sizeof(double));
   section->steel = malloc((size_t)layers * sizeof *section->steel);
   if (!section->block || !section->steel)
     return 0;
-  for (int k = 0; k < ARRAYS; k++)
+  for (int k = 0; k < count; k++)
     *arrays[k] = (double *)section->block + (size_t)k * (size_t)padded;
-  ed_menegotto_pinto_place(&section->menegotto_pinto, padded, (double *)section->block + (size_t)ARRAYS * (size_t)padded);
+  ed_menegotto_pinto_place(&section->menegotto_pinto, padded, (double *)section->block + (size_t)count * (size_t)padded);
   return 1;
 }
 
 /* Sets a layer; padding has no area, and no limit of its stress. `some_curved`: a curved law of the section, NULL without. */
-static void set_layer(ed_section *section, int i, double depth, double area, const ed_steel *steel, const ed_steel *some_curved)
+static void set_layer(ed_section *section, int i, const fibre *fibre, const ed_steel *steel, const ed_steel *some_curved)
 {
+  const double depth = fibre->y, z = fibre->z, area = fibre->area;
   const int curved = steel->law == ED_MENEGOTTO_PINTO;
   const double straight_area = curved ? 0.0 : area;
   section->y[i] = depth;
@@ -90,6 +107,13 @@ static void set_layer(ed_section *section, int i, double depth, double area, con
   section->EAy[i] = steel->E * straight_area * depth;
   section->EAyy[i] = steel->E * straight_area * depth * depth;
   section->curved_area[i] = curved ? area : 0.0;
+  if (section->axes == ED_SPACE) {
+    section->z[i] = z;
+    section->Az[i] = straight_area * z;
+    section->EAz[i] = steel->E * straight_area * z;
+    section->EAyz[i] = steel->E * straight_area * depth * z;
+    section->EAzz[i] = steel->E * straight_area * z * z;
+  }
   if (some_curved)
     ed_menegotto_pinto_set(&section->menegotto_pinto, i, curved ? steel : some_curved);
 }
@@ -98,7 +122,7 @@ static void set_layer(ed_section *section, int i, double depth, double area, con
 static void lay_out_state(ed_section *section, int may_break)
 {
   const int padded = section->n_padded;
-  section->record_size = section->curved ? RECORD_LAYERS + 2 * padded : 0;
+  section->record_size = section->curved ? record_layers(section->axes) + 2 * padded : 0;
   section->state_size = (section->straight ? padded : 0) + (section->curved ? padded * ED_MENEGOTTO_PINTO_STATE : 0);
   if (may_break) {
     section->fatigue = section->state_size;
@@ -114,11 +138,9 @@ static int find_initial_stiffness(ed_section *section)
     return 0;
   ed_section_response response;
   ed_section_initialise(section, state);
-  ed_section_trial(section, state, 0.0, 0.0, NULL, &response);
+  ed_section_trial(section, state, (double[ED_MAX_RESULTANTS]){0.0}, NULL, &response);
   free(state);
-  section->k11 = response.k11;
-  section->k12 = response.k12;
-  section->k22 = response.k22;
+  memcpy(section->k, response.k, (size_t)ed_section_terms(section->axes) * sizeof *section->k);
   return 1;
 }
 
@@ -133,6 +155,7 @@ static int set_layers(ed_section *section, const fibre *fibres, int layers, cons
     const ed_steel *steel = &steels[fibres[i].material];
     section->steel[i] = steel;
     section->depth = fmax(section->depth, fabs(fibres[i].y));
+    section->width = fmax(section->width, fabs(fibres[i].z));
     section->stiffest = fmax(section->stiffest, steel->E);
     may_break |= steel->fatigue_strain > 0.0;
     if (steel->law == ED_MENEGOTTO_PINTO)
@@ -147,22 +170,23 @@ static int set_layers(ed_section *section, const fibre *fibres, int layers, cons
     section->yield_strain = 0.0;
   for (int i = 0; i < section->n_padded; i++)
     if (i < layers)
-      set_layer(section, i, fibres[i].y, fibres[i].area, section->steel[i], some_curved);
+      set_layer(section, i, &fibres[i], section->steel[i], some_curved);
     else
-      set_layer(section, i, 0.0, 0.0, section->steel[0], some_curved);
+      set_layer(section, i, &(fibre){0}, section->steel[0], some_curved);
   lay_out_state(section, may_break);
   return find_initial_stiffness(section);
 }
 
-int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *area, const int *material,
+int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *z, const double *area, const int *material,
                            const ed_steel *steels)
 {
   memset(section, 0, sizeof *section);
+  section->axes = z ? ED_SPACE : ED_PLANE;
   fibre *fibres = malloc((size_t)n * sizeof *fibres);
   if (!fibres)
     return 0;
   for (int i = 0; i < n; i++)
-    fibres[i] = (fibre){y[i], area[i], material[i]};
+    fibres[i] = (fibre){y[i], z ? z[i] : 0.0, area[i], material[i]};
   const int made = set_layers(section, fibres, merged(fibres, n), steels);
   if (!made)
     ed_section_free(section);

@@ -34,9 +34,11 @@ const char *ed_wrong_frame(const ed_substructure_input *in)
     return "the numerical part is either a recursion or a frame";
   if (!f->analysis || f->divisions < 1 || f->divisions > MOST_DIVISIONS)
     return "the frame needs an analysis, and 1 to 1000 steps in a main step";
+  if (f->analysis->model->dimension != 2)
+    return "the frame must be plane";
   if (in->n_outputs != 0)
     return "a frame has no outputs: its channels are recorded";
-  if (f->n_terms < 1 || f->n_terms > ED_MAX_TERMS)
+  if (f->n_terms < 1 || f->n_terms > ED_MAX_GIVEN_TERMS)
     return "the deformation of the specimen is that of 1 to 12 degrees of the frame";
   for (int i = 0; i < f->n_terms; i++)
     if (f->node[i] < 0 || f->node[i] >= f->analysis->model->n_nodes || f->degree[i] < 0 || f->degree[i] > 2 || !isfinite(f->coefficient[i]))
@@ -68,7 +70,7 @@ static int begin_history(frame *f, int n, const double *ground)
       fine[(size_t)k * (size_t)f->divisions + (size_t)j] = ground[k] + (ground[k + 1] - ground[k]) * ((double)j / f->divisions);
   fine[(size_t)n * (size_t)f->divisions] = ground[n];
   const ed_run given = a->run;
-  const int status = ed_history_begin(a, n * f->divisions, f->dt, fine, NULL, f->method, f->parameters);
+  const int status = ed_history_begin(a, n * f->divisions, f->dt, fine, NULL, NULL, f->method, f->parameters);
   free(fine);
   if (status == ED_OK)
     ed_run_buffers(a, given.every, given.abscissa, given.values, given.energy);

@@ -113,7 +113,7 @@ int ed_n_nonzeros(const ed_analysis *a)
 
 void ed_equations(const ed_analysis *a, int *equation)
 {
-  memcpy(equation, a->numbering.equation, 3 * (size_t)a->model->n_nodes * sizeof *equation);
+  memcpy(equation, a->numbering.equation, (size_t)a->numbering.degrees * sizeof *equation);
 }
 
 int ed_stiffness(ed_analysis *a, int *column_start, int *row, double *value)

@@ -15,7 +15,7 @@ static int coupled(const ed_analysis *a, int index, const int **degree)
   const int members = a->model->n_members;
   if (index < members) {
     *degree = a->members.element[index].dof;
-    return 6;
+    return a->members.element[index].degrees;
   }
   *degree = a->model->devices[index - members].degree;
   return a->model->devices[index - members].n_terms;
@@ -46,7 +46,7 @@ int ed_build_pattern(ed_analysis *a)
   int *count = calloc((size_t)n + 1, sizeof *count);
   a->matrix.column_start = calloc((size_t)n + 1, sizeof *a->matrix.column_start);
   a->matrix.diagonal = calloc((size_t)n, sizeof *a->matrix.diagonal);
-  a->matrix.scatter = malloc(36 * (size_t)(members + 1) * sizeof *a->matrix.scatter);
+  a->matrix.scatter = malloc(ed_tangent_size(a->model) * (size_t)(members + 1) * sizeof *a->matrix.scatter);
   size_t device_terms = 0;
   for (int i = 0; i < a->model->n_devices; i++)
     device_terms += (size_t)a->model->devices[i].n_terms * (size_t)a->model->devices[i].n_terms;
@@ -110,7 +110,7 @@ int ed_build_pattern(ed_analysis *a)
       if (a->matrix.row[k] == i)
         a->matrix.diagonal[i] = k;
   for (int m = 0; m < members; m++)
-    find_places(a, m, a->matrix.scatter + 36 * m);
+    find_places(a, m, a->matrix.scatter + ed_tangent_size(a->model) * (size_t)m);
   int *place = a->matrix.device_scatter;
   for (int i = 0; i < a->model->n_devices; i++) {
     find_places(a, members + i, place);
@@ -133,18 +133,49 @@ void ed_matrices_free(ed_matrices *matrix)
     free(blocks[i]);
 }
 
+/* Of nodes of diaphragms: rows and columns of their turn take those of the displacements in plan, by their levers. */
+static void put_on_masters(const ed_analysis *a, const ed_element *e, double *t)
+{
+  const int n = e->degrees;
+  for (int i = 0; i < n; i++) {
+    const ed_in_plan *of = &a->numbering.plan[e->dof[i]];
+    const int turn = i - i % 6 + 5; /* of the node */
+    if (of->turn < 0)
+      continue;
+    for (int k = 0; k < n; k++)
+      t[n * turn + k] += of->lever * t[n * i + k];
+  }
+  for (int i = 0; i < n; i++) {
+    const ed_in_plan *of = &a->numbering.plan[e->dof[i]];
+    const int turn = i - i % 6 + 5;
+    if (of->turn < 0)
+      continue;
+    for (int k = 0; k < n; k++)
+      t[n * k + turn] += of->lever * t[n * k + i];
+  }
+}
+
+void ed_member_tangent(const ed_analysis *a, int m, const double *block, double *t)
+{
+  const ed_element *e = &a->members.element[m];
+  double d[ED_MAX_DEGREES];
+  ed_gather(&a->members, m, d);
+  ed_element_tangent(e, d, block, t);
+  if (a->numbering.plan)
+    put_on_masters(a, e, t);
+}
+
 void ed_assemble_tangent(ed_analysis *a)
 {
   if (a->matrix.assembled_stamp == a->matrix.stamp)
     return;
+  const size_t terms = ed_tangent_size(a->model);
   memset(a->matrix.tangent, 0, ((size_t)a->matrix.nnz + 1) * sizeof *a->matrix.tangent);
   for (int m = 0; m < a->model->n_members; m++) {
-    const ed_element *e = &a->members.element[m];
-    double d[6], t[36];
-    const int *place = a->matrix.scatter + 36 * m;
-    ed_gather(&a->members, m, d);
-    ed_element_tangent(e, d, a->trial.elements + e->state, t);
-    for (int i = 0; i < 36; i++)
+    double t[ED_MAX_DEGREES * ED_MAX_DEGREES];
+    const int *place = a->matrix.scatter + terms * (size_t)m;
+    ed_member_tangent(a, m, a->trial.elements + a->members.element[m].state, t);
+    for (size_t i = 0; i < terms; i++)
       a->matrix.tangent[place[i]] += t[i];
   }
   a->matrix.tangent[a->matrix.nnz] = 0.0;
@@ -158,6 +189,7 @@ const double *ed_damping_tangent(ed_analysis *a)
     return a->matrix.tangent;
   if (a->matrix.damped_stamp == a->matrix.stamp)
     return a->matrix.damped;
+  const size_t terms = ed_tangent_size(a->model);
   memcpy(a->matrix.damped, a->matrix.tangent, ((size_t)a->matrix.nnz + 1) * sizeof *a->matrix.damped);
   for (int m = 0; m < a->model->n_members; m++) {
     const ed_element *e = &a->members.element[m];
@@ -166,17 +198,16 @@ const double *ed_damping_tangent(ed_analysis *a)
     const double factor = e->member->damping_factor;
     if (!softens && factor == 1.0)
       continue;
-    double d[6], is[36], damped[36], head[ED_BLOCK_POINTS];
-    ed_gather(&a->members, m, d);
-    ed_element_tangent(e, d, block, is);
+    double is[ED_MAX_DEGREES * ED_MAX_DEGREES], damped[ED_MAX_DEGREES * ED_MAX_DEGREES], head[ED_BLOCK_POINTS];
+    ed_member_tangent(a, m, block, is);
     memcpy(damped, is, sizeof damped);
     if (softens) { /* just before a snap the tangent falls without bound, and damping by it would drive the brace */
       memcpy(head, block, sizeof head);
       head[ED_BLOCK_K] = 0.0;
-      ed_element_tangent(e, d, head, damped);
+      ed_member_tangent(a, m, head, damped);
     }
-    for (int i = 0; i < 36; i++)
-      a->matrix.damped[a->matrix.scatter[36 * m + i]] += factor * damped[i] - is[i];
+    for (size_t i = 0; i < terms; i++)
+      a->matrix.damped[a->matrix.scatter[terms * (size_t)m + i]] += factor * damped[i] - is[i];
   }
   a->matrix.damped[a->matrix.nnz] = 0.0;
   a->matrix.damped_stamp = a->matrix.stamp;

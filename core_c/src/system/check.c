@@ -33,7 +33,7 @@ static int check_connected(ed_analysis *a)
   for (int m = 0; m < model->n_members; m++)
     parent[find(parent, model->members[m].node[0])] = find(parent, model->members[m].node[1]);
   for (int i = 0; i < n; i++)
-    for (int d = 0; d < 3; d++) {
+    for (int d = 0; d < ed_degrees(model); d++) {
       if (model->nodes[i].fixed[d])
         parent[find(parent, i)] = find(parent, n);
       if (model->nodes[i].master[d] >= 0)

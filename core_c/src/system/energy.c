@@ -43,29 +43,43 @@ static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_
   return work;
 }
 
+/* Displacements of both ends along the reactions of the loads inside. */
+static void along_end_loads(const ed_element *e, const double *moved, double *local)
+{
+  if (e->axes == ED_PLANE) {
+    local[0] = e->c * moved[0] + e->s * moved[1];
+    local[1] = -e->s * moved[0] + e->c * moved[1];
+    local[2] = -e->s * moved[3] + e->c * moved[4];
+    return;
+  }
+  for (int i = 0; i < ED_MAX_BASIC; i++) { /* x and y at i, y at j, z at i and j */
+    const double *axis = e->axis[(i + 1) / 2], *of = moved + (i == 2 || i == 4 ? 6 : 0);
+    local[i] = axis[0] * of[0] + axis[1] * of[1] + axis[2] * of[2];
+  }
+}
+
 /* Work of the element loads on the member's ends and inside it. */
 static double load_work(const ed_analysis *a, int member)
 {
   const ed_element *e = &a->members.element[member];
   const ed_member_loads *before = &a->loading.member_committed[member];
-  double moved[6];
-  for (int i = 0; i < 6; i++)
+  double moved[ED_MAX_DEGREES], local[ED_MAX_BASIC];
+  for (int i = 0; i < e->degrees; i++)
     moved[i] = ed_displacement(&a->numbering, &a->trial, e->dof[i]) - ed_displacement(&a->numbering, &a->committed, e->dof[i]);
   double work = e->rigid ? arm_load_work(a, e, before, moved) : 0.0;
-  const double local[3] = {e->c * moved[0] + e->s * moved[1], -e->s * moved[0] + e->c * moved[1],
-                           -e->s * moved[3] + e->c * moved[4]};
-  for (int i = 0; i < 3; i++)
+  along_end_loads(e, moved, local);
+  for (int i = 0; i < ed_basic(e->axes); i++)
     work -= 0.5 * (e->end_load[i] + before->end_load[i]) * local[i];
   const double *now = a->trial.elements + e->state, *then = a->committed.elements + e->state;
   for (int p = 0; p < e->points; p++)
-    for (int i = 0; i < 2; i++) {
-      const int k = ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_E + i;
+    for (int i = 0; i <= e->axes; i++) {
+      const int k = ed_point_at(e->axes, p) + i;
       work += 0.5 * e->weight[p] * (e->section_load[p][i] + before->section_load[p][i]) * (now[k] - then[k]);
     }
   if (e->kind == ED_ELASTIC_BEAM)
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < ed_basic(e->axes); i++)
       work += 0.5 * (e->free_deformation[i] + before->free_deformation[i]) *
-              (now[ED_BLOCK_Q + i] - then[ED_BLOCK_Q + i]);
+              (now[ed_block_q(e->axes) + i] - then[ed_block_q(e->axes) + i]);
   return work;
 }
 
@@ -93,16 +107,18 @@ void ed_count_energy(ed_analysis *a, double dissipated)
       input += load_work(a, m);
     if (e->geometry != ED_P_DELTA || e->kind == ED_LINK)
       continue;
-    double d[6], *now = a->trial.p_delta + 2 * m;
-    const double *then = a->committed.p_delta + 2 * m;
+    const int across = a->model->dimension - 1;
+    double d[ED_MAX_DEGREES], *now = a->trial.p_delta + 2 * across * m;
+    const double *then = a->committed.p_delta + 2 * across * m;
     ed_gather(&a->members, m, d);
-    ed_element_p_delta(e, d, a->trial.elements + e->state, &now[0], &now[1]);
-    second_order += 0.5 * (now[0] + then[0]) * (now[1] - then[1]);
+    ed_element_p_delta(e, d, a->trial.elements + e->state, now, now + across);
+    for (int i = 0; i < across; i++)
+      second_order += 0.5 * (now[i] + then[i]) * (now[across + i] - then[across + i]);
     if (e->rigid)
       second_order += rigid_second_order(a, e, d);
   }
   if (a->run.kind == ED_RUN_HISTORY) {
-    for (int axis = 0; axis < 2; axis++) {
+    for (int axis = 0; axis < a->model->dimension; axis++) {
       const double ground = 0.5 * (a->run.ground_now[axis] + a->run.ground_before[axis]);
       for (int i = 0; ground != 0.0 && i < n; i++)
         input -= a->numbering.mass[i] * a->numbering.influence[axis][i] * ground * (a->trial.u[i] - a->committed.u[i]);
@@ -128,11 +144,11 @@ void ed_restart_energy(ed_analysis *a)
   a->committed.head->largest_input = fabs(energy[ED_INPUT]);
   ed_close_energy(a);
   for (int m = 0; m < a->model->n_members; m++) {
-    double d[6];
+    const int across = a->model->dimension - 1;
+    double d[ED_MAX_DEGREES], *kept_p_delta = a->committed.p_delta + 2 * across * m;
     const ed_element *e = &a->members.element[m];
     ed_gather(&a->members, m, d);
-    ed_element_p_delta(e, d, a->committed.elements + e->state, &a->committed.p_delta[2 * m],
-                       &a->committed.p_delta[2 * m + 1]);
+    ed_element_p_delta(e, d, a->committed.elements + e->state, kept_p_delta, kept_p_delta + across);
     if (e->rigid) {
       double *kept = a->committed.elements + e->state + ed_element_block_size(e) - ED_RIGID_SIZE;
       ed_rigid_second_order(e, d, a->committed.elements + e->state, kept, kept + 2);

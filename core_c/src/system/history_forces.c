@@ -22,21 +22,28 @@ int ed_history_force(ed_analysis *a, int n, const int *node, const int *degree, 
     return ed_fail(a, ED_E_STATE, "a force of a history is given while one runs");
   if (run->n_forces == ED_HISTORY_FORCES)
     return ed_fail(a, ED_E_ARGUMENT, "a history has %d forces at most", ED_HISTORY_FORCES);
-  if (n < 1 || n > ED_MAX_TERMS)
-    return ed_fail(a, ED_E_ARGUMENT, "a force of a history acts on 1 to %d degrees, not %d", ED_MAX_TERMS, n);
+  if (n < 1 || n > ED_MAX_GIVEN_TERMS)
+    return ed_fail(a, ED_E_ARGUMENT, "a force of a history acts on 1 to %d degrees, not %d", ED_MAX_GIVEN_TERMS, n);
   ed_history_load load = {0};
+  int place[ED_MAX_TERMS];
+  double along_it[ED_MAX_TERMS];
   for (int i = 0; i < n; i++) {
-    if (node[i] < 0 || node[i] >= a->model->n_nodes || degree[i] < 0 || degree[i] > 2)
+    if (node[i] < 0 || node[i] >= a->model->n_nodes || degree[i] < 0 || degree[i] >= ed_degrees(a->model))
       return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree[i], node[i]);
     if (!isfinite(coefficient[i]))
       return ed_fail(a, ED_E_NOT_FINITE, "coefficient %d of a force is not a finite number", i + 1);
-    const int place = 3 * node[i] + degree[i], equation = a->numbering.equation[place];
+    place[i] = ed_degrees(a->model) * node[i] + degree[i];
+    along_it[i] = coefficient[i];
+  }
+  const int terms = ed_put_on_masters(a->model, n, place, along_it);
+  for (int i = 0; i < terms; i++) {
+    const int equation = a->numbering.equation[place[i]];
     if (equation < 0) {
-      load.fixed[load.n_fixed] = place;
-      load.fixed_coefficient[load.n_fixed++] = coefficient[i];
+      load.fixed[load.n_fixed] = place[i];
+      load.fixed_coefficient[load.n_fixed++] = along_it[i];
     } else {
       load.equation[load.n_terms] = equation;
-      load.coefficient[load.n_terms++] = coefficient[i];
+      load.coefficient[load.n_terms++] = along_it[i];
     }
   }
   if (load.n_fixed > 0 && run->n_motions > 0)

@@ -9,7 +9,7 @@
 typedef struct {
   int n_terms, equation[ED_MAX_TERMS];
   double coefficient[ED_MAX_TERMS];
-  int n_fixed, fixed[ED_MAX_TERMS]; /* degrees 3 node + d */
+  int n_fixed, fixed[ED_MAX_TERMS]; /* over all degrees */
   double fixed_coefficient[ED_MAX_TERMS];
   double origin;                 /* displacement along it when it was made */
   double last;                   /* at the end of the last whole step */

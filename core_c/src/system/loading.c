@@ -36,11 +36,9 @@ void ed_set_factors(ed_analysis *a)
   memset(a->loading.external, 0, (size_t)a->numbering.n * sizeof *a->loading.external);
   for (int i = 0; i < model->n_nodal_loads; i++) {
     const ed_nodal_load *load = &model->nodal_loads[i];
-    for (int d = 0; d < 3; d++) {
-      const int equation = a->numbering.equation[3 * load->node + d];
-      if (equation >= 0)
-        a->loading.external[equation] += a->loading.factors[load->pattern] * load->force[d];
-    }
+    for (int d = 0; d < ed_degrees(model); d++)
+      ed_add_at_degree(&a->numbering, ed_degrees(model) * load->node + d, a->loading.factors[load->pattern] * load->force[d],
+                       a->loading.external, NULL);
   }
   for (int m = 0; m < model->n_members; m++)
     if (model->members[m].loaded)

@@ -5,7 +5,7 @@
 #include "element/element.h"
 
 typedef struct {
-  double section_load[ED_MAX_POINTS][2], end_load[3], free_deformation[3];
+  double section_load[ED_MAX_POINTS][ED_MAX_RESULTANTS], end_load[ED_MAX_BASIC], free_deformation[ED_MAX_BASIC];
   double arm_force[2][2], arm_moment[2][2];
 } ed_member_loads;
 

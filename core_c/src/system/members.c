@@ -8,12 +8,12 @@
 int ed_members_allocate(ed_analysis *a)
 {
   const ed_model *model = a->model;
-  const size_t degrees = 3 * (size_t)model->n_nodes;
+  const size_t degrees = (size_t)a->numbering.degrees;
   ed_members *members = &a->members;
   members->element = calloc((size_t)model->n_members + 1, sizeof *members->element);
   members->displacement = calloc(degrees, sizeof(double));
   members->resisting = calloc(degrees, sizeof(double));
-  members->force = calloc(6 * (size_t)model->n_members + 1, sizeof(double));
+  members->force = calloc(2 * (size_t)ed_degrees(model) * (size_t)model->n_members + 1, sizeof(double));
   if (!members->element || !members->displacement || !members->resisting || !members->force)
     return ED_E_MEMORY;
   for (int m = 0; m < model->n_members; m++) {
@@ -41,17 +41,17 @@ void ed_members_free(ed_members *members, int n)
 static void add_forces(ed_analysis *a, int m, const double *d)
 {
   const ed_element *e = &a->members.element[m];
-  double *force = a->members.force + 6 * m;
+  double *force = ed_member_force(&a->members, m);
   ed_element_forces(e, d, a->trial.elements + e->state, force);
-  for (int i = 0; i < 6; i++)
+  for (int i = 0; i < e->degrees; i++)
     a->members.resisting[e->dof[i]] += force[i];
 }
 
 static void clear_forces(ed_analysis *a)
 {
-  for (int i = 0; i < 3 * a->model->n_nodes; i++)
+  for (int i = 0; i < a->numbering.degrees; i++)
     a->members.displacement[i] = ed_displacement(&a->numbering, &a->trial, i);
-  memset(a->members.resisting, 0, 3 * (size_t)a->model->n_nodes * sizeof *a->members.resisting);
+  memset(a->members.resisting, 0, (size_t)a->numbering.degrees * sizeof *a->members.resisting);
 }
 
 static void sum_forces(ed_analysis *a)
@@ -59,10 +59,8 @@ static void sum_forces(ed_analysis *a)
   ed_add_device_forces(a);
   memset(a->trial.resisting, 0, (size_t)a->numbering.n * sizeof *a->trial.resisting);
   memset(a->trial.support_force, 0, (size_t)a->numbering.n_supports * sizeof *a->trial.support_force);
-  for (int i = 0; i < 3 * a->model->n_nodes; i++) {
-    const int equation = a->numbering.equation[i];
-    *(equation >= 0 ? a->trial.resisting + equation : a->trial.support_force + a->numbering.support[i]) += a->members.resisting[i];
-  }
+  for (int i = 0; i < a->numbering.degrees; i++)
+    ed_add_at_degree(&a->numbering, i, a->members.resisting[i], a->trial.resisting, a->trial.support_force);
   a->matrix.stamp++;
 }
 
@@ -73,7 +71,7 @@ static int update_members(ed_analysis *a)
     const ed_element *e = &a->members.element[m];
     if (ed_watch_step(&a->watch))
       return ED_E_STOPPED;
-    double d[6];
+    double d[ED_MAX_DEGREES];
     ed_gather(&a->members, m, d);
     const int status = ed_element_update(e, d, a->storage.layers + e->layers, a->trial.elements + e->state, &a->members.control);
     if (status != ED_OK) {
@@ -107,7 +105,7 @@ void ed_collect_forces(ed_analysis *a)
 {
   clear_forces(a);
   for (int m = 0; m < a->model->n_members; m++) {
-    double d[6];
+    double d[ED_MAX_DEGREES];
     ed_gather(&a->members, m, d);
     add_forces(a, m, d);
   }

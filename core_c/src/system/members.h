@@ -9,7 +9,7 @@ typedef struct {
   int n_struts;                  /* among them */
   double *displacement;          /* over all degrees, at the trial state */
   double *resisting;             /* over all degrees, at the trial state */
-  double *force;                 /* 6 a member, along the axes of the structure */
+  double *force;                 /* of a member its degrees, along the axes of the structure */
   ed_element_control control;
   int failed;                    /* member whose state was not found */
 } ed_members;
@@ -20,11 +20,22 @@ int ed_update_elements(ed_analysis *a); /* trial u, v -> states of elements and 
 int ed_update_members(ed_analysis *a);  /* the same, dampers are there already */
 void ed_collect_forces(ed_analysis *a); /* element states -> resisting forces */
 
+/* Where the forces of a member lie. */
+static inline double *ed_member_force(const ed_members *members, int member)
+{
+  return members->force + members->element[member].degrees * member;
+}
+
 /* Displacements of a member's ends, of those over all degrees. */
 static inline void ed_gather(const ed_members *members, int member, double *d)
 {
-  for (int i = 0; i < 6; i++)
-    d[i] = members->displacement[members->element[member].dof[i]];
+  const ed_element *e = &members->element[member];
+  if (e->degrees == 6)
+    for (int i = 0; i < 6; i++)
+      d[i] = members->displacement[e->dof[i]];
+  else
+    for (int i = 0; i < ED_MAX_DEGREES; i++)
+      d[i] = members->displacement[e->dof[i]];
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* Models of plane frames: materials, sections, nodes, and what all parts of a model share. */
+/* Models: materials, sections, nodes, and what all parts of a model share. */
 #include "system/model.h"
 
 #include <math.h>
@@ -42,9 +42,12 @@ int ed_model_lacks_element(ed_model *model, int element)
   return 1;
 }
 
-ed_model *ed_model_new(void)
+ed_model *ed_model_new(int dimension)
 {
-  return calloc(1, sizeof(ed_model));
+  ed_model *model = dimension == 2 || dimension == 3 ? calloc(1, sizeof(ed_model)) : NULL;
+  if (model)
+    model->dimension = dimension;
+  return model;
 }
 
 void ed_model_free(ed_model *model)
@@ -117,21 +120,31 @@ int ed_model_fatigue(ed_model *model, int material, double strain, double expone
   return ED_OK;
 }
 
-int ed_model_elastic_section(ed_model *model, double EA, double EI)
+int ed_model_elastic_section(ed_model *model, const double *stiffness)
 {
-  if (!(EA > 0.0 && EI > 0.0 && isfinite(EA) && isfinite(EI)))
-    return ed_model_refuse(model, ED_E_ARGUMENT, "section: EA %g and EI %g must be positive", EA, EI);
+  static const char *const name[] = {"EA", "EI", "EI about y", "GJ"};
+  const int n = model->dimension == 3 ? 4 : 2;
+  for (int i = 0; i < n; i++)
+    if (!(stiffness[i] > 0.0) || !isfinite(stiffness[i]))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "section: %s %g must be positive", name[i], stiffness[i]);
   ED_MODEL_APPEND(model, sections, n_sections);
-  ed_section_elastic(&model->sections[model->n_sections - 1], EA, EI);
+  ed_section *section = &model->sections[model->n_sections - 1];
+  ed_section_elastic(section, model->dimension == 3 ? ED_SPACE : ED_PLANE, stiffness);
+  section->torsion = model->dimension == 3 ? stiffness[3] : 0.0;
   return model->n_sections - 1;
 }
 
-int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *area, const int *material)
+int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
+                           double torsion)
 {
   if (n < 1)
     return ed_model_refuse(model, ED_E_ARGUMENT, "section: at least one fibre is needed");
+  if (z && model->dimension == 2)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "section: fibres of a plane frame have depths alone");
+  if (z && !(torsion > 0.0 && isfinite(torsion)))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "section: GJ %g must be positive", torsion);
   for (int i = 0; i < n; i++) {
-    if (!isfinite(y[i]) || !isfinite(area[i]) || area[i] <= 0.0)
+    if (!isfinite(y[i]) || !isfinite(area[i]) || area[i] <= 0.0 || (z && !isfinite(z[i])))
       return ed_model_refuse(model, ED_E_ARGUMENT, "section: fibre %d has depth %g and area %g", i + 1, y[i], area[i]);
     if (material[i] < 0 || material[i] >= model->n_materials)
       return ed_model_refuse(model, ED_E_ID, "section: fibre %d has no material %d", i + 1, material[i]);
@@ -145,16 +158,17 @@ int ed_model_fibre_section(ed_model *model, int n, const double *y, const double
     return ed_model_refuse(model, ED_E_ARGUMENT, "section: fibres that break take one kind of law");
   ED_MODEL_APPEND(model, sections, n_sections);
   ed_section *section = &model->sections[model->n_sections - 1];
-  if (!ed_section_from_fibres(section, n, y, area, material, model->materials)) {
+  if (!ed_section_from_fibres(section, n, y, z, area, material, model->materials)) {
     model->n_sections--;
     return ed_model_refuse(model, ED_E_MEMORY, "out of memory");
   }
-  /* relative, it is variance / (mean square) of the depths: fibres must spread over a millionth of their distance from the axis */
-  if (!(section->k11 * section->k22 - section->k12 * section->k12 > 1e-12 * section->k11 * section->k22)) {
+  if (!ed_section_bends(section)) {
     model->n_sections--;
     ed_section_free(section);
-    return ed_model_refuse(model, ED_E_ARGUMENT, "section: no bending stiffness (all fibres at one depth)");
+    return ed_model_refuse(model, ED_E_ARGUMENT, z ? "section: no bending stiffness (all fibres on one line)"
+                                                   : "section: no bending stiffness (all fibres at one depth)");
   }
+  section->torsion = z ? torsion : 0.0;
   return model->n_sections - 1;
 }
 
@@ -168,38 +182,62 @@ void ed_copy_name(char *to, const char *name)
   snprintf(to, ED_NAME, "%s", name ? name : "");
 }
 
-int ed_model_node(ed_model *model, const char *name, double x, double y)
+int ed_model_node(ed_model *model, const char *name, const double *position)
 {
-  if (!isfinite(x) || !isfinite(y))
+  const double z = model->dimension == 3 ? position[2] : 0.0;
+  if (!isfinite(position[0]) || !isfinite(position[1]) || !isfinite(z))
     return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: coordinates are not finite numbers", name ? name : "");
   ED_MODEL_APPEND(model, nodes, n_nodes);
   ed_node *node = &model->nodes[model->n_nodes - 1];
   ed_copy_name(node->name, name);
-  node->x = x;
-  node->y = y;
-  for (int d = 0; d < 3; d++)
+  node->x = position[0];
+  node->y = position[1];
+  node->z = z;
+  for (int d = 0; d < ED_MOST_DEGREES; d++)
     node->master[d] = -1;
   return model->n_nodes - 1;
 }
 
-int ed_model_fix(ed_model *model, int node, int ux, int uy, int rz)
+double ed_between(const ed_model *model, int from, int to, double between[3])
+{
+  const ed_node *i = &model->nodes[from], *j = &model->nodes[to];
+  between[0] = j->x - i->x;
+  between[1] = j->y - i->y;
+  between[2] = j->z - i->z;
+  const double in_plan = hypot(between[0], between[1]);
+  return model->dimension == 3 ? hypot(in_plan, between[2]) : in_plan;
+}
+
+int ed_model_fix(ed_model *model, int node, const int *fixed)
 {
   if (ed_model_lacks_node(model, node))
     return ED_E_ID;
-  const int fixed[3] = {ux, uy, rz};
-  for (int d = 0; d < 3; d++)
+  for (int d = 0; d < ed_degrees(model); d++)
     model->nodes[node].fixed[d] |= fixed[d] != 0;
   return ED_OK;
 }
 
-int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz)
+enum { TURN = 5 }; /* rz */
+
+static int in_plan(int d)
+{
+  return d < 2 || d == TURN;
+}
+
+int ed_model_tie(ed_model *model, int node, int master, const int *tied)
 {
   if (ed_model_lacks_node(model, node) || ed_model_lacks_node(model, master))
     return ED_E_ID;
-  const int tied[3] = {ux, uy, rz};
   if (node == master)
     return ed_model_refuse(model, ED_E_ARGUMENT, "node %s is tied to itself", model->nodes[node].name);
-  for (int d = 0; d < 3; d++) {
+  for (int d = 0; d < ed_degrees(model); d++) {
+    const ed_node *ends[2] = {&model->nodes[node], &model->nodes[master]};
+    for (int i = 0; i < 2; i++)
+      if (tied[d] && in_plan(d) && (ends[i]->diaphragm || ends[i]->is_master))
+        return ed_model_refuse(model, ED_E_ARGUMENT, "node %s is of a diaphragm, so its %s cannot be tied", ends[i]->name,
+                               ed_degree_name(model, d));
+  }
+  for (int d = 0; d < ed_degrees(model); d++) {
     if (!tied[d])
       continue;
     /* all that either of them is tied to becomes one group */
@@ -214,17 +252,76 @@ int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz)
   return ED_OK;
 }
 
-int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz)
+int ed_model_diaphragm(ed_model *model, int master, int n, const int *node)
+{
+  if (model->dimension != 3)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "a plane frame has no diaphragm");
+  if (ed_model_lacks_node(model, master))
+    return ED_E_ID;
+  if (model->n_devices)
+    return ed_model_refuse(model, ED_E_STATE, "diaphragms are declared before dampers");
+  for (int i = 0; i < n; i++)
+    if (ed_model_lacks_node(model, node[i]))
+      return ED_E_ID;
+  for (int i = -1; i < n; i++) { /* the master too */
+    const ed_node *one = &model->nodes[i < 0 ? master : node[i]];
+    int tied = one->diaphragm || (i >= 0 && one->is_master);
+    for (int d = 0; d < ED_MOST_DEGREES; d++)
+      tied |= in_plan(d) && one->master[d] >= 0;
+    if (tied || (i >= 0 && node[i] == master))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "node %s cannot be of the diaphragm of %s: it is tied already", one->name,
+                             model->nodes[master].name);
+    if (i >= 0 && (one->fixed[0] || one->fixed[1] || one->fixed[TURN]))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "node %s of a diaphragm is supported in plan; support its master %s instead", one->name,
+                             model->nodes[master].name);
+  }
+  model->nodes[master].is_master = 1;
+  for (int i = 0; i < n; i++) {
+    ed_node *one = &model->nodes[node[i]];
+    one->diaphragm = 1;
+    one->master[0] = one->master[1] = one->master[TURN] = master;
+  }
+  return ED_OK;
+}
+
+ed_in_plan ed_of_master(const ed_model *model, int degree)
+{
+  const int d = degree % ed_degrees(model);
+  const ed_node *node = &model->nodes[degree / ed_degrees(model)];
+  if (!node->diaphragm || !in_plan(d))
+    return (ed_in_plan){degree, -1, 0.0};
+  const ed_node *master = &model->nodes[node->master[d]];
+  const int at = ed_degrees(model) * node->master[d];
+  if (d == TURN)
+    return (ed_in_plan){at + d, -1, 0.0};
+  return (ed_in_plan){at + d, at + TURN, d ? node->x - master->x : master->y - node->y};
+}
+
+int ed_put_on_masters(const ed_model *model, int n, int *degree, double *coefficient)
+{
+  int terms = n;
+  for (int i = 0; i < n; i++) {
+    const ed_in_plan of = ed_of_master(model, degree[i]);
+    degree[i] = of.degree;
+    if (of.turn < 0)
+      continue;
+    degree[terms] = of.turn;
+    coefficient[terms++] = of.lever * coefficient[i];
+  }
+  return terms;
+}
+
+int ed_model_mass(ed_model *model, int node, const double *mass)
 {
   if (ed_model_lacks_node(model, node))
     return ED_E_ID;
-  if (!(mx >= 0.0 && my >= 0.0 && mrz >= 0.0) || !isfinite(mx + my + mrz))
-    return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: masses must not be negative", model->nodes[node].name);
-  const double mass[3] = {mx, my, mrz};
-  for (int d = 0; d < 3; d++)
+  for (int d = 0; d < ed_degrees(model); d++) {
+    if (!(mass[d] >= 0.0) || !isfinite(mass[d]))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: masses must not be negative", model->nodes[node].name);
     if (!isfinite(model->nodes[node].mass[d] + mass[d]))
       return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: the sum of its masses is not a finite number", model->nodes[node].name);
-  for (int d = 0; d < 3; d++)
+  }
+  for (int d = 0; d < ed_degrees(model); d++)
     model->nodes[node].mass[d] += mass[d];
   return ED_OK;
 }

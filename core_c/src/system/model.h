@@ -18,12 +18,16 @@ enum { ED_MAX_POINTS = 64 };
 
 typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK, ED_STRUT, ED_SPRING } ed_element_kind;
 
+enum { ED_MOST_DEGREES = 6 }; /* of a node */
+
 typedef struct {
   char name[ED_NAME];
-  double x, y;
-  double mass[3];
-  int fixed[3];
-  int master[3]; /* node whose degree this one shares, or -1 */
+  double x, y, z;
+  double mass[ED_MOST_DEGREES];
+  int fixed[ED_MOST_DEGREES];
+  int master[ED_MOST_DEGREES]; /* node whose degree this one shares, or -1 */
+  int diaphragm;               /* it moves in plan with its masters as a rigid body */
+  int is_master;               /* of a diaphragm */
 } ed_node;
 
 typedef struct {
@@ -31,7 +35,8 @@ typedef struct {
   ed_element_kind kind;
   int node[2];
   int geometry;
-  int release[2];
+  int release[4];               /* beams: rotations of the basic system, in their order */
+  double web[3];                /* beams in space: direction of local z, of length 1 */
   int points;                   /* fibre beam, of each piece; strut */
   int section[ED_MAX_RULE];     /* beams; ids */
   int breaks;                   /* fibre beam: it is integrated piece by piece between these places */
@@ -44,7 +49,7 @@ typedef struct {
   double rigid[2];              /* beams: lengths of their rigid ends */
   double stiffness[3], angle;   /* link */
   int spring;                   /* spring; index */
-  double coefficient[6];        /* spring */
+  double coefficient[2 * ED_MOST_DEGREES]; /* spring */
   double without[2];            /* elastic beam: flexibility that its ends leave out */
   double damping_factor;        /* of stiffness-proportional damping */
   int loaded;
@@ -52,18 +57,18 @@ typedef struct {
 
 typedef struct {
   int pattern, node;
-  double force[3];
+  double force[ED_MOST_DEGREES];
 } ed_nodal_load;
 
 typedef struct {
   int pattern, element;
   double position; /* of a point load or where a partial one begins, 0..1; -1: uniform */
-  double axial, transverse;
-  double end, transverse_end; /* partial load, linear from `transverse` to this; end > position */
+  double axial, transverse[2]; /* along x; along y, in space along z too */
+  double end, transverse_end[2]; /* partial load, linear from `transverse` to this; end > position */
 } ed_member_load;
 
 /* A damper in the frame: its deformation is the sum of coefficient * displacement of the degrees, and its force acts on them. */
-enum { ED_MAX_TERMS = 12 };
+enum { ED_MAX_GIVEN_TERMS = 12, ED_MAX_TERMS = 2 * ED_MAX_GIVEN_TERMS }; /* as given, and put on masters of diaphragms */
 typedef struct {
   char name[ED_NAME];
   ed_damper damper;             /* its brace is in the law's units, as if the device had the size of the law */
@@ -72,11 +77,12 @@ typedef struct {
   double weight;                /* compression of that spring at which it has the force of its law */
   int carries;                  /* it acts from the beginning, under loads that come before ed_install_dampers too */
   int n_terms;
-  int degree[ED_MAX_TERMS];     /* 3 node + d */
+  int degree[ED_MAX_TERMS];     /* over all degrees of all nodes */
   double coefficient[ED_MAX_TERMS];
 } ed_device;
 
 struct ed_model {
+  int dimension;                /* 2 or 3 */
   ed_steel *materials;
   ed_section *sections;
   ed_spring *springs;
@@ -90,6 +96,35 @@ struct ed_model {
   int n_materials, n_sections, n_springs, n_nodes, n_members, n_nodal_loads, n_member_loads, n_patterns;
   char message[ED_MESSAGE];
 };
+
+/* Degrees of a node: displacements, then rotations. */
+static inline int ed_degrees(const ed_model *model)
+{
+  return model->dimension == 3 ? 6 : 3;
+}
+
+static inline int ed_is_rotation(const ed_model *model, int degree) /* of a node, or over all degrees */
+{
+  return degree % ed_degrees(model) >= model->dimension;
+}
+
+static inline const char *ed_degree_name(const ed_model *model, int degree) /* of a node, or over all degrees */
+{
+  static const char *const in_plane[] = {"ux", "uy", "rz"}, *const in_space[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+  return model->dimension == 3 ? in_space[degree % 6] : in_plane[degree % 3];
+}
+
+/* From one node to another; returns the distance. */
+double ed_between(const ed_model *model, int from, int to, double between[3]);
+/* What a displacement in plan of a node of a diaphragm is of its master's: 0 or 1, itself, and lever times the master's turn. */
+typedef struct {
+  int degree, turn; /* over all degrees; turn -1: none */
+  double lever;
+} ed_in_plan;
+ed_in_plan ed_of_master(const ed_model *model, int degree);
+/* Terms over degrees of nodes, of diaphragms put on their masters: replaces them, and returns how many there are then (at most twice as
+ * many). */
+int ed_put_on_masters(const ed_model *model, int n, int *degree, double *coefficient);
 
 /* For all files that add to a model (model*.c). */
 int ed_model_refuse(ed_model *model, int status, const char *format, ...); /* notes the message and returns the status */

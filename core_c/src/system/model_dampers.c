@@ -10,11 +10,11 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
   const char *shown = name ? name : "";
   if (!(force_scale > 0.0 && deformation_scale > 0.0) || !isfinite(force_scale + deformation_scale))
     return ed_model_refuse(model, ED_E_ARGUMENT, "damper %s: scales %g and %g must be positive", shown, force_scale, deformation_scale);
-  if (n_terms < 1 || n_terms > ED_MAX_TERMS)
+  if (n_terms < 1 || n_terms > ED_MAX_GIVEN_TERMS)
     return ed_model_refuse(model, ED_E_ARGUMENT, "damper %s: its deformation has %d terms, but 1 to %d are possible", shown, n_terms,
-                           ED_MAX_TERMS);
+                           ED_MAX_GIVEN_TERMS);
   for (int i = 0; i < n_terms; i++) {
-    if (node[i] < 0 || node[i] >= model->n_nodes || degree[i] < 0 || degree[i] > 2)
+    if (node[i] < 0 || node[i] >= model->n_nodes || degree[i] < 0 || degree[i] >= ed_degrees(model))
       return ed_model_refuse(model, ED_E_ID, "damper %s: there is no degree %d of node %d", shown, degree[i], node[i]);
     if (!isfinite(coefficient[i]))
       return ed_model_refuse(model, ED_E_ARGUMENT, "damper %s: coefficient %d is not a finite number", shown, i + 1);
@@ -38,11 +38,11 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
   device->force_scale = force_scale;
   device->deformation_scale = deformation_scale;
   device->axial_spring = -1;
-  device->n_terms = n_terms;
   for (int i = 0; i < n_terms; i++) {
-    device->degree[i] = 3 * node[i] + degree[i];
+    device->degree[i] = ed_degrees(model) * node[i] + degree[i];
     device->coefficient[i] = coefficient[i];
   }
+  device->n_terms = ed_put_on_masters(model, n_terms, device->degree, device->coefficient);
   return model->n_devices++;
 }
 

@@ -10,11 +10,14 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
 {
   if (ed_model_lacks_node(model, i) || ed_model_lacks_node(model, j))
     return ED_E_ID;
-  const ed_node *a = &model->nodes[i], *b = &model->nodes[j];
-  if (i == j || (!may_be_short && hypot(b->x - a->x, b->y - a->y) <= 0.0))
-    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s has no length (nodes %s and %s)", name ? name : "", a->name, b->name);
+  double between[3];
+  if (i == j || (!may_be_short && ed_between(model, i, j, between) <= 0.0))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s has no length (nodes %s and %s)", name ? name : "", model->nodes[i].name,
+                           model->nodes[j].name);
   if (geometry < ED_LINEAR || geometry > ED_COROTATIONAL)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: unknown geometry %d", name ? name : "", geometry);
+  if (geometry == ED_COROTATIONAL && model->dimension == 3)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: corotational geometry is of plane frames", name ? name : "");
   ED_MODEL_APPEND(model, members, n_members);
   ed_member *m = &model->members[model->n_members - 1];
   ed_copy_name(m->name, name);
@@ -26,39 +29,68 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
   return model->n_members - 1;
 }
 
+/* What is wrong with a section of a beam, or NULL. */
+static const char *unfit(const ed_model *model, int section)
+{
+  if (section < 0 || section >= model->n_sections)
+    return "there is no section";
+  return model->dimension == 3 && model->sections[section].axes != ED_SPACE ? "it bends about two axes, but not section" : NULL;
+}
+
+/* Off a right angle to the member, or off the length 1, for rounding. */
+static const double ROUNDED = 1e-6;
+
+/* Sets what beams have: releases of their ends, and in space the direction of their web. */
+static int set_beam(ed_model *model, int id, const int *release, const double *web)
+{
+  ed_member *m = &model->members[id];
+  for (int i = 0; i < 2 * (model->dimension - 1); i++)
+    m->release[i] = release && release[i] != 0;
+  if (model->dimension == 2)
+    return id;
+  double between[3], along = 0.0, size = 0.0;
+  const double length = ed_between(model, m->node[0], m->node[1], between);
+  for (int i = 0; i < 3; i++) {
+    along += web[i] * between[i] / length;
+    size += web[i] * web[i];
+  }
+  if (!(fabs(along) < ROUNDED && fabs(size - 1.0) < ROUNDED)) {
+    model->n_members--;
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: its web %g, %g, %g is no direction of length 1 at right angles to it", m->name,
+                           web[0], web[1], web[2]);
+  }
+  memcpy(m->web, web, sizeof m->web);
+  return id;
+}
+
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
-                         int release_i, int release_j)
+                         const int *release, const double *web)
 {
   if (points < 2 || points > ED_MAX_RULE)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: %d integration points are not in 2..%d", name ? name : "", points,
                   ED_MAX_RULE);
   for (int p = 0; p < points; p++)
-    if (sections[p] < 0 || sections[p] >= model->n_sections)
-      return ed_model_refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", sections[p]);
+    if (unfit(model, sections[p]))
+      return ed_model_refuse(model, ED_E_ID, "element %s: %s %d", name ? name : "", unfit(model, sections[p]), sections[p]);
   const int id = member(model, name, ED_FIBRE_BEAM, i, j, geometry, 0);
   if (id < 0)
     return id;
   ed_member *m = &model->members[id];
   m->points = points;
   memcpy(m->section, sections, (size_t)points * sizeof *sections);
-  m->release[0] = release_i != 0;
-  m->release[1] = release_j != 0;
-  return id;
+  return set_beam(model, id, release, web);
 }
 
-int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
-                          int release_j)
+int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, const int *release,
+                          const double *web)
 {
-  if (section < 0 || section >= model->n_sections)
-    return ed_model_refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", section);
+  if (unfit(model, section))
+    return ed_model_refuse(model, ED_E_ID, "element %s: %s %d", name ? name : "", unfit(model, section), section);
   const int id = member(model, name, ED_ELASTIC_BEAM, i, j, geometry, 0);
   if (id < 0)
     return id;
-  ed_member *m = &model->members[id];
-  m->section[0] = section;
-  m->release[0] = release_i != 0;
-  m->release[1] = release_j != 0;
-  return id;
+  model->members[id].section[0] = section;
+  return set_beam(model, id, release, web);
 }
 
 int ed_model_breaks(ed_model *model, int element, int n, const double *position)
@@ -90,8 +122,10 @@ int ed_model_rigid_ends(ed_model *model, int element, double start, double end)
   ed_member *m = &model->members[element];
   if (m->kind != ED_FIBRE_BEAM && m->kind != ED_ELASTIC_BEAM)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and has no rigid ends", m->name);
-  const ed_node *i = &model->nodes[m->node[0]], *j = &model->nodes[m->node[1]];
-  const double length = hypot(j->x - i->x, j->y - i->y);
+  if (model->dimension == 3)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: rigid ends are of plane frames", m->name);
+  double between[3];
+  const double length = ed_between(model, m->node[0], m->node[1], between);
   if (!(start >= 0.0 && end >= 0.0 && start + end < length))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: rigid ends of %g and %g leave nothing of its length %g", m->name, start,
                   end, length);
@@ -107,8 +141,9 @@ int ed_model_without_flexibility(ed_model *model, int element, double at_i, doub
   ed_member *m = &model->members[element];
   if (m->kind != ED_ELASTIC_BEAM)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no elastic beam and cannot leave out flexibility", m->name);
-  const ed_node *i = &model->nodes[m->node[0]], *j = &model->nodes[m->node[1]];
-  const double most = hypot(j->x - i->x, j->y - i->y) / (3.0 * model->sections[m->section[0]].k22);
+  double between[3];
+  const ed_section *section = &model->sections[m->section[0]];
+  const double most = ed_between(model, m->node[0], m->node[1], between) / (3.0 * section->k[ed_sym_place(1 + section->axes, 1, 1)]);
   if (!(at_i >= 0.0 && at_i < most && at_j >= 0.0 && at_j < most))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: flexibilities %g and %g to leave out must be from 0 to below %g", m->name,
                            at_i, at_j, most);
@@ -135,7 +170,7 @@ int ed_model_strut(ed_model *model, const char *name, int i, int j, int section,
                    double buckling_length, double end_stiffness, int material, double area, int geometry)
 {
   const char *shown = name ? name : "";
-  if (section < 0 || section >= model->n_sections || model->sections[section].elastic)
+  if (section < 0 || section >= model->n_sections || model->sections[section].elastic || model->sections[section].axes != ED_PLANE)
     return ed_model_refuse(model, ED_E_ID, "strut %s: there is no fibre section %d", shown, section);
   if (points < 3 || points > ED_MAX_RULE)
     return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: %d integration points are not in 3..%d", shown, points, ED_MAX_RULE);
@@ -168,6 +203,8 @@ int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, do
 {
   if (!(kx >= 0.0 && ky >= 0.0 && krz >= 0.0) || !isfinite(kx + ky + krz + angle))
     return ed_model_refuse(model, ED_E_ARGUMENT, "link %s: stiffnesses must not be negative", name ? name : "");
+  if (model->dimension == 3)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "link %s: links are of plane frames", name ? name : "");
   const int id = member(model, name, ED_LINK, i, j, ED_LINEAR, 1);
   if (id < 0)
     return id;
@@ -186,7 +223,8 @@ int ed_model_spring(ed_model *model, const char *name, int i, int j, const doubl
   if (wrong)
     return ed_model_refuse(model, ED_E_ARGUMENT, "spring %s: %s", name ? name : "", wrong);
   double largest = 0.0;
-  for (int d = 0; d < 6; d++) {
+  const int degrees = 2 * ed_degrees(model);
+  for (int d = 0; d < degrees; d++) {
     if (!isfinite(coefficient[d]))
       return ed_model_refuse(model, ED_E_ARGUMENT, "spring %s: coefficient %d is not a finite number", name ? name : "", d + 1);
     largest = fmax(largest, fabs(coefficient[d]));
@@ -202,7 +240,7 @@ int ed_model_spring(ed_model *model, const char *name, int i, int j, const doubl
   model->springs[model->n_springs - 1] = spring;
   ed_member *m = &model->members[id];
   m->spring = model->n_springs - 1;
-  memcpy(m->coefficient, coefficient, sizeof m->coefficient);
+  memcpy(m->coefficient, coefficient, (size_t)degrees * sizeof *coefficient);
   return id;
 }
 

@@ -6,21 +6,40 @@
 
 typedef struct {
   int n;                         /* equations */
-  int *equation;                 /* 3 n_nodes: -1 where supported */
+  int degrees;                   /* of all nodes */
+  int *equation;                 /* degrees: -1 where supported */
   int n_supports;                /* supported degrees, tied ones counted once */
-  int *support;                  /* 3 n_nodes: number of a supported degree, -1 where free */
+  int *support;                  /* degrees: number of a supported degree, -1 where free */
+  ed_in_plan *plan;              /* degrees: how they go with the masters of diaphragms; NULL where there is none */
   double *mass;                  /* n */
-  double *influence[2];          /* n: 1 where the equation moves with the ground along x, y */
+  double *influence[3];          /* n: 1 where the equation moves with the ground along x, y, z; z is NULL in the plane */
   double length;                 /* mean element length: makes moments comparable with forces */
   int *rotational;               /* n */
   double *scale;                 /* n: 1, or 1 / length where rotational */
-  int *name;                     /* n: degree (3 node + d) that names the equation */
+  int *name;                     /* n: degree that names the equation */
 } ed_numbering;
 
 int ed_number(ed_analysis *a);
 int ed_set_length(ed_numbering *numbering, double length); /* ED_OK, ED_E_MEMORY */
 void ed_numbering_free(ed_numbering *numbering);
-/* node.ux, node.uy or node.rz; "?" where there is no such equation */
+/* node.ux and so on; "?" where there is no such equation */
 const char *ed_equation_name(const ed_model *model, const ed_numbering *numbering, int equation, char *buffer, int size);
+
+/* Adds what acts at a degree, where a diaphragm moves it on the degrees of its master. `of_supports` may be NULL. */
+static inline void ed_add_at_degree(const ed_numbering *numbering, int degree, double value, double *of_equations, double *of_supports)
+{
+  const int equation = numbering->equation[degree];
+  if (equation >= 0)
+    of_equations[equation] += value;
+  else if (of_supports)
+    of_supports[numbering->support[degree]] += value;
+  if (!numbering->plan || numbering->plan[degree].turn < 0)
+    return;
+  const int turn = numbering->plan[degree].turn, turns = numbering->equation[turn];
+  if (turns >= 0)
+    of_equations[turns] += numbering->plan[degree].lever * value;
+  else if (of_supports)
+    of_supports[numbering->support[turn]] += numbering->plan[degree].lever * value;
+}
 
 #endif

@@ -6,9 +6,9 @@ int ed_is_quantity(const ed_analysis *a, int kind, int object, int component)
 {
   const ed_model *model = a->model;
   if (kind <= ED_REACTION)
-    return kind >= 0 && object >= 0 && object < model->n_nodes && component >= 0 && component < 3;
+    return kind >= 0 && object >= 0 && object < model->n_nodes && component >= 0 && component < ed_degrees(model);
   if (kind == ED_GROUND_ACCELERATION)
-    return component >= 0 && component < 2;
+    return component >= 0 && component < model->dimension;
   if (kind == ED_LOAD_FACTOR)
     return object >= 0 && object < model->n_patterns;
   if (kind >= ED_DEFLECTION && kind <= ED_BROKEN_SHARE)
@@ -27,18 +27,18 @@ int ed_is_quantity(const ed_analysis *a, int kind, int object, int component)
   switch (kind) {
     case ED_END_FORCE:
     case ED_GLOBAL_FORCE:
-      return component < 6;
+      return component < e->degrees && !(kind == ED_END_FORCE && e->degrees == ED_MAX_DEGREES && e->kind == ED_SPRING);
     case ED_AXIAL_FORCE:
       return component == 0 && e->kind != ED_LINK;
     case ED_DEFORMATION:
-      return component < (e->kind == ED_SPRING ? 1 : 3) && e->kind != ED_LINK;
+      return component < (e->kind == ED_SPRING ? 1 : ed_basic(e->axes)) && e->kind != ED_LINK;
     case ED_PLASTIC_ROTATION:
-      return fibres ? component < 2 : e->kind == ED_SPRING && component == 0;
+      return fibres ? component < 2 * e->axes : e->kind == ED_SPRING && component == 0;
     case ED_STRENGTH_LEFT:
       return e->kind == ED_SPRING && component == 0;
     case ED_SECTION_FORCE:
     case ED_SECTION_DEFORMATION:
-      return fibres && component < 2 * e->points;
+      return fibres && component < (1 + e->axes) * e->points;
     default: {
       if (!fibres || e->section[0]->elastic)
         return 0;
@@ -50,25 +50,16 @@ int ed_is_quantity(const ed_analysis *a, int kind, int object, int component)
 
 static double node_value(const ed_analysis *a, const ed_term *term)
 {
-  const int degree = 3 * term->object + term->component, equation = a->numbering.equation[degree];
+  const int degree = ed_degrees(a->model) * term->object + term->component, equation = a->numbering.equation[degree];
   if (term->kind == ED_REACTION)
     return a->members.resisting[degree] - (equation < 0 ? ed_history_force_on(&a->run, degree) : 0.0);
   double ground = 0.0;
-  if (term->kind == ED_TOTAL_ACCELERATION && term->component < 2 && a->run.kind == ED_RUN_HISTORY)
+  if (term->kind == ED_TOTAL_ACCELERATION && term->component < a->model->dimension && a->run.kind == ED_RUN_HISTORY)
     ground = a->run.ground_now[term->component];
-  if (equation < 0) {
-    const ed_state *s = &a->committed;
-    const double *of = term->kind == ED_DISPLACEMENT ? s->support_u : term->kind == ED_VELOCITY ? s->support_v : s->support_a;
-    return of[a->numbering.support[degree]] + ground;
-  }
-  switch (term->kind) {
-    case ED_DISPLACEMENT:
-      return a->committed.u[equation];
-    case ED_VELOCITY:
-      return a->committed.v[equation];
-    default:
-      return a->committed.a[equation] + ground;
-  }
+  const ed_state *s = &a->committed;
+  const double *of_equations = term->kind == ED_DISPLACEMENT ? s->u : term->kind == ED_VELOCITY ? s->v : s->a;
+  const double *of_supports = term->kind == ED_DISPLACEMENT ? s->support_u : term->kind == ED_VELOCITY ? s->support_v : s->support_a;
+  return ed_at_degree(&a->numbering, of_equations, of_supports, degree) + ground;
 }
 
 /* Forces where the member begins to bend. */
@@ -84,12 +75,16 @@ static void face_forces(const ed_analysis *a, const ed_element *e, double *force
 static double element_value(const ed_analysis *a, const ed_term *term)
 {
   const ed_element *e = &a->members.element[term->object];
-  const double *block = a->committed.elements + e->state, *force = a->members.force + 6 * term->object;
+  const double *block = a->committed.elements + e->state, *force = ed_member_force(&a->members, term->object);
   const int c = term->component;
   switch (term->kind) {
     case ED_GLOBAL_FORCE:
       return force[c];
     case ED_END_FORCE: {
+      if (e->degrees == ED_MAX_DEGREES) {
+        const double *axis = e->axis[c % 3], *of = force + c / 3 * 3;
+        return axis[0] * of[0] + axis[1] * of[1] + axis[2] * of[2];
+      }
       double of_faces[6];
       if (e->rigid) {
         face_forces(a, e, of_faces);
@@ -101,7 +96,7 @@ static double element_value(const ed_analysis *a, const ed_term *term)
       return c % 3 == 1 ? -e->s * f[0] + e->c * f[1] : f[2];
     }
     case ED_AXIAL_FORCE:
-      return block[ED_BLOCK_Q];
+      return block[ed_block_q(e->axes)];
     case ED_DEFORMATION:
       return block[ED_BLOCK_V + c];
     case ED_PLASTIC_ROTATION:
@@ -109,16 +104,15 @@ static double element_value(const ed_analysis *a, const ed_term *term)
     case ED_STRENGTH_LEFT:
       return ed_spring_strength_left(e->spring, a->storage.layers + e->layers);
     case ED_SECTION_FORCE:
-      return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_S + c % 2];
+      return block[ed_point_at(e->axes, c / (1 + e->axes)) + ed_point_s(e->axes) + c % (1 + e->axes)];
     case ED_SECTION_DEFORMATION:
-      return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_E + c % 2];
+      return block[ed_point_at(e->axes, c / (1 + e->axes)) + c % (1 + e->axes)];
     default: {
       const ed_section *section = e->section[0];
       const int p = c / section->n;
-      const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
+      const double *point = block + ed_point_at(e->axes, p);
       double stress, strain;
-      ed_section_layer(e->section[p], a->storage.layers + e->layers + e->layer_offset[p], c % section->n, point[0], point[1],
-                       &stress, &strain);
+      ed_section_layer(e->section[p], a->storage.layers + e->layers + e->layer_offset[p], c % section->n, point, &stress, &strain);
       return term->kind == ED_FIBRE_STRESS ? stress : strain;
     }
   }

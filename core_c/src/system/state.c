@@ -31,7 +31,7 @@ static void point_into_block(ed_state *state, const ed_analysis *a)
     next += a->numbering.n_supports;
   }
   state->p_delta = next;
-  state->elements = next + 2 * a->model->n_members;
+  state->elements = next + ed_p_delta_size(a->model) * a->model->n_members;
   state->devices = state->elements + a->storage.element_blocks;
 }
 
@@ -58,7 +58,7 @@ int ed_state_allocate(ed_analysis *a)
     if (devices > MOST_DOUBLES)
       return ED_E_MEMORY;
   }
-  const long size = head_size() + 7L * a->numbering.n + 4L * a->numbering.n_supports + 2L * a->model->n_members + blocks + devices;
+  const long size = head_size() + 7L * a->numbering.n + 4L * a->numbering.n_supports + (long)ed_p_delta_size(a->model) * a->model->n_members + blocks + devices;
   if (size + layers + a->model->n_patterns > MOST_DOUBLES)
     return ED_E_MEMORY;
   a->storage.size = (int)size;

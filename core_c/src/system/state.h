@@ -23,10 +23,15 @@ typedef struct {
   double *mean_velocity, *mean_velocity_before; /* n: displacement / time of the last two steps */
   double *support_u, *support_v, *support_a; /* n_supports: where supported degrees are, and how they move */
   double *support_force;         /* n_supports: resisting force of elements and dampers there */
-  double *p_delta;               /* per element: force and drift, 2 n_members */
+  double *p_delta;               /* per element: second-order forces and drifts, ed_p_delta_size */
   double *elements;
   double *devices;               /* the blocks of the dampers */
 } ed_state;
+
+static inline int ed_p_delta_size(const ed_model *model) /* of an element: both across, in each direction */
+{
+  return 2 * (model->dimension - 1);
+}
 
 /* What states share: the layers of sections, and copies to go back to. */
 typedef struct {
@@ -47,11 +52,20 @@ void ed_restore(ed_analysis *a);
 /* Whether every number of a state and of the layers is finite. */
 int ed_state_finite(const ed_storage *storage, const ed_state *state);
 
-/* Of any degree, supported ones too. */
-static inline double ed_displacement(const ed_numbering *numbering, const ed_state *state, int degree)
+/* Of equations or supports, at any degree. */
+static inline double ed_at_degree(const ed_numbering *numbering, const double *of_equations, const double *of_supports, int degree)
 {
   const int equation = numbering->equation[degree];
-  return equation >= 0 ? state->u[equation] : state->support_u[numbering->support[degree]];
+  const double value = equation >= 0 ? of_equations[equation] : of_supports[numbering->support[degree]];
+  if (!numbering->plan || numbering->plan[degree].turn < 0)
+    return value;
+  const int turn = numbering->plan[degree].turn, turns = numbering->equation[turn];
+  return value + numbering->plan[degree].lever * (turns >= 0 ? of_equations[turns] : of_supports[numbering->support[turn]]);
+}
+
+static inline double ed_displacement(const ed_numbering *numbering, const ed_state *state, int degree)
+{
+  return ed_at_degree(numbering, state->u, state->support_u, degree);
 }
 
 #endif

@@ -17,17 +17,16 @@ static void add_pull(ed_analysis *a, int support, double *pull)
   for (int m = 0; m < a->model->n_members; m++) {
     const ed_element *e = &a->members.element[m];
     int touches = 0;
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < e->degrees; i++)
       touches |= a->numbering.support[e->dof[i]] == support;
     if (!touches)
       continue;
-    double d[6], t[36];
-    ed_gather(&a->members, m, d);
-    ed_element_tangent(e, d, a->trial.elements + e->state, t);
-    for (int i = 0; i < 6; i++)
-      for (int j = 0; j < 6; j++)
+    double t[ED_MAX_DEGREES * ED_MAX_DEGREES];
+    ed_member_tangent(a, m, a->trial.elements + e->state, t);
+    for (int i = 0; i < e->degrees; i++)
+      for (int j = 0; j < e->degrees; j++)
         if (a->numbering.equation[e->dof[i]] >= 0 && a->numbering.support[e->dof[j]] == support)
-          pull[a->numbering.equation[e->dof[i]]] -= t[6 * i + j];
+          pull[a->numbering.equation[e->dof[i]]] -= t[e->degrees * i + j];
   }
   for (int i = 0; ed_installed(a) && i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
@@ -65,9 +64,9 @@ int ed_history_support(ed_analysis *a, int node, int degree, const double *displ
   ed_run *run = &a->run;
   if (run->kind != ED_RUN_HISTORY || run->done > 0 || run->row > 0)
     return ed_fail(a, ED_E_STATE, "supports are given their motion between the beginning of a history and its first step");
-  if (node < 0 || node >= a->model->n_nodes || degree < 0 || degree > 2)
+  if (node < 0 || node >= a->model->n_nodes || degree < 0 || degree >= ed_degrees(a->model))
     return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree, node);
-  const int support = a->numbering.support[3 * node + degree];
+  const int support = a->numbering.support[ed_degrees(a->model) * node + degree];
   if (support < 0)
     return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s has no support", degree, a->model->nodes[node].name);
   for (int i = 0; i < run->n_motions; i++)
