@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from edesign.frame.sections.hollow_section import HollowSection
 from edesign.frame.sections.section import CrossSection, Spot, Strip
+from edesign.frame.sections.walls import hollow_walls
 from edesign.project.frame.sections import Fibres
 
 
@@ -21,22 +23,34 @@ def hollow_cross_section(hollow: HollowSection, cut: Fibres, weak: bool = False)
     if hollow.round:
         return CrossSection((), tuple(_sectors(hollow, 2 * cut.web_height)))
     depth, width = (hollow.b, hollow.h) if weak else (hollow.h, hollow.b)
-    t, r = hollow.t, hollow.r_o
-    arm, flat, clear = 0.5 * (depth - t), width - 2.0 * r, depth - 2.0 * r
-    strips = []
-    if flat > 0.0:
-        strips += [Strip(flat, t, side * arm, cut.flange_thickness, cut.flange_width) for side in (-1.0, 1.0)]
-    if clear > 0.0:
-        strips.append(Strip(2.0 * t, clear, 0.0, cut.web_height, 2 * cut.web_thickness))
-    flats = CrossSection(tuple(strips)) if strips else None
-    area = 0.5 * (hollow.A - (flats.area if flats else 0.0))
+    flanges, webs = hollow_walls(depth, width, hollow.t, hollow.r_o)
+    strips = [Strip(wall.width, wall.depth, wall.z, cut.flange_thickness, cut.flange_width) for wall in flanges]
+    if webs:
+        strips.append(Strip(2.0 * hollow.t, webs[0].depth, 0.0, cut.web_height, 2 * cut.web_thickness))
+    above = hollow_corners(hollow, depth, width)
+    return CrossSection(tuple(strips), (replace(above, centre=-above.centre), above))
+
+
+def hollow_corners(hollow: HollowSection, depth: float, width: float) -> Spot:
+    """Return the two corners of a rectangular section above the axis: half of what is not flat wall.
+
+    Args:
+        depth: of the section across the axis, m.
+        width: of the section along the axis, m.
+    """
+    flanges, webs = hollow_walls(depth, width, hollow.t, hollow.r_o)
+    flats = (*flanges, *webs)
+    area = 0.5 * (hollow.A - math.fsum(wall.width * wall.depth for wall in flats))
     moment = 0.5 * (
-        hollow.plastic_modulus(depth, width) - 2.0 * max(flat, 0.0) * t * arm - 0.5 * t * max(clear, 0.0) ** 2
+        hollow.plastic_modulus(depth, width)
+        - math.fsum(wall.width * wall.depth * abs(wall.z) for wall in flanges)
+        - math.fsum(0.25 * wall.width * wall.depth**2 for wall in webs)
     )
-    inertia = 0.5 * (hollow.inertia(depth, width) - (flats.inertia if flats else 0.0))
+    of_flats = [wall.width * wall.depth**3 / 12.0 for wall in flats]
+    of_flats += [wall.width * wall.depth * wall.z**2 for wall in flats]
+    inertia = 0.5 * (hollow.inertia(depth, width) - math.fsum(of_flats))
     centre = moment / area
-    corners = tuple(Spot(area, side * centre, inertia - area * centre**2, 2) for side in (-1.0, 1.0))
-    return CrossSection(tuple(strips), corners)
+    return Spot(area, centre, inertia - area * centre**2, 2)
 
 
 def _sectors(hollow: HollowSection, count: int) -> list[Spot]:

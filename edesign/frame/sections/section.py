@@ -14,6 +14,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.frame.sections.profiles import Profile
+from edesign.frame.sections.walls import i_walls
 from edesign.project.frame.sections import Fibres, PlateSection, RectangleSection
 
 
@@ -129,26 +130,17 @@ def i_section(
     Raises:
         InputError: the flanges leave no web, the web is wider than the flange, or the fillets do not fit.
     """
-    clear = height - 2.0 * flange
-    if clear <= 0.0:
-        raise InputError(f"two flanges of {flange:g} m leave no web in a height of {height:g} m [E-SECT-04]")
-    if web > width:
-        raise InputError(f"the web ({web:g} m) is thicker than the flange is wide ({width:g} m) [E-SECT-04]")
-    if radius < 0.0 or 2.0 * radius > clear or 2.0 * radius + web > width:
-        raise InputError(f"fillets of radius {radius:g} m do not fit between web and flanges [E-SECT-04]")
+    lower, middle, upper = i_walls(height, width, flange, web, radius)
     if weak:
-        walls = (
-            Strip(2.0 * flange, width, 0.0, cut.flange_width, 2 * cut.flange_thickness),
-            Strip(clear, web, 0.0, cut.web_thickness, cut.web_height),
-        )
+        flanges = Strip(2.0 * flange, width, 0.0, cut.flange_width, 2 * cut.flange_thickness)
+        walls = (flanges, Strip(middle.depth, web, 0.0, cut.web_thickness, cut.web_height))
         return CrossSection(walls, fillets(-0.5 * web, radius) if radius > 0.0 else ())
-    arm = 0.5 * (height - flange)
     strips = (
-        Strip(width, flange, -arm, cut.flange_thickness, cut.flange_width),
-        Strip(web, clear, 0.0, cut.web_height, cut.web_thickness),
-        Strip(width, flange, arm, cut.flange_thickness, cut.flange_width),
+        Strip(width, flange, lower.z, cut.flange_thickness, cut.flange_width),
+        Strip(web, middle.depth, middle.z, cut.web_height, cut.web_thickness),
+        Strip(width, flange, upper.z, cut.flange_thickness, cut.flange_width),
     )
-    return CrossSection(strips, fillets(0.5 * clear, radius) if radius > 0.0 else ())
+    return CrossSection(strips, fillets(0.5 * middle.depth, radius) if radius > 0.0 else ())
 
 
 def fillets(face: float, radius: float) -> tuple[Spot, Spot]:

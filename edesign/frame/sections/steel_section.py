@@ -55,8 +55,8 @@ def _rolled(shape: Profile) -> SteelSection:
 
     Source: A_vz EN 1993-1-1, 6.2.6(3)a with eta = 1, its safe value. A_vy: the flanges; (3)e for welded sections gives
         the same. A_z = h t_w and A_y = 5/6 of the flanges: exact to 5 % and, without the fillets, 10 % (finite
-        elements). I_t and I_w (of the flanges): the formulas of the mills' tables (ArcelorMittal, Sections and
-        merchant bars, notations and formulae); finite elements give I_t of five within 2.5 %.
+        elements). I_w, of the flanges: the formula of the mills' tables (ArcelorMittal, Sections and merchant bars,
+        notations and formulae).
     """
     h, b, tw, tf, r = shape.h, shape.b, shape.tw, shape.tf, shape.r
     clear, arm = h - 2.0 * tf, 0.5 * (h - tf)
@@ -68,8 +68,6 @@ def _rolled(shape: Profile) -> SteelSection:
     I_y += sum(pair.inertia + pair.area * pair.centre**2 for pair in pairs)
     I_z = (2.0 * flange * b**2 + web * tw**2) / 12.0
     I_z += sum(pair.inertia + pair.area * pair.centre**2 for pair in beside)
-    circle = ((r + 0.5 * tw) ** 2 + (r + tf) ** 2 - r**2) / (2.0 * r + tf)  # in the joint of flange and web, diameter
-    joints = 2.0 * tw / tf * (0.145 + 0.1 * r / tf) * circle**4
     return SteelSection(
         name=shape.name,
         kind="I",
@@ -86,10 +84,29 @@ def _rolled(shape: Profile) -> SteelSection:
         A_z=h * tw,
         I_y=I_y,
         I_z=I_z,
-        I_t=2.0 / 3.0 * (b - 0.63 * tf) * tf**3 + clear * tw**3 / 3.0 + joints,
+        I_t=i_torsion_constant(h, b, tf, tw, r),
         I_w=flange * b**2 * (h - tf) ** 2 / 24.0,
         W_el_y=2.0 * I_y / h,
         W_el_z=2.0 * I_z / b,
         W_pl_y=2.0 * flange * arm + web * clear / 4.0 + sum(pair.area * abs(pair.centre) for pair in pairs),
         W_pl_z=flange * b / 2.0 + web * tw / 4.0 + sum(pair.area * abs(pair.centre) for pair in beside),
     )
+
+
+def i_torsion_constant(height: float, width: float, flange: float, web: float, radius: float) -> float:
+    """Return I_t of an I section, m4.
+
+    Args:
+        height: overall, m.
+        width: of the flanges, m.
+        flange: thickness of a flange, m.
+        web: thickness of the web, m.
+        radius: of the fillets, m; 0 of plates.
+
+    Source: the mills' tables (ArcelorMittal, Sections and merchant bars, notations and formulae); finite elements give
+        that of five rolled sections within 2.5 %.
+    """
+    circle = ((radius + 0.5 * web) ** 2 + (radius + flange) ** 2 - radius**2) / (2.0 * radius + flange)  # diameter
+    joints = 2.0 * web / flange * (0.145 + 0.1 * radius / flange) * circle**4
+    walls = 2.0 / 3.0 * (width - 0.63 * flange) * flange**3 + (height - 2.0 * flange) * web**3 / 3.0
+    return walls + joints
