@@ -25,10 +25,10 @@ NO_RELEASE = (False, False, False, False)
 class Model:
     """Nodes, elements, masses, supports and load patterns, in SI units.
 
-    In a plane a node has three degrees: ux, uy (upwards), rz (anticlockwise). In space it has six: ux, uy, uz (upwards),
-    rx, ry, rz, right-handed. Local x of a member runs from i to j; in space local z is the direction of its web, and
-    local y completes a right-handed system. Ids are the integers that the methods return. Materials come before
-    sections. Every method raises CoreError with a message for people when the core refuses its arguments.
+    In a plane a node has three degrees: ux, uy (upwards), rz (anticlockwise). In space it has six: ux, uy, uz
+    (upwards), rx, ry, rz, right-handed. Local x of a member runs from i to j; in space local z is the direction of its
+    web, and local y completes a right-handed system. Ids are the integers that the methods return. Materials come
+    before sections. Every method raises CoreError with a message for people when the core refuses its arguments.
 
     Args:
         dimension: 2 or 3.
@@ -329,7 +329,7 @@ class Model:
         return result
 
     def rigid_ends(self, element: int, start: float, end: float) -> None:
-        """Let the first and the last part of a beam-column in a plane not bend; its end forces are those where it begins to.
+        """Let the ends of a beam-column in a plane not bend; its end forces are those where it begins to.
 
         Args:
             start: length of the first part, m.
