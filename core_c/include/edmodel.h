@@ -46,8 +46,8 @@ int ed_model_mass(ed_model *model, int node, const double *mass);               
 
 enum { ED_LINEAR = 0, ED_P_DELTA = 1, ED_COROTATIONAL = 2 };
 /* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release: ends that are free of moment, about z at i and at j,
- * in space then about y at i and at j; NULL: none. web: in space the direction of local z, of length 1 at right angles to the member. In space
- * the geometry is linear or P-Delta, of both planes. Two points integrate
+ * in space then about y at i and at j; NULL: none. web: in space the direction of local z, of length 1 at right angles to the member.
+ * Corotational in space: rotations of a node are its rotation vector, and stay below a whole turn. Two points integrate
  * the square of a linear moment wrongly (far too flexible); from three on an elastic prismatic member is exact.
  * A load that begins, ends or stands inside leaves a kink in the moment, which quadrature meets only with a break there. */
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,

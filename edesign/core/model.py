@@ -302,7 +302,7 @@ class Model:
             j: number of the node at its end.
             section: one id, or one id for each Gauss-Lobatto point.
             points: Gauss-Lobatto points, 2 to 10.
-            geometry: "linear", "p_delta" or, in a plane, "corotational".
+            geometry: "linear", "p_delta" or "corotational".
             release: moment-free ends: i, j; in space about y at i, about z at i, about y at j, about z at j.
             breaks: rising positions 0..1 of its length, between which a force-based member of one section is integrated
                 piece by piece, by `points` in each: where loads begin, end or stand.

@@ -113,7 +113,7 @@ def shake(
 
 
 @pytest.mark.parametrize("degrees", [0, 90, 30])
-@pytest.mark.parametrize("geometry", ["linear", "p_delta"])
+@pytest.mark.parametrize("geometry", ["linear", "p_delta", "corotational"])
 @pytest.mark.parametrize("law", LAWS)
 def test_a_plane_frame_stands_in_space(law: str, geometry: str, degrees: int) -> None:
     """A yielding portal with a hinge and loads inside its beams answers as in its plane, whatever its angle in plan.

@@ -93,7 +93,7 @@ void ed_element_p_delta(const ed_element *element, const double *displacement, c
 /* which: rotation of the basic system, from 0 */
 double ed_element_plastic_rotation(const ed_element *element, const double *block, int which);
 
-/* Geometry (geometry.c, geometry_3d.c). */
+/* Geometry (geometry.c, geometry_3d.c, corotational_3d.c). */
 typedef struct {
   double c, s, l;        /* chord */
   double v[ED_MAX_BASIC];
@@ -103,6 +103,10 @@ typedef struct {
 void ed_kinematics_3d(const ed_element *element, const double *displacement, ed_kinematics *k);
 void ed_forces_3d(const ed_element *element, const double *displacement, const double *block, double *force);
 void ed_tangent_3d(const ed_element *element, const double *displacement, const double *block, double *tangent);
+/* Of finite rotations (corotational_3d.c); forces and tangent are added, without those of loads. */
+void ed_corotational_kinematics_3d(const ed_element *element, const double *displacement, ed_kinematics *k);
+void ed_corotational_forces_3d(const ed_element *element, const double *displacement, const double *block, double *force);
+void ed_corotational_tangent_3d(const ed_element *element, const double *displacement, const double *block, double *tangent);
 void ed_kinematics_of(const ed_element *element, const double *displacement, ed_kinematics *k);
 /* The same between the ends of what bends: displacements of these. */
 void ed_face_forces(const ed_element *element, const double *face, const double *block, double *force);

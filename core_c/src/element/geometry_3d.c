@@ -1,4 +1,4 @@
-/* Small rotations (linear and P-Delta) of members in space. Rows of the basic system over the displacements u and rotations r of its ends,
+/* Members in space: small rotations, linear and P-Delta; of finite ones (corotational_3d.c) what loads add. Rows of the basic system over the displacements u and rotations r of its ends,
  * with the local axes x, y, z and the length L:
  *     elongation         x (u_j - u_i)
  *     rotation about z   z r - y (u_j - u_i) / L     at i, at j
@@ -19,10 +19,14 @@ static double dot(const double *a, const double *b)
 void ed_kinematics_3d(const ed_element *e, const double *d, ed_kinematics *k)
 {
   const double apart[3] = {d[U_J] - d[U_I], d[U_J + 1] - d[U_I + 1], d[U_J + 2] - d[U_I + 2]};
-  k->l = e->length;
-  k->v[0] = dot(e->axis[0], apart);
   k->drift[0] = dot(e->axis[1], apart);
   k->drift[1] = dot(e->axis[2], apart);
+  if (e->geometry == ED_COROTATIONAL) {
+    ed_corotational_kinematics_3d(e, d, k);
+    return;
+  }
+  k->l = e->length;
+  k->v[0] = dot(e->axis[0], apart);
   const double chord_z = k->drift[0] / e->length, chord_y = -k->drift[1] / e->length;
   for (int end = 0; end < 2; end++) {
     const double *r = d + (end ? R_J : R_I);
@@ -39,6 +43,15 @@ static void add_global(const ed_element *e, const double *local, double factor, 
     global[i] += factor * (e->axis[0][i] * local[0] + e->axis[1][i] * local[1] + e->axis[2][i] * local[2]);
 }
 
+/* Of axial loads inside a member that turns, over the drift across it. */
+static double couple_of_loads(const ed_element *e, const double *d)
+{
+  if (e->mean_axial == 0.0)
+    return 0.0;
+  const double apart[3] = {d[U_J] - d[U_I], d[U_J + 1] - d[U_I + 1], d[U_J + 2] - d[U_I + 2]};
+  return e->mean_axial / (e->length + dot(e->axis[0], apart));
+}
+
 void ed_forces_3d(const ed_element *e, const double *d, const double *block, double *force)
 {
   if (e->kind == ED_SPRING) {
@@ -46,20 +59,31 @@ void ed_forces_3d(const ed_element *e, const double *d, const double *block, dou
       force[i] = e->member->coefficient[i] * block[ED_BLOCK_Q];
     return;
   }
+  memset(force, 0, ED_MAX_DEGREES * sizeof *force);
+  add_global(e, (double[3]){e->end_load[0], e->end_load[1], e->end_load[3]}, 1.0, force + U_I);
+  add_global(e, (double[3]){0.0, e->end_load[2], e->end_load[4]}, 1.0, force + U_J);
+  if (e->geometry == ED_COROTATIONAL) {
+    ed_corotational_forces_3d(e, d, block, force);
+    const double couple = couple_of_loads(e, d);
+    if (couple != 0.0) { /* loads keep their direction: with the chord turned, forces at the ends balance their moment */
+      ed_kinematics k;
+      ed_kinematics_3d(e, d, &k);
+      add_global(e, (double[3]){0.0, k.drift[0], k.drift[1]}, -couple, force + U_I);
+      add_global(e, (double[3]){0.0, k.drift[0], k.drift[1]}, couple, force + U_J);
+    }
+    return;
+  }
   ed_kinematics k;
   ed_kinematics_3d(e, d, &k);
   const double *q = block + ed_block_q(e->axes), L = e->length;
   const double second = e->geometry == ED_P_DELTA ? (q[0] + e->mean_axial) / L : 0.0;
   double at_j[3] = {q[0], second * k.drift[0], second * k.drift[1]};
-  memset(force, 0, ED_MAX_DEGREES * sizeof *force);
   if (e->axes == ED_SPACE) {
     const double twist = e->twist_stiffness * k.twist;
     at_j[1] -= (q[1] + q[2]) / L;
     at_j[2] += (q[3] + q[4]) / L;
     add_global(e, (double[3]){-twist, q[3], q[1]}, 1.0, force + R_I);
     add_global(e, (double[3]){twist, q[4], q[2]}, 1.0, force + R_J);
-    add_global(e, (double[3]){e->end_load[0], e->end_load[1], e->end_load[3]}, 1.0, force + U_I);
-    add_global(e, (double[3]){0.0, e->end_load[2], e->end_load[4]}, 1.0, force + U_J);
   }
   add_global(e, at_j, -1.0, force + U_I);
   add_global(e, at_j, 1.0, force + U_J);
@@ -92,11 +116,19 @@ static void negate_block(int from_row, int from_column, int row, int column, dou
 /* Without the term of P-Delta that is not symmetric, the change of the axial force times the drift. */
 void ed_tangent_3d(const ed_element *e, const double *d, const double *block, double *t)
 {
-  (void)d;
   if (e->kind == ED_SPRING) {
     const double *b = e->member->coefficient;
     for (int i = 0; i < e->degrees * e->degrees; i++)
       t[i] = block[ED_BLOCK_K] * b[i / e->degrees] * b[i % e->degrees];
+    return;
+  }
+  if (e->geometry == ED_COROTATIONAL) {
+    const double couple = couple_of_loads(e, d), across[3][3] = {{0.0, 0.0, 0.0}, {0.0, couple, 0.0}, {0.0, 0.0, couple}};
+    memset(t, 0, ED_MAX_DEGREES * ED_MAX_DEGREES * sizeof *t);
+    set_block(e, across, U_I, U_I, t);
+    set_block(e, across, U_J, U_J, t);
+    negate_block(U_I, U_I, U_I, U_J, t);
+    ed_corotational_tangent_3d(e, d, block, t);
     return;
   }
   const double *q = block + ed_block_q(e->axes), *K = block + ed_block_k(e->axes), L = e->length;

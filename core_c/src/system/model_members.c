@@ -16,8 +16,6 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
                            model->nodes[j].name);
   if (geometry < ED_LINEAR || geometry > ED_COROTATIONAL)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: unknown geometry %d", name ? name : "", geometry);
-  if (geometry == ED_COROTATIONAL && model->dimension == 3)
-    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: corotational geometry is of plane frames", name ? name : "");
   ED_MODEL_APPEND(model, members, n_members);
   ed_member *m = &model->members[model->n_members - 1];
   ed_copy_name(m->name, name);
