@@ -45,6 +45,7 @@ extern const ed_stop IMPATIENT;
 void call_signals(caller *c); /* spectra, recursions, fading */
 void call_damper(caller *c);
 void call_frame(caller *c);
+void call_frame_in_space(caller *c); /* models of 3 dimensions */
 void call_space(caller *c); /* space frames, combination of modes */
 /* A law with parameters that suit it, or nearly: 64 doubles. Returns how many it gets. */
 int some_law(caller *c, int *law, double *parameters);

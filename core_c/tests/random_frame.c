@@ -7,13 +7,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_THINGS = 12 };
+enum { MOST_THINGS = 12, MOST_DEGREES = 6, MOST_NODES = 16 };
 
 /* What the caller knows of a model. */
 typedef struct {
   ed_model *model;
+  int dimension, degrees; /* of a node */
   int materials, sections, nodes, elements, patterns, dampers;
+  int in_plane[MOST_THINGS];      /* sections that bend about one axis */
+  double place[MOST_NODES][3], mass[MOST_NODES];
 } things;
+
+/* Over the degrees of a node, each with its own share. */
+static int *some_degrees(caller *c, const double *share, int *degrees)
+{
+  for (int d = 0; d < MOST_DEGREES; d++)
+    degrees[d] = chance(c, share[d]);
+  return degrees;
+}
+
+/* A degree of a node, now and then one that there is not. */
+static int some_degree(caller *c, const things *m)
+{
+  return chance(c, c->wild) ? whole(c, -1, m->degrees) : whole(c, 0, m->degrees - 1);
+}
 
 static void count(caller *c, int *of, int id)
 {
@@ -41,21 +58,26 @@ static void add_steels(caller *c, things *m)
   }
   for (int i = whole(c, 1, 3); i > 0; i--) {
     if (chance(c, 0.4)) {
-      count(c, &m->sections, ed_model_elastic_section(m->model, (double[]){or_absurd(c, 2e9), or_absurd(c, 4e7)}));
+      const double stiffness[4] = {or_absurd(c, 2e9), or_absurd(c, 4e7), or_absurd(c, 1e7), or_absurd(c, 1e6)};
+      m->in_plane[m->sections] = m->dimension == 2;
+      count(c, &m->sections, ed_model_elastic_section(m->model, stiffness));
       continue;
     }
     const int n = chance(c, c->wild) ? 0 : whole(c, 2, 20);
-    double *y = room(n), *area = room(n);
+    double *y = room(n), *z = room(n), *area = room(n);
+    const int in_plane = m->dimension == 2 ? !chance(c, c->wild) : chance(c, 0.3);
     int *material = calloc((size_t)n + 1, sizeof *material);
     for (int k = 0; k < n; k++) {
       y[k] = or_absurd(c, chance(c, 0.3) ? 0.1 : next_number(&c->source, -0.2, 0.2));
+      z[k] = or_absurd(c, chance(c, 0.3) ? 0.05 : next_number(&c->source, -0.1, 0.1));
       area[k] = or_absurd(c, 1e-3);
       material[k] = some_id(c, m->materials);
     }
-    count(c, &m->sections, ed_model_fibre_section(m->model, n, y, NULL, area, material, 0.0));
+    m->in_plane[m->sections] = in_plane;
+    count(c, &m->sections, ed_model_fibre_section(m->model, n, y, in_plane ? NULL : z, area, material, or_absurd(c, 1e6)));
     if (chance(c, 0.2))
       expect_listed(c, ed_model_section_layers(m->model, some_id(c, m->sections)) < 0 ? ED_E_ID : ED_OK);
-    free(y), free(area), free(material);
+    free(y), free(z), free(area), free(material);
   }
 }
 
@@ -66,19 +88,71 @@ static int ends(caller *c, const things *m, int *j)
   return i;
 }
 
-static void add_element(caller *c, things *m)
+/* One that bends about as many axes as are asked for, if there is one. */
+static int some_section(caller *c, const things *m, int in_plane)
 {
-  int j, sections[MOST_THINGS];
-  const int i = ends(c, m, &j), points = chance(c, c->wild) ? whole(c, -1, 12) : whole(c, 3, 5), geometry = chance(c, c->wild) ? 9 : whole(c, 0, 2);
+  int id = some_id(c, m->sections);
+  for (int i = 0; i < m->sections && !chance(c, c->wild) && id >= 0 && id < m->sections && m->in_plane[id] != in_plane; i++)
+    id = (id + 1) % m->sections;
+  return id;
+}
+
+/* At right angles to what runs between two nodes, and of length 1. */
+static void some_web(caller *c, const things *m, int i, int j, double *web)
+{
+  double along[3] = {0.0, 0.0, 1.0}, length = 0.0, share = 0.0, size = 0.0;
+  for (int k = 0; i >= 0 && j >= 0 && i < m->nodes && j < m->nodes && k < 3; k++)
+    along[k] = m->place[j][k] - m->place[i][k];
+  for (int k = 0; k < 3; k++) {
+    web[k] = next_number(&c->source, -1.0, 1.0);
+    length += along[k] * along[k];
+    share += web[k] * along[k];
+  }
+  for (int k = 0; k < 3; k++) {
+    web[k] -= length > 0.0 ? share / length * along[k] : 0.0;
+    size += web[k] * web[k];
+  }
+  for (int k = 0; k < 3; k++)
+    web[k] = or_absurd(c, web[k] / sqrt(size));
+}
+
+static void add_spring(caller *c, things *m, int i, int j)
+{
+  static const double laws[][21] = {
+      [ED_SPRING_MULTILINEAR] = {1e-3, 1e4, 1e-2, 2e4, 1e5},
+      [ED_SPRING_CONTACT] = {1e8, 1e5},
+      [ED_SPRING_DETERIORATING] = {1e7, 0.02, 0.1, 0.3, 1e4, 1.1, 0.2, 1.0, 0.02, 0.1, 0.3, 1e4, 1.1, 0.2, 1.0, 1e3, 1e3, 1e3, 1.0, 1.0, 1.0}};
+  static const int counts[] = {5, 2, 21};
+  double coefficient[2 * MOST_DEGREES] = {0.0}, parameters[21];
+  const int law = chance(c, c->wild) ? whole(c, -1, 3) : whole(c, 0, 2), known = law >= 0 && law < 3 ? law : 0;
+  for (int k = 0; k < 21; k++)
+    parameters[k] = or_absurd(c, laws[known][k]);
+  const int d = whole(c, 0, m->degrees - 1);
+  coefficient[d] = or_absurd(c, -1.0);
+  coefficient[m->degrees + d] = or_absurd(c, 1.0);
+  for (int k = 0; k < 2 * m->degrees && chance(c, 0.5); k++)
+    coefficient[k] += or_absurd(c, next_number(&c->source, -1.0, 1.0));
+  count(c, &m->elements, ed_model_spring(m->model, name(c), i, j, coefficient, law, chance(c, c->wild) ? 3 : counts[known], parameters));
+}
+
+static void add_element(caller *c, things *m, int i, int j, int kind)
+{
+  int sections[MOST_THINGS], release[4];
+  double web[3];
+  const int points = chance(c, c->wild) ? whole(c, -1, 12) : whole(c, 3, 5);
+  const int geometry = chance(c, c->wild) ? 9 : whole(c, 0, m->dimension == 2 ? 2 : 1);
   for (int k = 0; k < MOST_THINGS; k++)
-    sections[k] = k && chance(c, 0.8) ? sections[0] : some_id(c, m->sections);
-  const int release_i = chance(c, 0.1), release_j = chance(c, 0.1);
-  switch (whole(c, 0, 7)) {
+    sections[k] = k && chance(c, 0.8) ? sections[0] : some_section(c, m, m->dimension == 2 || kind == 3);
+  for (int k = 0; k < 4; k++)
+    release[k] = chance(c, 0.03);
+  some_web(c, m, i, j, web);
+  switch (kind) { /* others are fibre beams */
     case 0:
       count(c, &m->elements, ed_model_truss(m->model, name(c), i, j, some_id(c, m->materials), or_absurd(c, 1e-2), geometry));
       break;
     case 1:
-      count(c, &m->elements, ed_model_link(m->model, name(c), i, j, or_absurd(c, 1e8), or_absurd(c, 1e8), or_absurd(c, 1e7), or_absurd(c, 0.3)));
+      if (m->dimension == 2 || chance(c, c->wild))
+        count(c, &m->elements, ed_model_link(m->model, name(c), i, j, or_absurd(c, 1e8), or_absurd(c, 1e8), or_absurd(c, 1e7), or_absurd(c, 0.3)));
       break;
     case 3:
       count(c, &m->elements,
@@ -87,10 +161,13 @@ static void add_element(caller *c, things *m)
                            some_id(c, m->materials), or_absurd(c, 1e-2), geometry));
       break;
     case 2:
-      count(c, &m->elements, ed_model_elastic_beam(m->model, name(c), i, j, sections[0], geometry, (int[]){release_i, release_j}, NULL));
+      count(c, &m->elements, ed_model_elastic_beam(m->model, name(c), i, j, sections[0], geometry, release, web));
+      break;
+    case 4:
+      add_spring(c, m, i, j);
       break;
     default:
-      count(c, &m->elements, ed_model_beam_column(m->model, name(c), i, j, points, sections, geometry, (int[]){release_i, release_j}, NULL));
+      count(c, &m->elements, ed_model_beam_column(m->model, name(c), i, j, points, sections, geometry, release, web));
   }
 }
 
@@ -98,10 +175,10 @@ static void add_damper(caller *c, things *m)
 {
   double parameters[64] = {0.0}, coefficient[MOST_THINGS + 2];
   int law, node[MOST_THINGS + 2], degree[MOST_THINGS + 2];
-  const int n = some_law(c, &law, parameters), terms = chance(c, c->wild) ? whole(c, -1, MOST_THINGS + 2) : 2;
+  const int n = some_law(c, &law, parameters), terms = chance(c, c->wild) ? whole(c, -1, MOST_THINGS + 2) : chance(c, 0.8) ? 2 : whole(c, 1, 12);
   for (int k = 0; k < terms; k++) {
     node[k] = some_id(c, m->nodes);
-    degree[k] = chance(c, c->wild) ? whole(c, -1, 3) : 0;
+    degree[k] = chance(c, c->wild) ? whole(c, -1, 6) : k && chance(c, 0.8) ? degree[0] : whole(c, 0, m->degrees - 1);
     coefficient[k] = or_absurd(c, k % 2 ? 1.0 : -1.0);
   }
   count(c, &m->dampers, ed_model_damper(m->model, name(c), law, n, parameters, or_absurd(c, chance(c, 0.6) ? 0.0 : 1e8),
@@ -122,6 +199,10 @@ static void shape_element(caller *c, const things *m)
 {
   if (chance(c, 0.3))
     expect_listed(c, ed_model_rigid_ends(m->model, some_id(c, m->elements), or_absurd(c, 0.2), or_absurd(c, 0.3)));
+  if (chance(c, 0.1))
+    expect_listed(c, ed_model_without_flexibility(m->model, some_id(c, m->elements), or_absurd(c, 1e-10), or_absurd(c, 1e-10)));
+  if (chance(c, 0.1))
+    expect_listed(c, ed_model_damping_factor(m->model, some_id(c, m->elements), or_absurd(c, 2.0)));
   if (chance(c, 0.3)) {
     double position[MOST_THINGS];
     const int n = chance(c, c->wild) ? whole(c, -1, MOST_THINGS) : whole(c, 0, 3);
@@ -137,35 +218,105 @@ static void add_loads(caller *c, things *m)
     count(c, &m->patterns, ed_model_pattern(m->model));
   for (int i = whole(c, 1, 6); i > 0; i--) {
     const int pattern = some_id(c, m->patterns);
-    expect_listed(c, ed_model_nodal_load(m->model, pattern, some_id(c, m->nodes), (double[]){or_absurd(c, 1e4), or_absurd(c, -1e5), or_absurd(c, 0.0)}));
+    double force[MOST_DEGREES], across[4][2];
+    for (int d = 0; d < MOST_DEGREES; d++)
+      force[d] = or_absurd(c, d == m->dimension - 1 ? -1e5 : d < 2 || chance(c, 0.3) ? 1e4 : 0.0);
+    for (int k = 0; k < 4; k++)
+      for (int a = 0; a < 2; a++)
+        across[k][a] = or_absurd(c, a ? 3e3 : -1e4);
+    expect_listed(c, ed_model_nodal_load(m->model, pattern, some_id(c, m->nodes), force));
     if (chance(c, 0.3))
-      expect_listed(c, ed_model_uniform_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.0), (double[]){or_absurd(c, -1e4)}));
+      expect_listed(c, ed_model_uniform_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.0), across[0]));
     if (chance(c, 0.2))
-      expect_listed(c, ed_model_point_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.4), or_absurd(c, 0.0), (double[]){or_absurd(c, -1e4)}));
+      expect_listed(c, ed_model_point_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.4), or_absurd(c, 0.0), across[1]));
     if (chance(c, 0.2))
-      expect_listed(c, ed_model_partial_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.1), or_absurd(c, 0.7), (double[]){or_absurd(c, -1e4)}, (double[]){or_absurd(c, -2e4)}));
+      expect_listed(c, ed_model_partial_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.1), or_absurd(c, 0.7), across[2], across[3]));
   }
 }
 
-static int make_model(caller *c, things *m)
+static void add_node(caller *c, things *m, double x, double y, double z)
 {
-  *m = (things){.model = ed_model_new(2)};
+  double *place = m->place[m->nodes];
+  place[0] = or_absurd(c, x), place[1] = or_absurd(c, y), place[2] = or_absurd(c, z);
+  count(c, &m->nodes, ed_model_node(m->model, name(c), place));
+}
+
+static void add_mass(caller *c, things *m, int node, double turning)
+{
+  double mass[MOST_DEGREES];
+  const int at = chance(c, 0.9) ? node : some_id(c, m->nodes);
+  const double size = size_between(c, 1e3, 1e4);
+  for (int d = 0; d < MOST_DEGREES; d++)
+    mass[d] = or_absurd(c, d < m->dimension ? size : turning);
+  if (expect_listed(c, ed_model_mass(m->model, at, mass)) == ED_OK)
+    m->mass[at] += size;
+}
+
+/* Of nodes from `first` on; the master, which is made here, stands at their centre of mass unless the caller is wild. Returns the first
+ * that is not in it. */
+static int add_diaphragm(caller *c, things *m, int first, int last)
+{
+  int node[MOST_NODES], n = 0;
+  double mass = 0.0, at[3] = {0.0};
+  for (int i = first; i <= last; i++) {
+    node[n++] = chance(c, 0.1 * c->wild) ? some_id(c, m->nodes) : i;
+    for (int k = 0; k < 3; k++)
+      at[k] += m->mass[i] * m->place[i][k];
+    mass += m->mass[i];
+  }
+  if (mass <= 0.0)
+    mass = 1.0;
+  add_node(c, m, at[0] / mass, at[1] / mass, at[2] / mass);
+  const int master = m->nodes - 1;
+  if (chance(c, 0.95))
+    expect_listed(c, ed_model_fix(m->model, master, (int[]){chance(c, 0.1), chance(c, 0.1), 1, 1, 1, chance(c, 0.1)}));
+  expect_listed(c, ed_model_diaphragm(m->model, chance(c, c->wild) ? some_id(c, m->nodes) : master, chance(c, c->wild) ? whole(c, -1, n) : n, node));
+  if (chance(c, 0.3))
+    add_mass(c, m, master, 1e3);
+  return last + 1;
+}
+
+/* Masses and supports; in space diaphragms too, which come before dampers. */
+static void hold(caller *c, things *m)
+{
+  int degrees[MOST_DEGREES];
+  static const double all[] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0}, half[] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5}, tied[] = {0.7, 0.2, 0.2, 0.1, 0.1, 0.1};
+  const int nodes = m->nodes;
+  expect_listed(c, ed_model_fix(m->model, some_id(c, 1), some_degrees(c, all, degrees)));
+  for (int i = 0; i < nodes; i++)
+    add_mass(c, m, i, chance(c, 0.5) ? 0.0 : 1e3);
+  if (m->dimension == 3 || chance(c, c->wild))
+    for (int i = 1; i < nodes - 1 && m->nodes < MOST_NODES - 1;)
+      i = chance(c, 0.6) ? add_diaphragm(c, m, i, whole(c, i + 1, nodes - 1)) : i + 1;
+  for (int i = whole(c, 0, 2); i > 0; i--)
+    expect_listed(c, ed_model_fix(m->model, some_id(c, m->nodes), some_degrees(c, half, degrees)));
+  for (int i = whole(c, 0, 2); i > 0 && chance(c, 0.3); i--)
+    expect_listed(c, ed_model_tie(m->model, some_id(c, m->nodes), some_id(c, m->nodes), some_degrees(c, tied, degrees)));
+}
+
+static int make_model(caller *c, things *m, int dimension)
+{
+  *m = (things){.model = ed_model_new(dimension), .dimension = dimension, .degrees = dimension == 3 ? 6 : 3};
   if (!m->model) {
     expect_listed(c, ED_E_MEMORY);
     return 0;
   }
   add_steels(c, m);
-  for (int i = whole(c, 2, 7); i > 0; i--)
-    count(c, &m->nodes, ed_model_node(m->model, name(c), (double[]){or_absurd(c, chance(c, 0.7) ? 0.0 : 4.0 * m->nodes), or_absurd(c, 3.0 * m->nodes)}));
-  expect_listed(c, ed_model_fix(m->model, some_id(c, 1), (int[]){1, 1, 1}));
-  for (int i = whole(c, 0, 2); i > 0; i--)
-    expect_listed(c, ed_model_fix(m->model, some_id(c, m->nodes), (int[]){chance(c, 0.5), chance(c, 0.5), chance(c, 0.5)}));
-  for (int i = whole(c, 0, 2); i > 0 && chance(c, 0.3); i--)
-    expect_listed(c, ed_model_tie(m->model, some_id(c, m->nodes), some_id(c, m->nodes), (int[]){chance(c, 0.7), chance(c, 0.2), chance(c, 0.2)}));
-  for (int i = 0; i < m->nodes; i++)
-    expect_listed(c, ed_model_mass(m->model, chance(c, 0.9) ? i : some_id(c, m->nodes), (double[]){or_absurd(c, 1e4), or_absurd(c, 1e4), chance(c, 0.5) ? 0.0 : or_absurd(c, 1e3)}));
-  for (int i = 0; i < m->nodes + 2; i++) {
-    add_element(c, m);
+  for (int i = whole(c, 2, 7); i > 0; i--) {
+    const double away = chance(c, 0.7) ? 0.0 : 4.0 * m->nodes;
+    if (dimension == 2)
+      add_node(c, m, away, 3.0 * m->nodes, 0.0);
+    else
+      add_node(c, m, away, chance(c, 0.7) ? 0.0 : 5.0, 3.0 * (chance(c, 0.6) ? m->nodes : m->nodes / 2));
+  }
+  const int chain = chance(c, 0.7) ? m->nodes - 1 : 0; /* members of a chain of beams, or whatever comes */
+  hold(c, m);
+  for (int i = 0; i < chain; i++)
+    add_element(c, m, i, i + 1, chance(c, 0.2) ? 2 : 9);
+  for (int i = chain ? whole(c, 0, 4) : m->nodes + 2; i > 0; i--) {
+    int k;
+    const int j = ends(c, m, &k);
+    add_element(c, m, j, k, whole(c, 0, 9));
     shape_element(c, m);
   }
   for (int i = whole(c, 0, 4); i > 0 && chance(c, 0.6); i--)
@@ -212,9 +363,9 @@ static void add_channel(caller *c, run *r, const things *m)
   int kind[3], object[3], component[3];
   for (int i = 0; i < n; i++) {
     coefficient[i] = signed_size(c, 0.1, 10.0);
-    kind[i] = chance(c, c->wild) ? whole(c, -1, 26) : whole(c, 0, 24);
-    object[i] = some_id(c, kind[i] <= ED_REACTION ? m->nodes : kind[i] >= ED_DAMPER_FORCE && kind[i] < ED_DEFLECTION ? m->dampers : m->elements);
-    component[i] = chance(c, 0.6) ? 0 : whole(c, -1, 12);
+    kind[i] = chance(c, c->wild) ? whole(c, -1, 26) : whole(c, 0, 25);
+    object[i] = some_id(c, kind[i] <= ED_REACTION ? m->nodes : kind[i] >= ED_DAMPER_FORCE && kind[i] < ED_GIVEN_FORCE ? m->dampers : m->elements);
+    component[i] = chance(c, 0.6) ? 0 : whole(c, -1, 14);
   }
   const int keep = chance(c, 0.5), id = ed_channel(r->analysis, n, coefficient, kind, object, component, keep);
   expect_listed(c, id < 0 ? id : ED_OK);
@@ -252,14 +403,14 @@ static void begin_run(caller *c, run *r, const things *m)
   if (kind == 0)
     status = ed_static_begin(r->analysis, some_id(c, m->patterns), or_absurd(c, 1.0), steps);
   else if (kind == 1)
-    status = ed_pushover_begin(r->analysis, some_id(c, m->patterns), some_id(c, m->nodes), chance(c, c->wild) ? 3 : 0, or_absurd(c, 0.05), steps);
+    status = ed_pushover_begin(r->analysis, some_id(c, m->patterns), some_id(c, m->nodes), chance(c, 0.7) ? 0 : some_degree(c, m), or_absurd(c, 0.05), steps);
   else {
-    double *x = values_between(c, steps + 1, 1e-2, 10.0), *y = values_between(c, steps + 1, 1e-2, 10.0);
+    double *x = values_between(c, steps + 1, 1e-2, 10.0), *y = values_between(c, steps + 1, 1e-2, 10.0), *z = values_between(c, steps + 1, 1e-2, 10.0);
     const double newmark[] = {or_absurd(c, 0.5), or_absurd(c, 0.25)};
     const double alpha[] = {or_absurd(c, 0.0), or_absurd(c, 0.05), or_absurd(c, 0.55), or_absurd(c, 0.275625)};
     const int method = chance(c, c->wild) ? whole(c, -1, 2) : whole(c, 0, 1);
-    status = ed_history_begin(r->analysis, steps, or_absurd(c, 0.01), steps > 0 && chance(c, 0.9) ? x : NULL, chance(c, 0.3) ? y : NULL, NULL, method, method == ED_GENERALISED_ALPHA ? alpha : newmark);
-    free(x), free(y);
+    status = ed_history_begin(r->analysis, steps, or_absurd(c, 0.01), steps > 0 && chance(c, 0.9) ? x : NULL, chance(c, 0.3) ? y : NULL, chance(c, 0.3) ? z : NULL, method, method == ED_GENERALISED_ALPHA ? alpha : newmark);
+    free(x), free(y), free(z);
   }
   if (expect_listed(c, status) != ED_OK) {
     expect_same_state(r);
@@ -271,13 +422,13 @@ static void begin_run(caller *c, run *r, const things *m)
       part[k] = values_between(c, steps + 1, 1e-4, 1e-2);
       part[k][0] = chance(c, 0.1) ? part[k][0] : 0.0;
     }
-    expect_listed(c, ed_history_support(r->analysis, some_id(c, m->nodes), chance(c, c->wild) ? 3 : whole(c, 0, 2), part[0], part[1], part[2]));
+    expect_listed(c, ed_history_support(r->analysis, some_id(c, m->nodes), some_degree(c, m), part[0], part[1], part[2]));
     for (int k = 0; k < 3; k++)
       free(part[k]);
     note_state(r); /* a support begins with an acceleration */
   }
   for (int i = kind > 1 && chance(c, 0.4) ? whole(c, 1, 3) : 0; i > 0; i--) {
-    const int node[] = {some_id(c, m->nodes), some_id(c, m->nodes)}, degree[] = {whole(c, 0, 2), chance(c, c->wild) ? 3 : 0};
+    const int node[] = {some_id(c, m->nodes), some_id(c, m->nodes)}, degree[] = {whole(c, 0, m->degrees - 1), chance(c, 0.5) ? 0 : some_degree(c, m)};
     const double coefficient[] = {or_absurd(c, 1.0), or_absurd(c, -1.0)};
     const int number = ed_history_force(r->analysis, whole(c, 1, 2), node, degree, coefficient);
     expect_listed(c, number < 0 ? number : ED_OK);
@@ -345,7 +496,7 @@ static void look(caller *c, run *r, const things *m)
 {
   const int nnz = ed_n_nonzeros(r->analysis);
   int *start = malloc(((size_t)r->n + 1) * sizeof *start), *row = malloc((size_t)nnz * sizeof *row);
-  int *equation = malloc(3 * (size_t)m->nodes * sizeof *equation);
+  int *equation = malloc((size_t)m->degrees * (size_t)m->nodes * sizeof *equation);
   double *value = room(nnz), *mass = room(r->n);
   note_state(r);
   const int status = expect_listed(c, ed_stiffness(r->analysis, start, row, value));
@@ -418,17 +569,21 @@ static void call_something(caller *c, run *r, const things *m, const double *kep
       }
       break;
     default:
+      if (ed_run_advance(r->analysis, 0) < 0 && chance(c, 0.8)) { /* none is on, or it has failed */
+        ed_run_end(r->analysis);
+        begin_run(c, r, m);
+      }
       for (int i = whole(c, 1, 6); i > 0; i--)
         advance(c, r);
   }
 }
 
-void call_frame(caller *c)
+static void call_model(caller *c, int dimension)
 {
   things m;
   char message[300] = "";
   int status;
-  if (!make_model(c, &m))
+  if (!make_model(c, &m, dimension))
     return;
   run r = {.analysis = ed_analysis_new(m.model, &status, message, sizeof message)};
   expect_listed(c, status);
@@ -454,4 +609,14 @@ void call_frame(caller *c)
   }
   ed_analysis_free(r.analysis);
   ed_model_free(m.model);
+}
+
+void call_frame(caller *c)
+{
+  call_model(c, 2);
+}
+
+void call_frame_in_space(caller *c)
+{
+  call_model(c, 3);
 }

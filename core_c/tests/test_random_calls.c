@@ -23,7 +23,7 @@ static void tell_seed(unsigned long long seed)
 static long live(unsigned long long seed)
 {
   static const double wild[] = {0.0, 0.01, 0.05, 0.2};
-  void (*const lives[])(caller *) = {call_signals, call_damper, call_damper, call_frame, call_frame, call_space};
+  void (*const lives[])(caller *) = {call_signals, call_damper, call_damper, call_frame, call_frame, call_space, call_frame_in_space, call_frame_in_space};
   caller c = {.source = {seed * 0x9e3779b97f4a7c15ULL}, .wild = 0.0};
   for (int i = 0; i < 4; i++)
     next_number(&c.source, 0.0, 1.0); /* neighbours part */
