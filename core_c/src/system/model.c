@@ -208,20 +208,31 @@ double ed_between(const ed_model *model, int from, int to, double between[3])
   return model->dimension == 3 ? hypot(in_plan, between[2]) : in_plan;
 }
 
-int ed_model_fix(ed_model *model, int node, const int *fixed)
-{
-  if (ed_model_lacks_node(model, node))
-    return ED_E_ID;
-  for (int d = 0; d < ed_degrees(model); d++)
-    model->nodes[node].fixed[d] |= fixed[d] != 0;
-  return ED_OK;
-}
-
 enum { TURN = 5 }; /* rz */
 
 static int in_plan(int d)
 {
   return d < 2 || d == TURN;
+}
+
+/* The master alone can be supported: of a node with a lever it would not be this degree that stands. */
+static int refuse_support(ed_model *model, const ed_node *one, int master)
+{
+  return ed_model_refuse(model, ED_E_ARGUMENT, "node %s of a diaphragm is supported in plan; support its master %s instead", one->name,
+                         model->nodes[master].name);
+}
+
+int ed_model_fix(ed_model *model, int node, const int *fixed)
+{
+  if (ed_model_lacks_node(model, node))
+    return ED_E_ID;
+  ed_node *one = &model->nodes[node];
+  for (int d = 0; d < ed_degrees(model); d++)
+    if (fixed[d] && one->diaphragm && in_plan(d))
+      return refuse_support(model, one, one->master[d]);
+  for (int d = 0; d < ed_degrees(model); d++)
+    one->fixed[d] |= fixed[d] != 0;
+  return ED_OK;
 }
 
 int ed_model_tie(ed_model *model, int node, int master, const int *tied)
@@ -246,8 +257,10 @@ int ed_model_tie(ed_model *model, int node, int master, const int *tied)
       of_node = model->nodes[of_node].master[d];
     while (model->nodes[of_master].master[d] >= 0)
       of_master = model->nodes[of_master].master[d];
-    if (of_node != of_master)
-      model->nodes[of_node].master[d] = of_master;
+    if (of_node == of_master)
+      continue;
+    model->nodes[of_node].master[d] = of_master;
+    model->nodes[of_master].is_followed |= in_plan(d);
   }
   return ED_OK;
 }
@@ -260,20 +273,21 @@ int ed_model_diaphragm(ed_model *model, int master, int n, const int *node)
     return ED_E_ID;
   if (model->n_devices)
     return ed_model_refuse(model, ED_E_STATE, "diaphragms are declared before dampers");
+  if (n < 1)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "the diaphragm of %s has no node", model->nodes[master].name);
   for (int i = 0; i < n; i++)
     if (ed_model_lacks_node(model, node[i]))
       return ED_E_ID;
   for (int i = -1; i < n; i++) { /* the master too */
     const ed_node *one = &model->nodes[i < 0 ? master : node[i]];
-    int tied = one->diaphragm || (i >= 0 && one->is_master);
+    int tied = one->diaphragm || one->is_followed || (i >= 0 && one->is_master);
     for (int d = 0; d < ED_MOST_DEGREES; d++)
       tied |= in_plan(d) && one->master[d] >= 0;
     if (tied || (i >= 0 && node[i] == master))
       return ed_model_refuse(model, ED_E_ARGUMENT, "node %s cannot be of the diaphragm of %s: it is tied already", one->name,
                              model->nodes[master].name);
     if (i >= 0 && (one->fixed[0] || one->fixed[1] || one->fixed[TURN]))
-      return ed_model_refuse(model, ED_E_ARGUMENT, "node %s of a diaphragm is supported in plan; support its master %s instead", one->name,
-                             model->nodes[master].name);
+      return refuse_support(model, one, master);
   }
   model->nodes[master].is_master = 1;
   for (int i = 0; i < n; i++) {

@@ -28,6 +28,7 @@ typedef struct {
   int master[ED_MOST_DEGREES]; /* node whose degree this one shares, or -1 */
   int diaphragm;               /* it moves in plan with its masters as a rigid body */
   int is_master;               /* of a diaphragm */
+  int is_followed;             /* others are tied to it in plan */
 } ed_node;
 
 typedef struct {
