@@ -207,6 +207,24 @@ static void check_analysis(void)
   ed_model_free(model);
 }
 
+/* A supported master: what a node of its diaphragm does is no motion of a support. */
+static void check_supports(void)
+{
+  ed_model *model = some_model();
+  add_members(model);
+  CHECK_STATUS(ed_model_fix(model, FLOOR, UX), ED_OK);
+  CHECK_STATUS(ed_model_diaphragm(model, FLOOR, 2, (int[]){TOP, SIDE}), ED_OK);
+  ed_analysis *a = frame_analysis(model);
+  const double newmark[] = {0.5, 0.25}, still[2] = {0.0};
+  CHECK_STATUS(ed_history_begin(a, 1, 0.01, still, still, still, ED_NEWMARK, newmark), ED_OK);
+  RUN_REFUSED(ed_history_support(a, TOP, 0, still, still, still), ED_E_ARGUMENT, "top");
+  CHECK_CONTAINS(ed_analysis_message(a), "floor");
+  CHECK_STATUS(ed_history_support(a, FLOOR, 0, still, still, still), ED_OK);
+  CHECK_STATUS(run_to_end(a, 1), ED_OK);
+  ed_analysis_free(a);
+  ed_model_free(model);
+}
+
 /* What only space has is refused in a plane. */
 static void check_plane(void)
 {
@@ -232,6 +250,7 @@ int main(void)
   check_members();
   check_diaphragms();
   check_analysis();
+  check_supports();
   check_plane();
   return checks_end("refusals of models in space");
 }

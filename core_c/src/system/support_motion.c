@@ -66,9 +66,12 @@ int ed_history_support(ed_analysis *a, int node, int degree, const double *displ
     return ed_fail(a, ED_E_STATE, "supports are given their motion between the beginning of a history and its first step");
   if (node < 0 || node >= a->model->n_nodes || degree < 0 || degree >= ed_degrees(a->model))
     return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree, node);
-  const int support = a->numbering.support[ed_degrees(a->model) * node + degree];
+  const int at = ed_degrees(a->model) * node + degree, support = a->numbering.support[at];
   if (support < 0)
     return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s has no support", degree, a->model->nodes[node].name);
+  if (a->numbering.plan && a->numbering.plan[at].turn >= 0)
+    return ed_fail(a, ED_E_ARGUMENT, "node %s is moved by a diaphragm; move its master %s", a->model->nodes[node].name,
+                   a->model->nodes[a->model->nodes[node].master[degree]].name);
   for (int i = 0; i < run->n_motions; i++)
     if (run->motion[i].support == support)
       return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s has its motion already", degree, a->model->nodes[node].name);
