@@ -163,6 +163,32 @@ static void check_diaphragms(void)
   ed_model_free(model);
 }
 
+/* The masses of a diaphragm stay uncoupled only about their centre; the message names the master, whichever node was made first. */
+static void check_centre(void)
+{
+  for (int first = 0; first < 2; first++) {
+    ed_model *model = some_model();
+    const int both[] = {TOP, SIDE};
+    int master = FLOOR, status = ED_OK;
+    char message[300] = "";
+    if (!first) {
+      master = ed_model_node(model, "late", (double[]){2.0, 0.0, 3.0});
+      CHECK_STATUS(ed_model_fix(model, master, OF_MASTER), ED_OK);
+      CHECK_STATUS(ed_model_fix(model, FLOOR, ALL), ED_OK);
+    }
+    add_members(model);
+    CHECK_STATUS(ed_model_mass(model, SIDE, (double[]){1.0, 0.0, 0.0, 0.0, 0.0, 0.0}), ED_OK);
+    CHECK_STATUS(ed_model_diaphragm(model, master, 2, both), ED_OK);
+    ed_analysis_free(frame_analysis(model)); /* nodes and master on one line: m_x has no lever */
+    CHECK_STATUS(ed_model_mass(model, SIDE, (double[]){0.0, 1.0, 0.0, 0.0, 0.0, 0.0}), ED_OK);
+    CHECK(!ed_analysis_new(model, &status, message, sizeof message));
+    CHECK_STATUS(status, ED_E_ARGUMENT);
+    CHECK_CONTAINS(message, first ? "floor" : "late");
+    CHECK_CONTAINS(message, "centre");
+    ed_model_free(model);
+  }
+}
+
 static void check_analysis(void)
 {
   ed_model *model = some_model();
@@ -249,6 +275,7 @@ int main(void)
   check_sections();
   check_members();
   check_diaphragms();
+  check_centre();
   check_analysis();
   check_supports();
   check_plane();

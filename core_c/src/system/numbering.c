@@ -34,6 +34,8 @@ static int number_diaphragms(ed_analysis *a)
   for (int i = 0; i < numbering->degrees; i++) {
     const ed_in_plan of = numbering->plan[i] = ed_of_master(model, i);
     const int turn = of.turn < 0 ? -1 : numbering->equation[of.turn];
+    if (of.degree != i && numbering->equation[of.degree] >= 0) /* named after the master, whichever node comes first */
+      numbering->name[numbering->equation[of.degree]] = of.degree;
     const double mass = model->nodes[i / ed_degrees(model)].mass[i % ed_degrees(model)];
     if (turn < 0)
       continue;
