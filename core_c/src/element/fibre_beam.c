@@ -38,8 +38,9 @@ ED_INLINE void section_flexibility(const ed_element *e, int p, const double *poi
   double k[ED_MAX_SECTION_TERMS];
   for (int i = 0; i < ed_section_terms(axes); i++)
     k[i] = point[ed_point_k(axes) + i] + RESIDUAL_STIFFNESS * e->section[p]->k[i];
-  if (axes == ED_SPACE) {
-    ed_sym3_inverse(k, f);
+  if (axes == ED_SPACE) { /* not by cofactors: they lose the stiffness that is left where a single layer is elastic */
+    if (!ed_sym_inverse(1 + axes, k, f))
+      f[0] = NAN;
     return;
   }
   const double r = 1.0 / (k[0] * k[2] - k[1] * k[1]);
