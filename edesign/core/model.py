@@ -312,8 +312,10 @@ class Model:
             Number of the element.
 
         Raises:
-            ValueError: there are not as many sections as points.
+            ValueError: there are not as many sections as points, or in space no 4 releases or 3 components of the web.
         """
+        if self.dimension == 3 and (len(release) != 4 or len(web) != 3):
+            raise ValueError(f"element {name}: {len(release)} releases of 4, {len(web)} components of its web of 3")
         ids = [section] * points if isinstance(section, int) else list(section)
         free = [bool(release[k]) for k in ((1, 3, 0, 2) if self.dimension == 3 else (0, 1))]
         shape = GEOMETRY[geometry]
@@ -436,7 +438,12 @@ class Model:
 
         Returns:
             Number of the element.
+
+        Raises:
+            ValueError: there are not as many coefficients as degrees.
         """
+        if len(terms) != 2 * len(self.degrees):
+            raise ValueError(f"spring {name}: {len(terms)} coefficients of {2 * len(self.degrees)} degrees")
         kind, values = law.parameters()
         result = lib.ed_model_spring(self._c, name.encode(), i, j, [float(c) for c in terms], kind, len(values), values)
         return self._element(name, result, -1)
