@@ -1,14 +1,16 @@
-"""A small irregular building of two storeys, anywhere in plan: turned about z or mirrored across the plane x = 0."""
+"""A small irregular building of two storeys, anywhere: turned about z, tilted, or mirrored across the plane x = 0."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import cos, sin
+from typing import Any
 
 import numpy as np
 
-from edesign.core import Analysis, Bilinear, Channel, LawValues, Model, MultilinearSpring, Response, Steel
+from edesign.core import Analysis, Bilinear, Channel, Integrator, LawValues, Model, MultilinearSpring, Response, Steel
+from edesign.core.analysis import AVERAGE_ACCELERATION
 
 E = 2.1e11
 FY = 235e6
@@ -21,10 +23,12 @@ SHARP = {"tolerance": 1e-12, "element_tolerance": 1e-24}
 
 @dataclass(frozen=True)
 class Placing:
-    """A rotation about z, after the mirror if there is one."""
+    """A rotation about z, after the mirror if there is one, then about x; `web_turn` is of the local axes alone."""
 
     angle: float = 0.0
     mirrored: bool = False
+    tilt: float = 0.0
+    web_turn: float = 0.0
 
     @property
     def hand(self) -> float:
@@ -33,7 +37,8 @@ class Placing:
     def vector(self, v: Sequence[float]) -> tuple[float, float, float]:
         """Where a place, a displacement or a force goes."""
         x, c, s = self.hand * v[0], cos(self.angle), sin(self.angle)
-        return c * x - s * v[1], s * x + c * v[1], float(v[2])
+        y, c_x, s_x = s * x + c * v[1], cos(self.tilt), sin(self.tilt)
+        return c * x - s * v[1], c_x * y - s_x * v[2], s_x * y + c_x * v[2]
 
     def turn(self, v: Sequence[float]) -> tuple[float, float, float]:
         """Where a rotation or a moment goes: the mirror takes the axial vectors' other sign."""
@@ -54,6 +59,12 @@ class Built:
     @property
     def nodes(self) -> list[int]:
         return [node for floor in self.corners for node in floor] + self.masters
+
+
+def turned(placing: Placing, y: Any, z: Any) -> tuple[Any, Any]:
+    """Places of fibres, or components of loads, in local axes that are turned; a mirror swaps the sides of y."""
+    c, s = cos(placing.web_turn), sin(placing.web_turn)
+    return placing.hand * (c * y + s * z), c * z - s * y
 
 
 def angle_fibres() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -78,7 +89,8 @@ def building(
     m = Model(3)
     steel = m.material(law or Bilinear(E, FY, 0.01))
     y, z, area = angle_fibres()
-    section = m.fibre_section(placing.hand * y, area, steel, z=z, GJ=4e6)  # local y takes the other side in a mirror
+    y, z = turned(placing, y, z)
+    section = m.fibre_section(y, area, steel, z=z, GJ=4e6)
     nodes = [
         [m.node(f"{name}{level}", *placing.vector((*at, height))) for name, at in zip("abcd", CORNERS, strict=True)]
         for level, height in enumerate(HEIGHTS)
@@ -97,13 +109,16 @@ def building(
             built.masters.append(master)
     for level in (1, 2):
         for k in range(4):
-            web = placing.vector((cos(0.5 * k), sin(0.5 * k), 0.0))
+            web = placing.vector((cos(0.5 * k + placing.web_turn), sin(0.5 * k + placing.web_turn), 0.0))
             low, high = nodes[level - 1][k], nodes[level][k]
             built.columns.append(m.beam_column(f"C{k}{level}", low, high, section, 5, geometry, web=web))
     built.members += built.columns
+    c, s = cos(placing.web_turn), sin(placing.web_turn)
     for level in (1, 2):
         for k in range(4):
-            released = (False, False, k == 2, False)
+            at, to = np.array(CORNERS[k]), np.array(CORNERS[(k + 1) % 4])
+            x, y = (to - at) / np.hypot(*(to - at))
+            free = k == 2  # of both moments at its end
             beam = m.beam_column(
                 f"B{k}{level}",
                 nodes[level][k],
@@ -111,12 +126,12 @@ def building(
                 section,
                 4,
                 "linear",
-                released,
-                web=(0, 0, 1),
+                (False, False, free, free),
+                web=placing.vector((s * y, -s * x, c)),
             )
             if inside:
-                m.uniform_load(built.pattern, beam, 1e3, placing.hand * 2e3, -12e3)
-                m.point_load(built.pattern, beam, 0.4, -2e3, placing.hand * 3e3, -9e3)
+                m.uniform_load(built.pattern, beam, 1e3, *turned(placing, 2e3, -12e3))
+                m.point_load(built.pattern, beam, 0.4, -2e3, *turned(placing, 3e3, -9e3))
             built.members.append(beam)
     built.members.append(m.truss("bar", nodes[0][0], nodes[1][1], steel, 8e-4, geometry))
     for floor in nodes[1:]:
@@ -159,14 +174,15 @@ def shaken(
     dt: float,
     channels: Sequence[Channel] = (),
     damping: str = "current",
-    **settings: float,
+    method: Integrator = AVERAGE_ACCELERATION,
+    shortcuts: bool = True,
 ) -> Response:
     """Gravity, then a history of three components with Rayleigh damping and dampers."""
-    a = Analysis(built.model, **(SHARP | settings))
+    a = Analysis(built.model, fast_elastic=float(shortcuts), **SHARP)
     r = a.static(built.pattern, steps=2)
     assert r.status == "completed", r.reason
     a.rayleigh(0.3, 1e-3, damping)
     a.install_dampers()
-    r = a.history(ground[0], dt, channels=channels, vertical=ground[2], along_y=ground[1])
+    r = a.history(ground[0], dt, method, channels, vertical=ground[2], along_y=ground[1])
     assert r.status == "completed", r.reason
     return r
