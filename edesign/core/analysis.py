@@ -408,9 +408,11 @@ class Analysis:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
 
         Raises:
-            ValueError: a limit belongs to no channel.
+            ValueError: a limit belongs to no channel, or a plane frame is shaken along y.
             CoreError: a limit is not positive; a degree has no support or is not at rest, or the structure is unstable.
         """
+        if along_y is not None and self.model.dimension == 2:
+            raise ValueError("a plane frame has no motion along y; upwards it is vertical")
         across, upwards = (along_y, vertical) if self.model.dimension == 3 else (vertical, along_y)
         given = (ground_acceleration, across, upwards)
         ground = [None if one is None else np.ascontiguousarray(one, dtype=float) for one in given]

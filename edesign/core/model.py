@@ -161,10 +161,17 @@ class Model:
         Returns:
             Number of the node.
         """
+        self._only_in_space(z=z)
         result = self._checked(lib.ed_model_node(self._c, name.encode(), [x, y, z]))
         self.node_names.append(name)
         self.node_places.append((x, y, z))
         return result
+
+    def _only_in_space(self, **values: float) -> None:
+        """Refuse what a plane frame would leave out without a word."""
+        given = [name for name, value in values.items() if value and self.dimension == 2]
+        if given:
+            raise ValueError(f"a plane frame has no {', '.join(given)}")
 
     def _over_degrees(self, values: Mapping[str, float]) -> list[Any]:
         """Return values in the order of the degrees; of a plane frame those of space must be 0."""
@@ -565,6 +572,7 @@ class Model:
             transverse: along local y, N/m.
             transverse_z: in space, along local z, N/m.
         """
+        self._only_in_space(transverse_z=transverse_z)
         self._checked(lib.ed_model_uniform_load(self._c, pattern, element, axial, [transverse, transverse_z]))
 
     def point_load(
@@ -584,6 +592,7 @@ class Model:
             transverse: along local y, N.
             transverse_z: in space, along local z, N.
         """
+        self._only_in_space(transverse_z=transverse_z)
         self._checked(lib.ed_model_point_load(self._c, pattern, element, position, axial, [transverse, transverse_z]))
 
     def partial_load(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edesign.core import CoreError, Model, MultilinearSpring
+from edesign.core import Analysis, CoreError, Model, MultilinearSpring
 
 
 @pytest.fixture
@@ -54,3 +54,20 @@ def test_a_plane_has_no_degrees_of_space() -> None:
         m.nodal_load(m.pattern(), node, fz=1.0)
     with pytest.raises(CoreError, match="plane"):
         m.diaphragm(node, [m.node("o", 1.0, 0.0)])
+
+
+def test_a_plane_leaves_nothing_out_without_a_word() -> None:
+    m = Model(2)
+    i, j = m.node("i", 0.0, 0.0), m.node("j", 0.0, 3.0)
+    with pytest.raises(ValueError, match="no z"):
+        m.node("k", 0.0, 0.0, 1.0)
+    beam = m.beam_column("beam", i, j, m.elastic_section(1e9, 1e7))
+    pattern = m.pattern()
+    with pytest.raises(ValueError, match="transverse_z"):
+        m.uniform_load(pattern, beam, 0.0, 1.0, 1.0)
+    with pytest.raises(ValueError, match="transverse_z"):
+        m.point_load(pattern, beam, 0.5, transverse_z=1.0)
+    m.fix(i, ux=True, uy=True, rz=True)
+    m.mass(j, 1.0)
+    with pytest.raises(ValueError, match="along y"):
+        Analysis(m).history([0.0, 1.0], 0.1, along_y=[0.0, 1.0])
