@@ -140,7 +140,7 @@ static void add_element(caller *c, things *m, int i, int j, int kind)
   int sections[MOST_THINGS], release[4];
   double web[3];
   const int points = chance(c, c->wild) ? whole(c, -1, 12) : whole(c, 3, 5);
-  const int geometry = chance(c, c->wild) ? 9 : whole(c, 0, m->dimension == 2 ? 2 : 1);
+  const int geometry = chance(c, c->wild) ? 9 : whole(c, 0, 2);
   for (int k = 0; k < MOST_THINGS; k++)
     sections[k] = k && chance(c, 0.8) ? sections[0] : some_section(c, m, m->dimension == 2 || kind == 3);
   for (int k = 0; k < 4; k++)

@@ -90,11 +90,8 @@ static void check_members(void)
   REFUSED(ed_model_elastic_beam(model, "flat", FOOT, TOP, FLAT, ED_LINEAR, NULL, ALONG_X), ED_E_ID, "flat");
   REFUSED(ed_model_beam_column(model, "half", FOOT, TOP, 3, sections, ED_LINEAR, NULL, ALONG_X), ED_E_ID, "half");
   REFUSED(ed_model_beam_column(model, "plane", FOOT, TOP, 3, flat, ED_LINEAR, NULL, ALONG_X), ED_E_ID, "plane");
-  REFUSED(ed_model_elastic_beam(model, "large", FOOT, TOP, ELASTIC, ED_COROTATIONAL, NULL, ALONG_X), ED_E_ARGUMENT, "large");
-  REFUSED(ed_model_truss(model, "tie", FOOT, TOP, 0, 1e-3, ED_COROTATIONAL), ED_E_ARGUMENT, "tie");
   REFUSED(ed_model_link(model, "pad", FOOT, TOP, 1.0, 1.0, 1.0, 0.0), ED_E_ARGUMENT, "pad");
   REFUSED(ed_model_strut(model, "brace", FOOT, TOP, FIBRES, 3, 2, 1e-3, 1.0, 0.0, 0, 1e-3, ED_LINEAR), ED_E_ID, "brace");
-  REFUSED(ed_model_strut(model, "bow", FOOT, TOP, FLAT, 3, 2, 1e-3, 1.0, 0.0, 0, 1e-3, ED_COROTATIONAL), ED_E_ARGUMENT, "bow");
   double coefficient[12] = {0.0};
   const double stiffness = 1e6;
   REFUSED(ed_model_spring(model, "loose", FOOT, TOP, coefficient, ED_SPRING_MULTILINEAR, 1, &stiffness), ED_E_ARGUMENT, "loose");
