@@ -173,9 +173,12 @@ static void check(options o, int geometry, double size, unsigned long long seed,
 
 int main(void)
 {
-  static const options STEELS[] = {{.law = ED_BILINEAR, .hardening = 0.02}, {.law = ED_MENEGOTTO_PINTO, .hardening = 0.01}, {.law = ED_BILINEAR, .stays = 1}};
+  static const options STEELS[] = {{.law = ED_BILINEAR, .hardening = 0.02},
+                                   {.law = ED_MENEGOTTO_PINTO, .hardening = 0.01},
+                                   {.law = ED_BILINEAR, .stays = 1},
+                                   {.law = ED_MENEGOTTO_PINTO, .hardening = 0.01, .stays = 1}};
   long smooth = 0, tried = 0;
-  for (int steel = 0; steel < 3; steel++)
+  for (int steel = 0; steel < 4; steel++)
     for (int diaphragm = 0; diaphragm < 2; diaphragm++)
       for (int geometry = ED_LINEAR; geometry <= ED_P_DELTA; geometry++)
         for (int loaded = 0; loaded < 2; loaded++) {
