@@ -12,8 +12,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak, residual
-from edesign.assess.measures import storey_of
 from edesign.assess.sets import HistorySet
+from edesign.project.notation.names import storey_of
 
 PLACES: Mapping[str, str] = {
     "storey_drift": "storey",

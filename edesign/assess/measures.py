@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import final, peak, residual
 from edesign.project.criteria.measures import MEASURES
+from edesign.project.notation.names import storey_of
 
 Where = Literal["roof", "first storey", "anywhere"]
 
@@ -171,18 +172,6 @@ def _storey(group: Group, dimension: str, at: int) -> int:
         stored = group.variables.get("damper_storey")
         return 0 if stored is None else int(stored.values[at])
     return storey_of(_label(group, dimension, at))
-
-
-def storey_of(label: str) -> int:
-    """Return the storey in the label of a storey, or the name of a column, beam, half of a beam, or brace.
-
-    They are 3, C_A_3, B_1_3, B_1_3_2, D_1_3_r; a beam counts with the storey below its floor.
-
-    Args:
-        label: of a storey, or the name of a member.
-    """
-    parts = label.split("_")
-    return int(parts[2] if len(parts) > 1 else parts[0])
 
 
 def _label(group: Group, dimension: str, at: int) -> str:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
-from edesign.assess.measures import Located, storey_of
+from edesign.assess.measures import Located
 from edesign.ground_motion.response_spectrum import response_spectra
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.notation.names import isolator_name, storey_of
 from edesign.project.project import Project
 
 
@@ -86,18 +88,19 @@ def _chosen(group: Group, asked: QuantityCriterion, project: Project) -> list[in
     """Indices of the places that a criterion chooses."""
     place = QUANTITIES[asked.quantity].place
     labels = group.coords[place].values.tolist() if place in group.coords else []
-    frame, places = project.frame, range(len(labels))
+    grid, places = project.grid, range(len(labels))
     if place == "floor":
-        return [i for i in places if int(labels[i]) in asked.floors.numbers(1, frame.n_storeys)]
-    if place in ("support", "isolator"):  # A0, I_A
-        lines = asked.lines.names(frame.lines)
-        return [i for i in places if str(labels[i]).removeprefix("I_").rstrip("0123456789") in lines]
+        return [i for i in places if int(labels[i]) in asked.floors.numbers(1, grid.n_storeys)]
+    if place in ("support", "isolator"):
+        name_of = isolator_name if place == "isolator" else partial(grid.node_name, floor=0)
+        there = [name_of(line) for line in asked.lines.names(grid.lines)]
+        return [i for i in places if str(labels[i]) in there]
     names = asked.dampers if place == "damper" else asked.members
     if place == "damper":
         storeys = [int(number) for number in group.variables["damper_storey"].values] if labels else []
     else:
         storeys = [storey_of(str(label)) for label in labels]
-    wanted = asked.storeys.numbers(1, frame.n_storeys)
+    wanted = asked.storeys.numbers(1, grid.n_storeys)
     return [
         i for i in places if (asked.storeys.is_all or storeys[i] in wanted) and (not names or str(labels[i]) in names)
     ]

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 from edesign.archive.dataset import Group
-from edesign.assess.measures import Located, lacking_measure, located_measure, storey_of
+from edesign.assess.measures import Located, lacking_measure, located_measure
 from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import usage
 from edesign.assess.quantities import lacking, located_quantity, missing_history
@@ -23,6 +23,7 @@ from edesign.project.criteria.criteria import (
 )
 from edesign.project.criteria.criterion_quantities import QUANTITIES, SELECTIONS
 from edesign.project.criteria.measures import short_name
+from edesign.project.notation.names import storey_of
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
 
@@ -215,7 +216,7 @@ def _worst(
 
 
 def _numbers(chosen: NumberSelection, project: Project) -> tuple[int, ...] | None:
-    return None if chosen.is_all else chosen.numbers(1, project.frame.n_storeys)
+    return None if chosen.is_all else chosen.numbers(1, project.grid.n_storeys)
 
 
 def _where(storeys: NumberSelection, members: tuple[str, ...]) -> str:

@@ -217,7 +217,7 @@ def _unreleased_nodes(frame: Frame) -> set[str]:
     """Nodes at which the end of a column or beam is not released."""
     unreleased = set()
     for name, (start, end) in frame.ends.items():
-        if name.startswith("D_"):
+        if names.member_kind(name) == "brace":
             continue
         released = frame.released.get(name, (False, False))
         unreleased |= {node for node, free in zip((start, end), released, strict=True) if not free}

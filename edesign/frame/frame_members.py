@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from edesign.core import Model
-from edesign.frame.frame_model import Kind, Member
+from edesign.frame.frame_model import Member
 from edesign.frame.hinges import MemberBuilder, MemberEnd, member_ends
 from edesign.frame.loads import Stretches
 from edesign.frame.panel_zones import BuiltPanel, PanelBuilder, panels_of
@@ -16,6 +16,7 @@ from edesign.project.actions.beam_loads import breaks_of_members
 from edesign.project.frame.braces import BraceBuckling
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.members import BraceRun
+from edesign.project.notation.names import MemberKind, member_kind
 from edesign.project.project import Project
 
 
@@ -35,8 +36,7 @@ def add_members(
     """
     parts = CoreSections(project, model)
     geometry = project.elements.geometry
-    of_kind: dict[Kind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
-    kinds: dict[str, Kind] = {"C": "column", "B": "beam", "D": "brace"}
+    of_kind: dict[MemberKind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
     places = {node: project.frame.nodes[place] for place, node in nodes.items()}
     panels = PanelBuilder(model, nodes, places, panels_of(project))
     builder = MemberBuilder(model, places)
@@ -46,7 +46,7 @@ def add_members(
     found = {}
     for name, run in project.frame.members.items():
         start, end = project.frame.ends[name]
-        kind = kinds[name[0]]
+        kind = member_kind(name)
         if isinstance(run, BraceRun):
             if run.buckling is not None:
                 found[name] = _buckling_brace(project, model, parts, name, run, run.buckling, (start, end), nodes)

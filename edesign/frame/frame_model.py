@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
@@ -21,8 +20,7 @@ from edesign.frame.panel_zones import BuiltPanel
 from edesign.frame.supports import BuiltFooting, Grounds
 from edesign.project.frame.frame import Frame
 from edesign.project.notation import names
-
-Kind = Literal["column", "beam", "brace"]
+from edesign.project.notation.names import MemberKind
 
 
 @dataclass(frozen=True)
@@ -41,7 +39,7 @@ class Member:
     """
 
     name: str
-    kind: Kind
+    kind: MemberKind
     element: int
     start: str
     end: str
@@ -151,7 +149,7 @@ class FrameModel:
         load = self.on_bases.get(support, 0.0) if degree == 1 else 0.0
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
 
-    def of_kind(self, kind: Kind) -> list[Member]:
+    def of_kind(self, kind: MemberKind) -> list[Member]:
         """Return the members of a kind in the order of `members`."""
         return [member for member in self.members.values() if member.kind == kind]
 

@@ -25,6 +25,7 @@ from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
 from edesign.project.frame.materials import Material
 from edesign.project.frame.sections import Fibres, Section
+from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.values import KeyPath
@@ -154,6 +155,11 @@ class Project(RecordFiles, FileModel):
     def archive_path(self) -> Path:
         """The path of the archive, unless the command line gives another one."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
+
+    @property
+    def grid(self) -> Grid:
+        """What stands where, by name."""
+        return self.frame
 
     @property
     def hazard_levels(self) -> Mapping[str, Model]:

@@ -20,6 +20,7 @@ from edesign.project.building.places import Bays, ColumnLineSelection, parse_col
 from edesign.project.building.supports import Springs, Support, springs_of
 from edesign.project.document import Document
 from edesign.project.frame import spacing
+from edesign.project.notation.grid import Grid
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.notation.units import PositiveDensity, PositiveLength, PositiveStress
 from edesign.project.project import Identifier
@@ -170,6 +171,11 @@ class Building(spacing.Storeys, FileModel):
         """The members at each place of the grid."""
         return Layout(self)
 
+    @property
+    def grid(self) -> Grid:
+        """What stands where, by name."""
+        return self.layout
+
     def widths(self, along: Direction) -> tuple[float, ...]:
         """Return the widths of the bays along x or y, m."""
         return spacing.widths(self.plan.x if along == "x" else self.plan.y)
@@ -200,6 +206,6 @@ class Building(spacing.Storeys, FileModel):
         """Return the column lines of a selection."""
         return tuple(chosen.lines(self.n_bays("x") + 1, self.n_bays("y") + 1))
 
-    def grid(self, line: ColumnLine) -> tuple[float, float]:
+    def place(self, line: ColumnLine) -> tuple[float, float]:
         """Return the place of a column line in plan, m."""
         return self.coordinates("x")[line.i], self.coordinates("y")[line.j]

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
-from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, Direction
+from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, Direction, column_name, node_name
 from edesign.project.building.places import panels_in
+from edesign.project.frame.spacing import Storeys
 
 if TYPE_CHECKING:
     from edesign.project.building.building import Building
@@ -19,8 +21,8 @@ Panel = tuple[int, int]
 DIRECTIONS: tuple[Direction, Direction] = ("x", "y")
 
 
-class Layout:
-    """The members of a building at the places of its grid.
+class Layout(Storeys):
+    """The nodes and members of a building at the places of its grid.
 
     Args:
         building: read without schema problems.
@@ -28,6 +30,7 @@ class Layout:
 
     def __init__(self, building: Building) -> None:
         self._building = building
+        self.storeys = building.storeys
 
     # --- floors
 
@@ -36,10 +39,10 @@ class Layout:
         """The bays that each floor covers; floors count from 1."""
         n_x, n_y = self._building.n_bays("x"), self._building.n_bays("y")
         whole = frozenset((i, j) for i in range(1, n_x + 1) for j in range(1, n_y + 1))
-        found = {floor: whole for floor in range(1, self._building.n_storeys + 1)}
+        found = {floor: whole for floor in range(1, self.n_storeys + 1)}
         for setback in self._building.setbacks:
             covered = panels_in(setback.bays, n_x, n_y)
-            for floor in setback.floors.numbers(1, self._building.n_storeys):
+            for floor in setback.floors.numbers(1, self.n_storeys):
                 found[floor] = covered
         return found
 
@@ -98,7 +101,7 @@ class Layout:
     @cached_property
     def node_lines(self) -> dict[int, tuple[ColumnLine, ...]]:
         """The column lines that have a node at each floor, floor 0 first."""
-        used: dict[int, set[ColumnLine]] = {floor: set() for floor in range(self._building.n_storeys + 1)}
+        used: dict[int, set[ColumnLine]] = {floor: set() for floor in range(self.n_storeys + 1)}
         for line, storey in self.column_at:
             used[storey - 1].add(line)
             used[storey].add(line)
@@ -109,19 +112,69 @@ class Layout:
                 used[floor].update(() if end is None else (end,))
         return {floor: tuple(sorted(lines)) for floor, lines in used.items()}
 
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the column lines at the corners of the bays that floors cover: A1, A2, ..."""
+        return tuple(str(line) for line in sorted({line for lines in self.floor_lines.values() for line in lines}))
+
+    @cached_property
+    def nodes(self) -> dict[str, tuple[float, float, float]]:
+        """Coordinates in m of every node, by name, floor by floor; on a floor the middles of beams come last."""
+        found = {}
+        for floor, lines in self.node_lines.items():
+            level = self.levels[floor]
+            for line in lines:
+                found[node_name(line, floor)] = (*self._building.place(line), level)
+            for beam in sorted(beam for beam in self.halved_beams if beam.floor == floor):
+                (x0, y0), (x1, y1) = (self._building.place(line) for line in beam.lines)
+                found[str(beam)] = (0.5 * (x0 + x1), 0.5 * (y0 + y1), level)
+        return found
+
+    def beam_members(self, place: BeamPlace) -> tuple[str, ...]:
+        """Return the name of a beam, or those of the two halves of one that braces meet in the middle."""
+        return (f"{place}_1", f"{place}_2") if place in self.halved_beams else (str(place),)
+
+    @cached_property
+    def members(self) -> dict[str, ColumnRun | BeamRun | BraceRun]:
+        """The run of every member, by name: columns, then beams, then braces."""
+        found: dict[str, ColumnRun | BeamRun | BraceRun] = {}
+        found.update({column_name(*place): run for place, run in self.column_at.items()})
+        found.update({name: run for place, run in self.beam_at.items() for name in self.beam_members(place)})
+        found.update({p.name(way): run for p, run in self.brace_at.items() for way in ways(p, run)})
+        return found
+
+    @cached_property
+    def ends(self) -> dict[str, tuple[str, str]]:
+        """Start and end node of every member, by name; columns and braces start below."""
+        found = {}
+        for line, storey in self.column_at:
+            found[column_name(line, storey)] = node_name(line, storey - 1), node_name(line, storey)
+        for beam in self.beam_at:
+            members, (start, end) = self.beam_members(beam), (node_name(line, beam.floor) for line in beam.lines)
+            middle = (str(beam),) * (len(members) - 1)
+            found.update(zip(members, pairwise((start, *middle, end)), strict=True))
+        for place, run in self.brace_at.items():
+            for way, ((low, below), (high, above)) in ways(place, run).items():
+                found[place.name(way)] = _point_name(place, low, below), _point_name(place, high, above)
+        return found
+
+    def node_name(self, line: str, floor: int) -> str:
+        """Return the name of the node on a line at a floor, whether it exists or not; floor 0 is the base."""
+        return node_name(line, floor)
+
     # --- selections on this grid
 
     def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[ColumnLine, int]]:
         """Yield (line, storey) of a selection of columns, whether they exist or not."""
         lines = self._building.lines_of(chosen.at)
-        for storey in chosen.storeys.numbers(1, self._building.n_storeys):
+        for storey in chosen.storeys.numbers(1, self.n_storeys):
             for line in lines:
                 yield line, storey
 
     def beam_places(self, chosen: BeamPlaces) -> Iterator[BeamPlace]:
         """Yield the places of a selection of beams, whether they exist or not."""
         along = chosen.along
-        for floor in chosen.floors.numbers(1, self._building.n_storeys):
+        for floor in chosen.floors.numbers(1, self.n_storeys):
             for frame in chosen.frames.numbers(self._building.n_frames(along)):
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
                     yield BeamPlace(along, frame, bay, floor)
@@ -129,7 +182,7 @@ class Layout:
     def brace_places(self, chosen: BraceRun) -> Iterator[BracePlace]:
         """Yield the places of a run of braces."""
         along = chosen.along
-        for storey in chosen.storeys.numbers(1, self._building.n_storeys):
+        for storey in chosen.storeys.numbers(1, self.n_storeys):
             for frame in chosen.frames.numbers(self._building.n_frames(along)):
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
                     yield BracePlace(along, frame, bay, storey)
@@ -191,3 +244,8 @@ def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
     alternate = "rising" if (place.bay + place.storey) % 2 == 0 else "falling"
     kind = alternate if run.kind == "alternating" else run.kind
     return {"r": rising} if kind == "rising" else {"f": falling}
+
+
+def _point_name(place: BracePlace, line: ColumnLine | None, floor: int) -> str:
+    """Name of the node at a point of a braced bay."""
+    return node_name(line, floor) if line is not None else str(BeamPlace(*place[:3], floor))

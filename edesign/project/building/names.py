@@ -93,7 +93,7 @@ def frame_name(along: Direction, frame: int) -> str:
     return along.upper() + line_label(along, frame)
 
 
-def node_name(line: ColumnLine, floor: int) -> str:
+def node_name(line: ColumnLine | str, floor: int) -> str:
     """Return the name of a node: `A2.3` on column line A2 at floor 3.
 
     Args:

@@ -14,7 +14,6 @@ from edesign.project.criteria.criteria import (
     Criterion,
     LimitCriterion,
     MeasureCriterion,
-    MembersOf,
     Objectives,
     QuantityCriterion,
 )
@@ -22,13 +21,6 @@ from edesign.project.criteria.criterion_quantities import keys_of
 from edesign.project.criteria.measures import MEASURES
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, keys_text
-
-_PREFIXES: dict[MembersOf, tuple[str, ...]] = {
-    "beam": ("B_",),
-    "column": ("C_",),
-    "brace": ("D_",),
-    "column or beam": ("B_", "C_"),
-}
 
 
 def check_criteria(
@@ -73,8 +65,7 @@ def check_criteria(
             continue
         traits = criterion.traits
         if traits.members_of is not None:
-            named = [name for name in project.frame.members if name.startswith(_PREFIXES[traits.members_of])]
-            check_members((*at, "members"), traits.members, named, traits.members_of, problems)
+            check_members((*at, "members"), traits.members, project.grid, traits.members_of, problems)
     _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
     for i, letter in enumerate(objectives):
         at = (*keys, "objectives", i)

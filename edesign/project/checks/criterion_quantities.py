@@ -8,19 +8,13 @@ from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.checks.names import check_names
 from edesign.project.checks.selections import Selections
 from edesign.project.criteria.criteria import QuantityCriterion
-from edesign.project.criteria.criterion_quantities import QUANTITIES, Place, keys_of
-from edesign.project.frame.frame import Frame
-from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
+from edesign.project.notation.grid import Grid
+from edesign.project.notation.names import member_kind
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
 
 _CHOOSING = ("floors", "storeys", "members", "dampers", "lines", "side", "frequency", "damping", "term")
-_RUNS: dict[Place, tuple[type, ...]] = {
-    "column": (ColumnRun,),
-    "beam": (BeamRun,),
-    "brace": (BraceRun,),
-    "member": (ColumnRun, BeamRun),
-}
 
 
 def check_quantity(
@@ -60,7 +54,8 @@ def check_quantity(
     if "lines" in own:
         check.lines((*keys, "lines"), criterion.lines)
     if "members" in own:
-        _members(keys, criterion, project.frame, problems)
+        what = "column or beam" if quantity.place == "member" else quantity.place
+        check_members((*keys, "members"), criterion.members, project.grid, what, problems)
     if "dampers" in own and criterion.dampers:
         chosen = criterion.variants or tuple(dampers)
         known = dict.fromkeys(damper for variant in chosen for damper in dampers.get(variant, ()))
@@ -72,23 +67,18 @@ def _allowed(own: Sequence[str]) -> str:
     return f"allowed here: {listed(own)}" if own else "it is one of the whole frame"
 
 
-def _members(keys: Keys, criterion: QuantityCriterion, frame: Frame, problems: Problems) -> None:
-    place = QUANTITIES[criterion.quantity].place
-    allowed = [name for name, run in frame.members.items() if isinstance(run, _RUNS[place])]
-    if not allowed:
-        return  # does not apply, which is reported with the verdict
-    what = "column or beam" if place == "member" else place
-    check_members((*keys, "members"), criterion.members, allowed, what, problems)
+def check_members(keys: Keys, given: Sequence[str], grid: Grid, what: str, problems: Problems) -> None:
+    """Check that members are of a kind and stand in a grid, each given once.
 
-
-def check_members(keys: Keys, given: Sequence[str], allowed: Sequence[str], what: str, problems: Problems) -> None:
-    """Check that members are among those allowed, at least one of them, each once.
+    Where no such member stands, the criterion does not apply, which is reported with its verdict.
 
     Args:
-        allowed: names that may be given.
-        what: kind of the members, for messages.
+        what: kind of the members: `column`, `beam`, `brace`, or `column or beam`.
         problems: the problems of the file, to which those found are added.
     """
+    allowed = [name for name in grid.members if member_kind(name) in what.split(" or ")]
+    if not allowed:
+        return
     for i, name in enumerate(given):
         if name not in allowed:
             hint = did_you_mean(name, allowed)

@@ -197,9 +197,9 @@ def _followed_strain(keys: Keys, spec: ElastomerDesign, problems: Problems) -> N
 def _of_storeys(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
     for key in ("storey_stiffness", "shear"):
         given = getattr(spec, key, None)
-        if isinstance(given, tuple) and len(given) != project.frame.n_storeys:
+        if isinstance(given, tuple) and len(given) != project.grid.n_storeys:
             message = (
-                f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
+                f"{len(given)} values for a frame of {project.grid.n_storeys} storeys; one for each is needed"
                 " [E-VALUE-04]"
             )
             problems.at_value((*keys, key), message)

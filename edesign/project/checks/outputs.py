@@ -64,7 +64,7 @@ def check_member(project: Project, problems: Problems, keys: Keys, member: str) 
         project: the project, which has no schema problems.
         problems: the problems of the file, to which those found are added.
     """
-    known = project.frame.members
+    known = project.grid.members
     if member in known:
         return True
     hint = did_you_mean(member, known)

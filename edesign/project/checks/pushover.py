@@ -91,7 +91,7 @@ def _given(project: Project, problems: Problems, keys: Keys, i: int, pattern: Gi
         problems.at_item(keys, i, message)
         return
     if pattern.floors is not None:
-        storeys = project.frame.n_storeys
+        storeys = project.grid.n_storeys
         if len(pattern.floors) != storeys:
             problems.at_item(
                 keys, i, f"{len(pattern.floors)} shares for {storeys} floors; give one for each [E-VALUE-04]"

@@ -111,11 +111,6 @@ class Frame(Storeys, Model):
         """Coordinate of each line, m; line A is at 0."""
         return tuple(accumulate(self.bay_widths, initial=0.0))
 
-    @property
-    def height(self) -> float:
-        """Level of the roof above the base, m."""
-        return self.levels[-1]
-
     def bay_lines(self, bay: int) -> tuple[str, str]:
         """Return the lines at the left and right of a bay (bays count from 1)."""
         return self.lines[bay - 1], self.lines[bay]
@@ -270,6 +265,10 @@ class Frame(Storeys, Model):
         found |= {name: (beam.start, beam.end) for name, beam in self.beam_members.items()}
         found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
         return found
+
+    def node_name(self, line: str, floor: int) -> str:
+        """Return the name of the node on a line at a floor, whether it exists or not; floor 0 is the base."""
+        return names.node_name(line, floor)
 
     def length(self, member: str) -> float:
         """Return the distance between the nodes of a member, m."""

@@ -64,3 +64,8 @@ class Storeys:
     def levels(self) -> tuple[float, ...]:
         """Level of each floor from the base (floor 0) to the roof, m; n_storeys + 1 values."""
         return tuple(accumulate(self.storey_heights, initial=0.0))
+
+    @property
+    def height(self) -> float:
+        """Level of the roof above the base, m."""
+        return self.levels[-1]

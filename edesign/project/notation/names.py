@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from typing import Literal
 
 
 def line_name(index: int) -> str:
@@ -93,6 +94,30 @@ def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
         return f"V_{bay}_{storey}_r", f"V_{bay}_{storey}_f"
     letter = {"chevron": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
     return (f"{letter}_{bay}_{storey}",)
+
+
+MemberKind = Literal["column", "beam", "brace"]
+_KINDS: Mapping[str, MemberKind] = {"C": "column", "B": "beam", "D": "brace"}
+
+
+def member_kind(name: str) -> MemberKind:
+    """Return what a member of a frame or building is, by its name."""
+    return _KINDS[name[0]]
+
+
+def storey_of(label: str) -> int:
+    """Return the storey in the label of a storey, or the name of a column, beam, half of a beam, or brace.
+
+    They are 3, C_A_3, B_1_3, B_1_3_2, D_1_3_r, and of buildings C_A2_3, BX_2_1_3, BX_2_1_3_2, DX_2_1_3_r; a beam counts
+    with the storey below its floor.
+
+    Args:
+        label: of a storey, or the name of a member.
+    """
+    parts = label.split("_")
+    if len(parts) == 1:
+        return int(label)
+    return int(parts[1 + len(parts[0])])  # beams and braces of a building have the label of their frame before the bay
 
 
 _STANDING = {"V": "chevron", "R": "rising diagonal", "F": "falling diagonal", "S": "between floors"}

@@ -86,7 +86,7 @@ def _look(
 def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
     """Places along a frame of its column bases, m, with their supports."""
     lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
-    return [(building.grid(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
+    return [(building.place(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
 
 
 def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction, number: int) -> None:

@@ -24,7 +24,6 @@ from edesign.project.building.names import (
 from edesign.project.reading.problems import listed
 from edesign.space.file_places import keys_of_member, keys_of_support
 from edesign.space.structure.frame import SpaceFrame
-from edesign.space.structure.geometry import half_names
 from edesign.space.structure.load_cases import on_members, on_nodes
 
 AtNodes = dict[tuple[int, int], float]
@@ -99,7 +98,8 @@ class PlaneFrame:
         numbers = {member.name: i for i, member in enumerate(self.space.members)}
         widths = self.building.widths(self.along)
         return {
-            (p.bay, p.floor): float(sum(total[numbers[name]] for name in self._members_of(p))) / widths[p.bay - 1]
+            (p.bay, p.floor): float(sum(total[numbers[name]] for name in self.building.layout.beam_members(p)))
+            / widths[p.bay - 1]
             for p in self.beams
         }
 
@@ -111,7 +111,7 @@ class PlaneFrame:
         Args:
             factors: see `beam_load`.
         """
-        own = {name for place in self.beams for name in self._members_of(place)}
+        own = {name for place in self.beams for name in self.building.layout.beam_members(place)}
         return self._carried(factors, np.array([member.name in own for member in self.space.members]))
 
     def weight(self, factors: Mapping[str, float]) -> AtNodes:
@@ -125,10 +125,6 @@ class PlaneFrame:
     def node_mass(self) -> AtNodes:
         """Return the mass at each of its nodes above the base, kg."""
         return self._at_nodes(self.space.node_mass)
-
-    def _members_of(self, place: BeamPlace) -> tuple[str, ...]:
-        """Names of the members that a beam is."""
-        return half_names(place) if place in self.building.layout.halved_beams else (str(place),)
 
     def _carried(self, factors: Mapping[str, float], but: np.ndarray | None) -> AtNodes:
         total = np.zeros(len(self.space.node_names))

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.project.building.building import Building
-from edesign.project.building.layout import Point, ways
+from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, End
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, column_name, frame_name, node_name
 from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
@@ -31,13 +31,18 @@ def space_frame(building: Building) -> SpaceFrame:
     Raises:
         InputError: a section is not known, or loads upwards would give a negative mass.
     """
-    nodes, coordinates, floors = _nodes(building)
+    layout = building.layout
+    nodes = {name: number for number, name in enumerate(layout.nodes)}
+    coordinates = np.array(list(layout.nodes.values()))
+    floors = np.searchsorted(building.levels, coordinates[:, 2])
+    stiff = np.isin(floors, building.diaphragms.numbers(1, building.n_storeys))
     fixed, springs = _supports(building, nodes)
-    members = (*_columns(building, nodes), *_beams(building, nodes), *_braces(building, nodes, coordinates))
+    ends = {name: (nodes[start], nodes[end]) for name, (start, end) in layout.ends.items()}
+    members = (*_columns(building, ends), *_beams(building, ends), *_braces(building, ends, coordinates))
     bare = SpaceFrame(
         node_names=tuple(nodes),
         coordinates=coordinates,
-        node_floor=floors,
+        node_floor=np.where(stiff, floors, NO_DIAPHRAGM),
         levels=np.array(building.levels),
         fixed=fixed,
         springs=springs,
@@ -47,24 +52,6 @@ def space_frame(building: Building) -> SpaceFrame:
     )
     loaded = replace(bare, cases=load_cases(building, bare))
     return replace(loaded, node_mass=node_masses(building, loaded))
-
-
-def _nodes(building: Building) -> tuple[dict[str, int], np.ndarray, np.ndarray]:
-    """Number of each node by name, coordinates, and floor of the diaphragm; floor by floor, middles of beams last."""
-    layout = building.layout
-    stiff = set(building.diaphragms.numbers(1, building.n_storeys))
-    names, places, floors = [], [], []
-    for floor, lines in layout.node_lines.items():
-        for line in lines:
-            names.append(node_name(line, floor))
-            places.append((*building.grid(line), building.levels[floor]))
-            floors.append(floor if floor in stiff else NO_DIAPHRAGM)
-        for beam in sorted(beam for beam in layout.halved_beams if beam.floor == floor):
-            (x0, y0), (x1, y1) = (building.grid(line) for line in beam.lines)
-            names.append(str(beam))
-            places.append((0.5 * (x0 + x1), 0.5 * (y0 + y1), building.levels[floor]))
-            floors.append(floor if floor in stiff else NO_DIAPHRAGM)
-    return {name: i for i, name in enumerate(names)}, np.array(places, float), np.array(floors)
 
 
 def _supports(building: Building, nodes: Mapping[str, int]) -> tuple[np.ndarray, np.ndarray]:
@@ -78,13 +65,17 @@ def _supports(building: Building, nodes: Mapping[str, int]) -> tuple[np.ndarray,
     return fixed, springs
 
 
-def _columns(building: Building, nodes: Mapping[str, int]) -> list[Member]:
+Ends = Mapping[str, tuple[int, int]]
+"""Numbers of the start and end node of each member, by its name."""
+
+
+def _columns(building: Building, ends: Ends) -> list[Member]:
     return [
         Member(
-            name=column_name(line, storey),
+            name=name,
             kind="column",
-            start=nodes[node_name(line, storey - 1)],
-            end=nodes[node_name(line, storey)],
+            start=ends[name][0],
+            end=ends[name][1],
             section=run.section,
             material=run.material,
             group=run.group or "",
@@ -93,6 +84,7 @@ def _columns(building: Building, nodes: Mapping[str, int]) -> list[Member]:
             frame=_frames_of(line),
         )
         for (line, storey), run in building.layout.column_at.items()
+        for name in [column_name(line, storey)]
     ]
 
 
@@ -101,31 +93,23 @@ def _frames_of(line: ColumnLine) -> tuple[str, str]:
     return frame_name("x", line.j), frame_name("y", line.i)
 
 
-def _beams(building: Building, nodes: Mapping[str, int]) -> list[Member]:
+def _beams(building: Building, ends: Ends) -> list[Member]:
     found = []
     for place, run in building.layout.beam_at.items():
-        start, end = (nodes[node_name(line, place.floor)] for line in place.lines)
-        if place not in building.layout.halved_beams:
-            found.append(_beam(place, run, str(place), start, end, run.ends.start, run.ends.end))
-            continue
-        middle = nodes[str(place)]
-        first, second = half_names(place)
-        found.append(_beam(place, run, first, start, middle, run.ends.start, "rigid"))
-        found.append(_beam(place, run, second, middle, end, "rigid", run.ends.end))
+        names = building.layout.beam_members(place)
+        for name in names:
+            at_start = run.ends.start if name == names[0] else "rigid"
+            at_end = run.ends.end if name == names[-1] else "rigid"
+            found.append(_beam(place, run, name, ends[name], at_start, at_end))
     return found
 
 
-def half_names(place: BeamPlace) -> tuple[str, str]:
-    """Return the names of the two members of a beam that braces meet in the middle."""
-    return f"{place}_1", f"{place}_2"
-
-
-def _beam(place: BeamPlace, run: BeamRun, name: str, start: int, end: int, at_start: End, at_end: End) -> Member:
+def _beam(place: BeamPlace, run: BeamRun, name: str, nodes: tuple[int, int], at_start: End, at_end: End) -> Member:
     return Member(
         name=name,
         kind="beam",
-        start=start,
-        end=end,
+        start=nodes[0],
+        end=nodes[1],
         section=run.section,
         material=run.material,
         group=run.group or "",
@@ -144,22 +128,22 @@ def _stiffness(end: End) -> tuple[float, float]:
     return (RIGID, RIGID) if end == "rigid" else (0.0, 0.0)
 
 
-def _braces(building: Building, nodes: Mapping[str, int], coordinates: np.ndarray) -> list[Member]:
-    found = []
-    for place, run in building.layout.brace_at.items():
-        for way, points in ways(place, run).items():
-            start, end = (nodes[_point_name(place, point)] for point in points)
-            found.append(_brace(place, run, way, start, end, coordinates))
-    return found
+def _braces(building: Building, ends: Ends, coordinates: np.ndarray) -> list[Member]:
+    return [
+        _brace(place, run, place.name(way), ends[place.name(way)], coordinates)
+        for place, run in building.layout.brace_at.items()
+        for way in ways(place, run)
+    ]
 
 
-def _brace(place: BracePlace, run: BraceRun, way: str, start: int, end: int, coordinates: np.ndarray) -> Member:
+def _brace(place: BracePlace, run: BraceRun, name: str, nodes: tuple[int, int], coordinates: np.ndarray) -> Member:
+    start, end = nodes
     axis = coordinates[end] - coordinates[start]
     axis = axis / np.linalg.norm(axis)
     level = np.array(X if place.along == "x" else Y)
     web = (axis @ level) * np.array(Z) - axis[2] * level  # in the plane of the frame, at right angles to the brace
     return Member(
-        name=place.name(way),
+        name=name,
         kind="brace",
         start=start,
         end=end,
@@ -175,8 +159,3 @@ def _brace(place: BracePlace, run: BraceRun, way: str, start: int, end: int, coo
         frame=(frame_name(place.along, place.frame),),
         bay=place.bay,
     )
-
-
-def _point_name(place: BracePlace, point: Point) -> str:
-    line, floor = point
-    return node_name(line, floor) if line is not None else str(BeamPlace(*place[:3], floor))

@@ -135,7 +135,7 @@ class Capacity:
             return None
         floors = self.push.sign * self.push.group.variables["floor_displacement"].values
         du = np.array([np.diff(np.interp((first, last), self.push.displacement, u))[0] for u in floors.T])
-        dD, h = np.diff(du, prepend=0.0), np.array(self.project.frame.storey_heights)
+        dD, h = np.diff(du, prepend=0.0), np.array(self.project.grid.storey_heights)
         above = np.cumsum(floor_loads(self.project)[:0:-1])[::-1]
         moved = float(self.basis.forces @ du)
         return float(-np.sum(above * dD**2 / h) / moved / (last - first)) if moved > 0.0 else None
@@ -187,7 +187,7 @@ def capacity(
         CoreError: the frame is a mechanism.
     """
     basis = Basis(project, spec)
-    sign, height = (1.0 if spec.directions[0] == "right" else -1.0), project.frame.height
+    sign, height = (1.0 if spec.directions[0] == "right" else -1.0), project.grid.height
     if spec.roof_drift is not None:
         target = sign * spec.roof_drift * height
         return Capacity(project, spec, basis, push(project, spec, basis.loads, target, progress, stop))
@@ -238,7 +238,7 @@ def _corner(spectrum: Spectrum) -> float:
 
 
 def _fema356(capacity: Capacity, spectrum: Spectrum) -> Target:
-    basis, storeys = capacity.basis, capacity.project.frame.n_storeys
+    basis, storeys = capacity.basis, capacity.project.grid.n_storeys
     period, C_0 = basis.first_mode
     T_S = _corner(spectrum)
     found = fema356.target_displacement(capacity.curve, period, C_0, basis.mass, storeys, spectrum, T_S)
@@ -247,7 +247,7 @@ def _fema356(capacity: Capacity, spectrum: Spectrum) -> Target:
 
 
 def _asce41(capacity: Capacity, spectrum: Spectrum) -> Target:
-    basis, storeys = capacity.basis, capacity.project.frame.n_storeys
+    basis, storeys = capacity.basis, capacity.project.grid.n_storeys
     period, C_0 = basis.first_mode
     if capacity.spec.site_class is not None:
         site: str = capacity.spec.site_class

@@ -138,7 +138,7 @@ def _staying_elastic(project: Project, frame: FrameModel) -> list[str]:
     """Say which members stay elastic although their material yields, and have no hinge or joint that does."""
     staying = [
         name
-        for name, run in project.frame.members.items()
+        for name, run in project.grid.members.items()
         if isinstance(project.sections.get(run.section), ElasticSection)
         and not isinstance(project.materials[run.material], ElasticMaterial)
         and not frame.members[name].yields

@@ -141,7 +141,7 @@ def _period(project: Project, period: float) -> str:
     Its mean interstorey drift sensitivity coefficient theta = P_tot d_r / (V_tot h) (Eq. 4.28, d_r = q d_e) is then
     q d/H. More than 0.3 is not allowed, and stands for a frame that falls rather than sways.
     """
-    height = project.frame.height
+    height = project.grid.height
     left_out = " and ".join(
         ["isolators"] * (project.isolation is not None) + ["dampers"] * without_dampers_in_modes(project)
     )
@@ -220,7 +220,7 @@ def _yielding_braces(project: Project, group: Group) -> list[str]:
     forces, ductility = peak(group, "brace_axial_force"), peak(group, "core_ductility")
     if forces is not None:
         for name, force in zip(map(str, group.coords["brace"].values), forces, strict=True):
-            run = project.frame.members[name]
+            run = project.grid.members[name]
             steel = project.materials[run.material]
             section = cross_section(project, run.section)
             if not isinstance(steel, ElasticMaterial) and not isinstance(section, ElasticSection):

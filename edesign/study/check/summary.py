@@ -203,10 +203,11 @@ def _mass(project: Project) -> dict[str, str]:
     of_node = node_masses(project)
     if not of_node:
         return {}
-    of_floor = dict.fromkeys(range(1, project.frame.n_storeys + 1), 0.0)
+    grid = project.grid
+    of_floor = dict.fromkeys(range(1, grid.n_storeys + 1), 0.0)
     for name, mass in of_node.items():
-        level = project.frame.nodes[name][1]
-        of_floor[min(of_floor, key=lambda floor: abs(project.frame.levels[floor] - level))] += mass
+        level = grid.nodes[name][-1]
+        of_floor[min(of_floor, key=lambda floor: abs(grid.levels[floor] - level))] += mass
     floors = ", ".join(f"{mass / 1e3:.4g}" for mass in of_floor.values())
     base = "" if project.isolation is None else f"; of the base {sum(base_masses(project).values()) / 1e3:.4g} t"
     return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t{base}"}

@@ -106,7 +106,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
     devices = structure.frame.devices
     if not devices:
         raise InputError(f"designs.{name}: no place is left for a damper in these bays and storeys [E-DESIGN-01]")
-    storeys = np.array(spec.storeys.numbers(1, project.frame.n_storeys))
+    storeys = np.array(spec.storeys.numbers(1, project.grid.n_storeys))
     index = {storey: i for i, storey in enumerate(storeys.tolist())}
     computed = storey_stiffness(frame)
     given = spec.storey_stiffness
@@ -115,7 +115,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         frame,
         law,
         storeys,
-        np.array(project.frame.storey_heights),
+        np.array(project.grid.storey_heights),
         computed if given == "computed" else np.array(given),
         computed,
         np.array([index[device.storey] for device in devices]),

@@ -51,7 +51,7 @@ def run_analysis(
         group = _run(project, spec, progress, stop, motion, vertical)
     except AnalysisError as error:
         group = Group(attributes={"status": "failed", "reason": str(error)})
-    group.attributes |= {**labels(spec), "height": project.frame.height}
+    group.attributes |= {**labels(spec), "height": project.grid.height}
     return group
 
 

@@ -292,7 +292,7 @@ def _in_series(project: Project, specimen: Device, flexibility: float, part: Lin
 
 def _yielding(project: Project) -> list[str]:
     """Materials of the frame that can yield."""
-    used = {run.material for run in project.frame.members.values()}
+    used = {run.material for run in project.grid.members.values()}
     names = sorted(name for name in used if not isinstance(project.materials[name], ElasticMaterial))
     return [f"the numerical part is linear: {', '.join(names)} would not yield in it"] if names else []
 

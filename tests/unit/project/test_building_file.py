@@ -22,6 +22,7 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import Building, parse_building
 from edesign.project.building.names import ColumnLine
 from edesign.project.building.places import parse_column_lines, parse_frames
+from edesign.project.notation.names import member_kind, storey_of
 from edesign.space.check import check_building
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
@@ -39,6 +40,21 @@ def test_a_small_building() -> None:
     assert small.design.partial_factors.G == 1.35 and small.design.members.interaction == "annex_b"
     assert small.design_level == "DBE" and small.design.drift.limit == "ductile" and small.design.modes == "auto"
     assert small.checksum == building(SMALL).checksum
+
+
+def test_members_by_name_on_a_grid() -> None:
+    grid = building(SMALL.replace("kind: cross", "kind: chevron").replace("concentric_diagonal", "concentric_v")).grid
+    assert (grid.n_storeys, grid.height, grid.storey_heights) == (2, 7.0, (4.0, 3.0))
+    assert grid.lines == tuple(f"{letter}{number}" for letter in "ABC" for number in (1, 2, 3))
+    assert grid.nodes["B3.1"] == (6.0, 10.0, 4.0) and grid.nodes["BY_A_1_2"] == (0.0, 2.5, 7.0)
+    assert grid.node_name("B3", 1) == "B3.1" and len(grid.nodes) == 27 + 4
+    assert grid.ends["C_B3_2"] == ("B3.1", "B3.2") and grid.ends["BX_2_1_1"] == ("A2.1", "B2.1")
+    assert grid.ends["BY_A_1_2_1"] == ("A1.2", "BY_A_1_2") and grid.ends["BY_A_1_2_2"] == ("BY_A_1_2", "A2.2")
+    assert grid.ends["DY_A_1_2_f"] == ("A2.1", "BY_A_1_2")
+    assert list(grid.members) == list(grid.ends) and "BY_A_1_2" not in grid.members
+    assert grid.members["BY_A_1_2_2"].section == "IPE240" and grid.members["DY_C_1_1_r"].section == "CHS101.6x5"
+    assert {storey_of(name) for name in ("C_B3_2", "BX_2_1_2", "BY_A_1_2_1", "DY_A_1_2_f")} == {2}
+    assert [member_kind(name) for name in ("C_B3_2", "BX_2_1_2", "DY_A_1_2_f")] == ["column", "beam", "brace"]
 
 
 def test_a_building_with_setbacks() -> None:

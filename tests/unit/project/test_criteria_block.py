@@ -35,6 +35,15 @@ def problems_of(text: str) -> list[str]:
     return [f"{p.mark.line}:{p.mark.column} {p}" for p in problems.found]
 
 
+def test_members_of_a_kind_that_does_not_stand() -> None:
+    text = "criteria: [{name: a, measure: beam_plastic_rotation, most: 20 mrad, members: B_1_1}]\n"
+    found, problems = check_model(text, Part, "study file", "criteria:")
+    assert found is not None
+    project = parse_project(FRAME.replace("frame:\n", "frame:\n  missing: {beams: [{floors: all}]}\n", 1))
+    check_criteria((), found.criteria, (), project, (), problems)
+    assert problems.found == []  # the verdict says that it does not apply
+
+
 def test_the_three_kinds_of_criteria() -> None:
     assert problems_of(THESIS) == []
     columns, minor, drift, shear, hinges = part(THESIS).criteria

@@ -1,0 +1,57 @@
+"""What stands where, by name, whether in a plane frame or in a building."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+
+class Run(Protocol):
+    """Section and material of members."""
+
+    @property
+    def section(self) -> str:
+        """Name of the section."""
+
+    @property
+    def material(self) -> str:
+        """Name of the material."""
+
+
+class Grid(Protocol):
+    """Members and nodes by name; `Frame` and `Layout` are such grids."""
+
+    @property
+    def n_storeys(self) -> int:
+        """The number of storeys."""
+
+    @property
+    def storey_heights(self) -> tuple[float, ...]:
+        """Height of each storey, bottom to top, m."""
+
+    @property
+    def levels(self) -> tuple[float, ...]:
+        """Level of each floor from the base (floor 0) to the roof, m."""
+
+    @property
+    def height(self) -> float:
+        """Level of the roof above the base, m."""
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the column lines: A, B, ... of a frame, A1, A2, ... of a building."""
+
+    @property
+    def nodes(self) -> Mapping[str, tuple[float, ...]]:
+        """Coordinates in m of every node that a member needs, by name; the last one is the level."""
+
+    @property
+    def members(self) -> Mapping[str, Run]:
+        """Every member that stands, by name: columns, then beams, then braces; halves of beams are members."""
+
+    @property
+    def ends(self) -> Mapping[str, tuple[str, str]]:
+        """Names of the start and end node of every member, by its name."""
+
+    def node_name(self, line: str, floor: int) -> str:
+        """Return the name of the node on a column line at a floor; floor 0 is the base."""
