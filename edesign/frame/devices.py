@@ -11,6 +11,7 @@ from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.named_section import cross_section
+from edesign.frame.struts import Strut, strut
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
     BraceSection,
@@ -57,15 +58,14 @@ class BraceBar:
     """A brace of a damper that is given by its section.
 
     Attributes:
-        length: m.
+        strut: None: the section has no second moment of area.
         share: its axial force / the force of the damper.
         alternates: one of a pair, of which one is compressed whichever way the damper acts; otherwise a damper that
             shortens compresses it.
     """
 
     section: str
-    material: str
-    length: float
+    strut: Strut | None
     share: float
     alternates: bool
 
@@ -251,7 +251,7 @@ def add_devices(
                 number = model.damper(name, law.law, place.terms, brace, *scales, play, carries=run.carries_gravity)
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
-            of_law = (*scales, brace, play, law.tested_strain, run.strain_limit, _brace_bar(run, place))
+            of_law = (*scales, brace, play, law.tested_strain, run.strain_limit, _brace_bar(project, run, place))
             amplitude = None if run.design_deformation is None else _of_storey(run.design_deformation, place)
             own = (place.storey, place.terms, thickness, size, *of_law, amplitude, own_brace)
             found.append(Device(name, number, run.law, law.law, *own, carries=run.carries_gravity))
@@ -350,11 +350,12 @@ def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:
     return values[place.index] if isinstance(values, tuple) else values
 
 
-def _brace_bar(run: DamperRun | DamperBetween, place: _Place) -> BraceBar | None:
+def _brace_bar(project: Project, run: DamperRun | DamperBetween, place: _Place) -> BraceBar | None:
     if not isinstance(run.brace, BraceSection):
         return None
     share = 1.0 / (place.braces * place.cosine)
-    return BraceBar(run.brace.section, run.brace.material, place.length, share, place.braces > 1)
+    made = strut(project, run.brace.section, run.brace.material, place.length)
+    return BraceBar(run.brace.section, made, share, place.braces > 1)
 
 
 def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, device: int) -> float:

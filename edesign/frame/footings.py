@@ -16,7 +16,7 @@ from edesign.frame.footing_impedance import (
     radiation_damping,
     static_stiffness,
 )
-from edesign.project.frame.foundations import Asce7Strain, Eurocode8Strain, Footing, Soil
+from edesign.project.frame.foundations import Asce7Strain, Eurocode8Strain, Footing, Formula, Soil
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.project.reading.problems import keys_text
@@ -56,6 +56,7 @@ class FootingSprings:
         radiation: damping ratios.
         soil: that it stands on.
         dashpot: N s/m, N s/m, N m s/rad; none acts vertically at a footing that lifts off.
+        formula: of the static stiffness.
         uplift, capacity: whether it lifts off, and the force (N) at which the soil gives way; infinite: it does not.
         mass, inertia: of the block, kg, and kg m2 about the middle of its underside.
     """
@@ -67,6 +68,7 @@ class FootingSprings:
     radiation: tuple[float, float, float]
     soil: SoilUnderLoad
     dashpot: tuple[float, float, float]
+    formula: Formula
     uplift: bool = False
     capacity: float = inf
     mass: float = 0.0
@@ -148,6 +150,7 @@ def footing_springs(footing: Footing, soil: Soil, period: float) -> FootingSprin
         (ratios[0], ratios[1], ratios[2]),
         loaded,
         (dashpots[0], dashpots[1], dashpots[2]),
+        footing.formula,
         footing.uplift,
         inf if footing.bearing_resistance is None else footing.bearing_resistance * area,
         mass,

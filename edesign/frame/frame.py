@@ -6,9 +6,10 @@ from collections.abc import Collection, Mapping, Sequence
 
 from edesign.core import Analysis, Model
 from edesign.frame.devices import Attached, DeviceLaw, add_attachment, add_devices
+from edesign.frame.floors import ACROSS, frame_floors, frame_storeys
 from edesign.frame.footings import FootingSprings, project_footings
 from edesign.frame.frame_members import add_members
-from edesign.frame.frame_model import FrameModel, Member
+from edesign.frame.frame_model import FrameModel, Member, Sinking
 from edesign.frame.isolation import (
     add_base_beams,
     add_isolation,
@@ -17,12 +18,14 @@ from edesign.frame.isolation import (
     isolated_support,
 )
 from edesign.frame.leaning_column import add_leaning_column
-from edesign.frame.loads import MemberLoads, beam_loads, column_loads, node_loads
-from edesign.frame.masses import node_masses, vertical_masses
+from edesign.frame.loads import MemberLoads, beam_loads, column_loads, gravity_load, horizontal_load, node_loads
+from edesign.frame.masses import node_masses, still_beams, vertical_masses
+from edesign.frame.sections.named_section import cross_section
 from edesign.frame.supports import BuiltFooting, Grounds, add_footing, support_springs
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.frame import Frame
+from edesign.project.frame.members import BraceRun
 from edesign.project.frame.supports import springs_of
 from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -112,12 +115,20 @@ def build_frame(
     for item in attachments:
         leading = frame.leading_node(item.floor)
         attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
+    floors = frame_floors(project, nodes)
     return FrameModel(
         frame,
         model,
         gravity,
+        _sinking(project, members),
         nodes,
+        frame.nodes,
         members,
+        floors,
+        frame_storeys(frame, nodes, members),
+        floors[-1].movers[0][0][0][1],
+        (ACROSS,),
+        tuple(still_beams(project)),
         masses,
         supports,
         devices,
@@ -136,6 +147,23 @@ def _first_period(project: Project, footings: Mapping[str, FootingSprings], brac
     """The first period of the unloaded frame on such footings, s; of its dampers it has those of laws in `braces`."""
     built = build_frame(project, laws=braces, footings=footings)
     return float(Analysis(built.model).modes(1, built.brace_stiffness).period[0])
+
+
+def _sinking(project: Project, members: Mapping[str, Member]) -> Sinking:
+    """What shows how far the loads sink."""
+    loads = gravity_load(project) + horizontal_load(project)
+    inside = 0.0
+    for name, on_beam in beam_loads(project, project.loads.gravity).items():
+        member, run = members[name], project.frame.members[name]
+        if member.fibres is not None:
+            continue
+        inertia = cross_section(project, run.section, "strong" if isinstance(run, BraceRun) else run.axis).inertia
+        if inertia is not None:
+            EI = member.steel.E * inertia
+            parts, _ = on_beam.split(member.bending_stretches)
+            lengths = zip(parts, member.bending_stretches.lengths, strict=True)
+            inside += sum(on.squared_moment(length) for on, length in lengths) / (2.0 * EI)
+    return Sinking(loads, inside, 0.5 * sum(project.frame.bay_widths) / project.frame.n_bays)
 
 
 def _add_loads(

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
 
 from edesign.core import Model
 from edesign.frame.frame_model import Member
@@ -11,11 +14,11 @@ from edesign.frame.loads import Stretches
 from edesign.frame.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.frame.rigid_ends import rigid_ends
 from edesign.frame.sections.core_sections import CoreSections
-from edesign.frame.struts import equivalent_camber
-from edesign.project.actions.beam_loads import breaks_of_members
+from edesign.frame.struts import Strut, bar_of_member, equivalent_camber, strut
+from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
 from edesign.project.frame.braces import BraceBuckling
 from edesign.project.frame.materials import ElasticMaterial
-from edesign.project.frame.members import BraceRun
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.notation.names import MemberKind, member_kind
 from edesign.project.project import Project
 
@@ -43,23 +46,24 @@ def add_members(
     at_ends = member_ends(project)
     breaks = breaks_of_members(project.frame, project.loads)
     rigid = rigid_ends(project)
+    struts = cache(partial(strut, project))  # many members are alike
     found = {}
     for name, run in project.frame.members.items():
-        start, end = project.frame.ends[name]
-        kind = member_kind(name)
+        facts = _facts(project, name, run, struts)
+        start, end, kind = facts["start"], facts["end"], facts["kind"]
         if isinstance(run, BraceRun):
             if run.buckling is not None:
-                found[name] = _buckling_brace(project, model, parts, name, run, run.buckling, (start, end), nodes)
+                found[name] = _buckling_brace(project, model, parts, facts, run, run.buckling, nodes)
                 continue
             material, area = parts.brace(run)
             element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
-            found[name] = Member(name, kind, element, start, end, None, (element,))
+            found[name] = Member(**facts, element=element, parts=(element,))
             continue
         first, last = at_ends.get(name, (MemberEnd(), MemberEnd()))
         arms = panels.arm(start, kind), panels.arm(end, kind)
         ends = first.from_edge(arms[0]), last.from_edge(arms[1])
         hinged = any(of.hinge is not None for of in ends)
-        section, layers = parts.section(run, hinged)
+        section, fibres = parts.section(run, hinged)
         EI = parts.bending_stiffness(run)
         between = project.frame.length(name) - sum(arms)
         built = builder.add(
@@ -77,33 +81,52 @@ def add_members(
             model.rigid_ends(built.interior, *rigid[name])
         stretches = Stretches(arms, built.lengths)
         found[name] = Member(
-            name,
-            kind,
-            built.interior,
-            start,
-            end,
-            layers,
-            built.parts,
-            stretches,
-            built.springs,
+            **facts,
+            element=built.interior,
+            fibres=fibres,
+            outer=() if fibres is None else (0, fibres.size - 1),
+            points=points_of_member(project.elements, breaks.get(name, ())),
+            parts=built.parts,
+            stretches=stretches,
+            springs=built.springs,
             rigid_ends=rigid.get(name, (0.0, 0.0)),
         )
     return found, builder.moving_with, panels.built
+
+
+def _facts(
+    project: Project,
+    name: str,
+    run: ColumnRun | BeamRun | BraceRun,
+    struts: Callable[[str, str, float], Strut | None],
+) -> dict[str, Any]:
+    """What the file says of a member."""
+    start, end = project.frame.ends[name]
+    length = project.frame.length(name)
+    return {
+        "name": name,
+        "kind": member_kind(name),
+        "start": start,
+        "end": end,
+        "section": run.section,
+        "material": run.material,
+        "steel": project.materials[run.material],
+        "length": length,
+        "bar": None if isinstance(run, BeamRun) else bar_of_member(name, run, length, struts),
+    }
 
 
 def _buckling_brace(
     project: Project,
     model: Model,
     parts: CoreSections,
-    name: str,
+    facts: dict[str, Any],
     run: BraceRun,
     buckling: BraceBuckling,
-    ends: tuple[str, str],
     nodes: dict[str, int],
 ) -> Member:
-    """Add a brace that buckles."""
-    start, end = ends
-    length = project.frame.length(name)
+    """Add a brace that buckles; `facts` is what the file says of it."""
+    length, steel = facts["length"], facts["steel"]
     camber = buckling.camber
     if camber == "ec3":
         effective = run.buckling_length_factor * length
@@ -112,9 +135,9 @@ def _buckling_brace(
     stiffness = stiffnesses[buckling.ends] if isinstance(buckling.ends, str) else buckling.ends
     section, material, area = parts.buckling_brace(run, buckling)
     element = model.strut(
-        name,
-        nodes[start],
-        nodes[end],
+        facts["name"],
+        nodes[facts["start"]],
+        nodes[facts["end"]],
         section,
         material,
         area,
@@ -125,6 +148,11 @@ def _buckling_brace(
         end_stiffness=stiffness,
         geometry=project.elements.geometry.braces,
     )
-    steel = project.materials[run.material]
     yields = math.inf if isinstance(steel, ElasticMaterial) else steel.fy * length / steel.E
-    return Member(name, "brace", element, start, end, None, (element,), yield_elongation=yields)
+    return Member(
+        **facts,
+        element=element,
+        parts=(element,),
+        yield_elongation=yields,
+        fractures=buckling.fracture is not None,
+    )

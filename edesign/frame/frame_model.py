@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 
@@ -17,10 +16,36 @@ from edesign.frame.isolation import (
 from edesign.frame.leaning_column import LeaningStruts
 from edesign.frame.loads import Stretches
 from edesign.frame.panel_zones import BuiltPanel
+from edesign.frame.struts import Bar
 from edesign.frame.supports import BuiltFooting, Grounds
-from edesign.project.frame.frame import Frame
-from edesign.project.notation import names
+from edesign.project.frame.materials import Material
+from edesign.project.notation.grid import Grid
 from edesign.project.notation.names import MemberKind
+
+Sum = tuple[tuple[float, int, int], ...]
+"""A displacement as a sum: coefficient, node and degree of the core."""
+Terms = tuple[tuple[float, str, int, int], ...]
+"""A sum of what the core records: coefficient, kind, item, and component or degree."""
+
+
+@dataclass(frozen=True)
+class Bending:
+    """A plane in which members bend, by components of what the core records of an element.
+
+    Attributes:
+        shear, moment: of `end_force` at the start and the end.
+        plastic: of `plastic_rotation` at both.
+        chord: of `deformation`: rotations of both ends against the chord.
+    """
+
+    shear: tuple[int, int]
+    moment: tuple[int, int]
+    plastic: tuple[int, int]
+    chord: tuple[int, int]
+
+
+IN_PLANE = (Bending(shear=(1, 4), moment=(2, 5), plastic=(0, 1), chord=(1, 2)),)
+"""How members of a plane frame bend."""
 
 
 @dataclass(frozen=True)
@@ -30,12 +55,21 @@ class Member:
     Attributes:
         element: its id in the core; of a member with hinges the part between them.
         start, end: names of its nodes; a column starts below, beams and braces start at the left.
-        layers: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
+        section, material: their names.
+        steel: the law of the material.
+        length: between its nodes, m.
+        bending: the planes in which it bends.
+        axial: components of `end_force` along it, at its start and end.
+        fibres: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
+        outer: numbers of the fibres that yield first.
+        points: its sections along `element`.
         parts: its elements from the start: most members are one.
         stretches: where these stand on it.
         springs: hinges and joints at its start and at its end.
         yield_elongation: f_y L / E of a brace that buckles, m; infinite: it does not yield; None: it does not buckle.
+        fractures: whether fibres of a brace that buckles can break.
         rigid_ends: lengths at its start and end that do not bend, m.
+        bar: the column or brace as one in compression.
     """
 
     name: str
@@ -43,17 +77,27 @@ class Member:
     element: int
     start: str
     end: str
-    layers: np.ndarray | None = None
+    section: str
+    material: str
+    steel: Material
+    length: float
+    bending: tuple[Bending, ...] = IN_PLANE
+    axial: tuple[int, int] = (0, 3)
+    fibres: np.ndarray | None = None
+    outer: tuple[int, ...] = ()
+    points: int = 0
     parts: tuple[int, ...] = ()
     stretches: Stretches = Stretches((0.0, 0.0), ())
     springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]] = ((), ())
     yield_elongation: float | None = None
+    fractures: bool = False
     rigid_ends: tuple[float, float] = (0.0, 0.0)
+    bar: Bar | None = None
 
     @property
     def yields(self) -> bool:
         """True if the member can yield in bending."""
-        return self.layers is not None or any(spring.yields for end in self.springs for spring in end)
+        return self.fibres is not None or any(spring.yields for end in self.springs for spring in end)
 
     @property
     def bending_stretches(self) -> Stretches:
@@ -72,14 +116,85 @@ class Member:
 
 
 @dataclass(frozen=True)
+class Direction:
+    """A horizontal direction in which floors move.
+
+    Attributes:
+        name: "" of a plane frame, whose results know no direction.
+        degree: of the core.
+    """
+
+    name: str
+    degree: int
+
+
+@dataclass(frozen=True)
+class Floor:
+    """A floor above the base.
+
+    Attributes:
+        level: above the base, m.
+        movers: by direction the displacements that count alike in the mean of the floor, the leading one first; of a
+            plane frame those of the nodes on column lines.
+        nodes: names of all nodes at its level.
+        gravity: loads of the gravity combination on it, N downwards.
+    """
+
+    number: int
+    level: float
+    movers: tuple[tuple[Sum, ...], ...]
+    nodes: tuple[str, ...]
+    gravity: float
+
+
+@dataclass(frozen=True)
+class Storey:
+    """A storey, below the floor of its number.
+
+    Attributes:
+        height: m.
+        drifts: by direction its drift ratio on each column line.
+        shear: by direction the force on the upper ends of its columns and braces.
+    """
+
+    number: int
+    height: float
+    drifts: tuple[tuple[Sum, ...], ...]
+    shear: tuple[Terms, ...]
+
+
+@dataclass(frozen=True)
+class Sinking:
+    """What shows whether loads sank so far that it is meaningless.
+
+    Attributes:
+        loads: sum of the magnitudes of the gravity combination, N.
+        work_inside: work of the loads on elastic beams as if they were simply supported, J, which the energy balance
+            leaves out. It is the same for any moments at the ends of their elements: the integral of M^2 / (2 E I).
+        half_span: half of a mean bay, m.
+    """
+
+    loads: float
+    work_inside: float
+    half_span: float
+
+
+@dataclass(frozen=True)
 class FrameModel:
     """A frame in the core, with the names of its parts.
 
     Attributes:
+        grid: what stands where.
         model: the core's model; loads may be added until an analysis is made of it.
         gravity: the load pattern of the gravity combination.
+        sinking: to see how far its loads sink.
         nodes: ids by name, floor by floor from the left.
+        places: coordinates of the nodes, m; the last one is the level.
         members: by name, columns, then beams, then braces.
+        floors, storeys: from the lowest.
+        control: node of the roof whose displacement pushes control.
+        directions: in which floors and storeys move.
+        still: names of the loaded beams that vertical ground motion does not bend.
         masses: kg that resist horizontal motion, by node.
         supports: restrained degrees of freedom (ux, uy, rz) of each supported node, by name.
         devices: its dampers.
@@ -94,11 +209,18 @@ class FrameModel:
             the node.
     """
 
-    frame: Frame
+    grid: Grid
     model: Model
     gravity: int
+    sinking: Sinking
     nodes: dict[str, int]
+    places: Mapping[str, tuple[float, ...]]
     members: dict[str, Member]
+    floors: tuple[Floor, ...]
+    storeys: tuple[Storey, ...]
+    control: int
+    directions: tuple[Direction, ...]
+    still: tuple[str, ...]
     masses: dict[str, float]
     supports: dict[str, tuple[bool, bool, bool]]
     devices: tuple[Device, ...] = ()
@@ -129,7 +251,14 @@ class FrameModel:
         found[list(braces)] = list(braces.values())
         return found
 
-    def reaction(self, support: str, degree: int) -> tuple[tuple[float, str, int, int], ...]:
+    @property
+    def bars(self) -> list[Bar]:
+        """Columns and braces, and braces of dampers that are given by their section, in compression."""
+        found = [member.bar for member in self.members.values() if member.bar is not None]
+        braces = ((device.name, device.brace_bar) for device in self.devices)
+        return found + [Bar(name, "brace of a damper", of.section, of.strut) for name, of in braces if of is not None]
+
+    def reaction(self, support: str, degree: int) -> Terms:
         """Return the reaction at a degree of a supported node, as terms of the core.
 
         A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base, and what
@@ -152,25 +281,3 @@ class FrameModel:
     def of_kind(self, kind: MemberKind) -> list[Member]:
         """Return the members of a kind in the order of `members`."""
         return [member for member in self.members.values() if member.kind == kind]
-
-    def floor_nodes(self, floor: int) -> list[str]:
-        """Return the names of the nodes at a floor on column lines, from the left.
-
-        Args:
-            floor: from 0 at the ground.
-        """
-        return [name for line in self.frame.lines if (name := names.node_name(line, floor)) in self.nodes]
-
-    def level_nodes(self, floor: int) -> list[str]:
-        """Return the names of all nodes at a floor, those in the middle of beams too.
-
-        Args:
-            floor: from 0 at the ground.
-        """
-        level = self.frame.levels[floor]
-        return [name for name in self.nodes if self.frame.nodes[name][1] == level]
-
-    @cached_property
-    def leading_nodes(self) -> list[str]:
-        """First node from the left of each floor from 1, which stands for the floor."""
-        return [self.frame.leading_node(floor) for floor in range(1, self.frame.n_storeys + 1)]

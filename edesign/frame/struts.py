@@ -7,8 +7,9 @@ the frame only. Both axes count here, with the buckling length between nodes (of
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from edesign.codes.ec3.buckling import (
     IMPERFECTION,
@@ -28,12 +29,9 @@ from edesign.frame.sections.section import CrossSection
 from edesign.frame.sections.steel_section import SteelSection, steel_section
 from edesign.project.frame.braces import CAMBER
 from edesign.project.frame.materials import ElasticMaterial, Material
-from edesign.project.frame.members import BraceRun
+from edesign.project.frame.members import BraceRun, ColumnRun
 from edesign.project.frame.sections import PlateSection, RectangleSection, SectionAxis
 from edesign.project.project import Project
-
-if TYPE_CHECKING:
-    from edesign.frame.frame_model import FrameModel
 
 AxisData = tuple[float, Curve]  # second moment of area, m4, and buckling curve
 
@@ -137,23 +135,21 @@ def equivalent_camber(project: Project, section: str, material: str, axis: Secti
     return max(camber / length, SMALLEST_CAMBER)
 
 
-def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
-    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section."""
-    found = []
-    for member in (*frame.of_kind("column"), *frame.of_kind("brace")):
-        run = project.frame.members[member.name]
-        length = project.frame.length(member.name) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
-        kind: Kind = "brace" if member.kind == "brace" else "column"
-        if isinstance(run, BraceRun) and (run.buckling is not None or not run.compression):
-            found.append(Bar(member.name, kind, run.section, None, compression=False))
-            continue
-        found.append(Bar(member.name, kind, run.section, strut(project, run.section, run.material, length)))
-    for device in frame.devices:
-        bar = device.brace_bar
-        if bar is not None:
-            made = strut(project, bar.section, bar.material, bar.length)
-            found.append(Bar(device.name, "brace of a damper", bar.section, made))
-    return found
+def bar_of_member(
+    name: str, run: ColumnRun | BraceRun, length: float, struts: Callable[[str, str, float], Strut | None]
+) -> Bar:
+    """Return a column or brace as a bar.
+
+    Args:
+        length: between its nodes, m.
+        struts: `strut` of the project.
+    """
+    if not isinstance(run, BraceRun):
+        return Bar(name, "column", run.section, struts(run.section, run.material, length))
+    if run.buckling is not None or not run.compression:
+        return Bar(name, "brace", run.section, None, compression=False)
+    factor = run.buckling_length_factor
+    return Bar(name, "brace", run.section, struts(run.section, run.material, length * factor))
 
 
 def _section(project: Project, name: str, steel: Material) -> tuple[float, list[AxisData]]:

@@ -40,7 +40,7 @@ def structure(attachment: str, storeys: int) -> Structure:
 
 def run(made: Structure, ground: np.ndarray, dt: float) -> np.ndarray:
     """Displacements (n, floors + 1) of the floors and the tuned mass."""
-    nodes = [made.frame.nodes[name] for name in made.frame.leading_nodes] + list(made.frame.attached.values())
+    nodes = [floor.movers[0][0][0][1] for floor in made.frame.floors] + list(made.frame.attached.values())
     channels = [Channel(str(node), ((1.0, "displacement", node, 0),)) for node in nodes]
     response = made.analysis.history(ground, dt, Newmark(), channels)
     assert response.status == "completed", response.reason

@@ -257,7 +257,7 @@ def explicit(project: Project, made: HystereticDesigner, sizing: HystereticSizin
     devices = structure.frame.devices
     rows = structure.analysis.damper_directions().toarray()[[device.number for device in devices]]
     roof = np.zeros(mass.size)
-    nodes = [structure.frame.nodes[n] for n in structure.frame.floor_nodes(project.frame.n_storeys)]
+    nodes = [node for ((_, node, _),) in structure.frame.floors[-1].movers[0]]
     roof[[structure.analysis.equations[node, 0] for node in nodes]] = 1.0 / len(nodes)
     forces, energies = np.empty(len(devices)), np.empty(len(devices))
     for i, (device, u) in enumerate(zip(devices, sizing.vibration.deformation, strict=True)):

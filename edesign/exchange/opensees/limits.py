@@ -70,16 +70,15 @@ def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
 def differences(project: Project, frame: FrameModel, dampers: Dampers) -> list[str]:
     """Return sentences on what OpenSees does in another way."""
     found = []
-    runs = {name: project.frame.members[name] for name in frame.members}
-    laws = {run.material: project.materials[run.material] for run in runs.values()}
-    bending = {runs[name].material for name, member in frame.members.items() if member.layers is not None}
+    laws = {member.material: member.steel for member in frame.members.values()}
+    bending = {member.material for member in frame.members.values() if member.fibres is not None}
     soft = [name for name in laws if name in bending and _is_soft(laws[name])]
     if soft:
         why = "OpenSees loses the state of a section all of whose fibres yield"
         found.append(f"{', '.join(soft)} without hardening: {why}; compare with 0.01 % in a copy of the project")
     if any(isinstance(law, MenegottoPintoMaterial) for law in laws.values()):
         found.append("Steel02 forgets the curve that a small unloading has left; edesign reloads on to it")
-    if project.frame.braces and project.elements.geometry.braces == "p_delta":
+    if frame.of_kind("brace") and project.elements.geometry.braces == "p_delta":
         found.append("braces with P-Delta are corotational, which differs by the square of the drift")
     if rigid_ends(project):
         found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by some 1e-5")

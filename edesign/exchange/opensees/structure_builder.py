@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from math import hypot
 
 import numpy as np
@@ -38,14 +38,11 @@ class StructureBuilder:
     Args:
         frame: built in `model`.
         model: with its calls.
-        moduli: E of the materials of the project, by name, Pa.
         structure: that is filled.
     """
 
-    def __init__(
-        self, frame: FrameModel, model: RecordedModel, moduli: Mapping[str, float], structure: Structure
-    ) -> None:
-        self._frame, self._model, self._moduli, self._to = frame, model, moduli, structure
+    def __init__(self, frame: FrameModel, model: RecordedModel, structure: Structure) -> None:
+        self._frame, self._model, self._to = frame, model, structure
         self._laws: dict[int, Steel] = {}
         self._elastic: dict[int, tuple[float, float]] = {}
         self._fibred: set[int] = set()
@@ -106,8 +103,7 @@ class StructureBuilder:
     def _section_name(self, section: int) -> str:
         for member in self._frame.members.values():
             if self._model.element_sections[member.element] == section:
-                run = self._frame.frame.members[member.name]
-                return f"{run.section}, {run.material}"
+                return f"{member.section}, {member.material}"
         return "section"
 
     def _geometry(self, name: str) -> int:
@@ -157,7 +153,7 @@ class StructureBuilder:
     def _modulus(self, element: int) -> float:
         """E of an elastic member; 1 Pa where only its stiffnesses are known."""
         name = self._member_of.get(element)
-        return 1.0 if name is None else self._moduli[self._frame.frame.members[name].material]
+        return 1.0 if name is None else self._frame.members[name].steel.E
 
     def _rule(self, call: Call, arms: tuple[float, float], length: float) -> int:
         middle = length - sum(arms)
@@ -226,8 +222,8 @@ class StructureBuilder:
         kind = "truss" if call["geometry"] == "linear" else "corotTruss"
         pair = (to.nodes[call["i"]], to.nodes[call["j"]])
         words = (kind, call.result + 1, *pair, call["area"], call["material"] + 1, "-doRayleigh", 1)
-        run = self._frame.frame.members.get(call["name"])
-        comment = call["name"] if run is None else f"{call['name']}: {run.section}, {run.material}"
+        of = self._frame.members.get(call["name"])
+        comment = call["name"] if of is None else f"{call['name']}: {of.section}, {of.material}"
         to.damp(call.result + 1)
         to.elements.append(command("element", *words, comment=comment))
 

@@ -93,8 +93,7 @@ def opensees_script(
     materials = 1 + sum(call.name == "material" for call in model.calls)
     tags = Tags(len(model.node_names) + 1, len(model.element_names) + 1, materials)
     structure = Structure(frame, JoinedDegrees(model.calls), tags)
-    moduli = {name: material.E for name, material in project.materials.items()}
-    builder = StructureBuilder(frame, plain, moduli, structure)
+    builder = StructureBuilder(frame, plain, structure)
     try:
         builder.build(base)
         largest = _largest_stiffness(builder, structure)
@@ -225,12 +224,11 @@ def _outputs(frame: FrameModel, structure: Structure) -> dict[str, Value | dict[
         )
         for name, restrained in frame.supports.items()
     }
-    floors = range(1, frame.frame.n_storeys + 1)
     return {
         "NODES": {name: structure.nodes[node] for name, node in frame.nodes.items()},
-        "FLOORS": tuple(tuple(structure.nodes[frame.nodes[name]] for name in frame.floor_nodes(f)) for f in floors),
-        "STOREY_HEIGHTS": tuple(frame.frame.storey_heights),
-        "CONTROL": structure.nodes[frame.nodes[frame.leading_nodes[-1]]],
+        "FLOORS": tuple(tuple(structure.nodes[node] for ((_, node, _),) in floor.movers[0]) for floor in frame.floors),
+        "STOREY_HEIGHTS": tuple(storey.height for storey in frame.storeys),
+        "CONTROL": structure.nodes[frame.control],
         "REACTIONS": reactions,
     }
 

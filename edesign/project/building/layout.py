@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, Direction, column_name, node_name
-from edesign.project.building.places import panels_in
+from edesign.project.building.places import panels_in, parse_column_lines
 from edesign.project.frame.spacing import Storeys
 
 if TYPE_CHECKING:
@@ -157,6 +157,11 @@ class Layout(Storeys):
             for way, ((low, below), (high, above)) in ways(place, run).items():
                 found[place.name(way)] = _point_name(place, low, below), _point_name(place, high, above)
         return found
+
+    def line_place(self, line: str) -> tuple[float, float]:
+        """Return the place of a column line in plan by its name, m."""
+        (found,) = self._building.lines_of(parse_column_lines(line))
+        return self._building.place(found)
 
     def node_name(self, line: str, floor: int) -> str:
         """Return the name of the node on a line at a floor, whether it exists or not; floor 0 is the base."""

@@ -266,6 +266,10 @@ class Frame(Storeys, Model):
         found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
         return found
 
+    def line_place(self, line: str) -> tuple[float]:
+        """Return the place of a line as a tuple of its x alone, m."""
+        return (self.x[names.line_index(line)],)
+
     def node_name(self, line: str, floor: int) -> str:
         """Return the name of the node on a line at a floor, whether it exists or not; floor 0 is the base."""
         return names.node_name(line, floor)

@@ -41,6 +41,9 @@ class Grid(Protocol):
     def lines(self) -> tuple[str, ...]:
         """Names of the column lines: A, B, ... of a frame, A1, A2, ... of a building."""
 
+    def line_place(self, line: str) -> tuple[float, ...]:
+        """Return the place of a column line in plan, m: x of a frame, x and y of a building."""
+
     @property
     def nodes(self) -> Mapping[str, tuple[float, ...]]:
         """Coordinates in m of every node that a member needs, by name; the last one is the level."""

@@ -9,8 +9,7 @@ from edesign.archive.dataset import Group
 from edesign.codes.ec3.buckling import NO_BUCKLING
 from edesign.frame.devices import Device
 from edesign.frame.frame_model import FrameModel
-from edesign.frame.struts import Bar, Kind, Strut, frame_bars
-from edesign.project.project import Project
+from edesign.frame.struts import Bar, Kind, Strut
 from edesign.study.results.warnings import AnalysisWarning
 from edesign.study.results.warnings import Kind as WarningKind
 
@@ -28,14 +27,14 @@ _WHY: Mapping[Kind, tuple[WarningKind, str]] = {
 _ROUNDING = 1e-9  # relative, of a compression that equals the resistance
 
 
-def slender_braces(project: Project, frame: FrameModel) -> list[str]:
+def slender_braces(frame: FrameModel) -> list[str]:
     """Return one sentence for each section of braces that buckle before they yield, or that cannot be judged.
 
     Args:
         frame: its model; with dampers their braces count too.
     """
     lines = []
-    braces = (bar for bar in frame_bars(project, frame) if bar.kind != "column" and bar.compression)
+    braces = (bar for bar in frame.bars if bar.kind != "column" and bar.compression)
     for (kind, section), bars in _alike(braces).items():
         known = {bar.name: bar.strut for bar in bars if bar.strut is not None}
         if not known:
@@ -50,7 +49,7 @@ def slender_braces(project: Project, frame: FrameModel) -> list[str]:
     return lines
 
 
-def buckling_warnings(group: Group, project: Project, frame: FrameModel) -> list[AnalysisWarning]:
+def buckling_warnings(group: Group, frame: FrameModel) -> list[AnalysisWarning]:
     """Return a warning for each section of the members whose compression is beyond N_b,Rd in an analysis.
 
     Adds `column_buckling_resistance` and `brace_buckling_resistance` (N) to the group; nan where it is not known.
@@ -58,7 +57,7 @@ def buckling_warnings(group: Group, project: Project, frame: FrameModel) -> list
     Args:
         group: has the extremes of the axial forces, and of the forces of dampers.
     """
-    bars = frame_bars(project, frame)
+    bars = frame.bars
     compression: dict[tuple[Kind, str], float] = {}
     for kind in ("column", "brace"):
         lowest = group.variables.get(f"{kind}_axial_force_min")

@@ -16,7 +16,6 @@ from edesign.codes.fema356 import target_displacement as fema356
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.errors import AnalysisError, InputError
-from edesign.frame.loads import floor_loads
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
@@ -81,8 +80,8 @@ class Basis:
                     stiffness = np.zeros(len(structure.frame.model.damper_names))
                 stiffness[device.number] = device_stiffness(device, small_amplitude(device), 1.0).real  # at any speed
         modes = structure.modes(1, stiffness)
-        node = structure.frame.nodes[structure.frame.leading_nodes[-1]]
-        return float(modes.period[0]), float(modes.participation_x[0] * modes.shapes[0, node, 0])
+        moved = modes.shapes[0, structure.frame.control, 0]
+        return float(modes.period[0]), float(modes.participation_x[0] * moved)
 
 
 @dataclass(frozen=True)
@@ -136,7 +135,7 @@ class Capacity:
         floors = self.push.sign * self.push.group.variables["floor_displacement"].values
         du = np.array([np.diff(np.interp((first, last), self.push.displacement, u))[0] for u in floors.T])
         dD, h = np.diff(du, prepend=0.0), np.array(self.project.grid.storey_heights)
-        above = np.cumsum(floor_loads(self.project)[:0:-1])[::-1]
+        above = np.cumsum([floor.gravity for floor in self.push.frame.floors[::-1]])[::-1]
         moved = float(self.basis.forces @ du)
         return float(-np.sum(above * dD**2 / h) / moved / (last - first)) if moved > 0.0 else None
 

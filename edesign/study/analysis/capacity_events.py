@@ -14,6 +14,7 @@ from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.core import Response
 from edesign.frame.frame_model import FrameModel, Member
 from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.notation.names import MemberKind
 from edesign.project.project import Project
 from edesign.study.analysis.collapse import collapse_reason
 from edesign.study.results.members import plastic_rotation
@@ -24,7 +25,7 @@ MOST_STEPS = 10_000
 """Beyond it yielding is not followed: of each step six numbers of each member end are kept while the push runs, which
 for a frame of 90 members is 86 MB."""
 
-KINDS = ("beam", "column")
+KINDS: tuple[MemberKind, ...] = ("beam", "column")
 
 
 @dataclass(frozen=True)
@@ -64,7 +65,7 @@ class EventChannels:
         self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
         follows = steps <= MOST_STEPS
         self._yielding = [found for kind in KINDS if follows and (found := _yielding(project, frame, kind))]
-        self._braces = _Braces(project, frame) if follows and frame.of_kind("brace") else None
+        self._braces = _Braces(frame) if follows and frame.of_kind("brace") else None
         self._panels = list(frame.panels) if follows else []
         terms: list[Terms] = [
             ((built.panel.stiffness / built.panel.yield_moment, "deformation", built.element, 0),)
@@ -151,26 +152,24 @@ def _hinge_yield(member: Member, end: int) -> Terms:
     return tuple((1e6 * s.stiffness / s.M_y, "plastic_rotation", s.element, 0) for s in springs)
 
 
-def _yielding(project: Project, frame: FrameModel, kind: str) -> _Yielding | None:
-    members, strains, rotations = [], [], []
-    runs = project.frame.members
+def _yielding(project: Project, frame: FrameModel, kind: MemberKind) -> _Yielding | None:
+    members: list[Member] = []
+    strains: list[Terms] = []
+    rotations: list[Terms] = []
     last = project.elements.integration_points - 1
-    for member in frame.members.values():
-        material = project.materials[runs[member.name].material] if member.kind == kind else None
-        fibres = material is not None and not isinstance(material, ElasticMaterial) and member.layers is not None
-        if material is None or not (fibres or any(spring.yields for end in member.springs for spring in end)):
+    for member in frame.of_kind(kind):
+        steel = member.steel
+        fibres = None if isinstance(steel, ElasticMaterial) else member.fibres
+        if fibres is None and not any(spring.yields for end in member.springs for spring in end):
             continue
         members.append(member)
         for end, point in enumerate((0, last)):
-            if fibres:
-                assert member.layers is not None and not isinstance(material, ElasticMaterial)
-                factor, count = material.E / material.fy, member.layers.size
-                for layer in (0, count - 1):
-                    cell: Terms = ((factor, "fibre_strain", member.element, point * count + layer),)
-                    strains.append(cell)
+            if fibres is not None and not isinstance(steel, ElasticMaterial):
+                first, factor = point * len(fibres), steel.E / steel.fy
+                strains += [((factor, "fibre_strain", member.element, first + layer),) for layer in member.outer]
             else:
                 strains += [_hinge_yield(member, end), ()]
-            rotations.append(plastic_rotation(member, end))
+            rotations += [plastic_rotation(member, end, bending) for bending in member.bending]
     if not members:
         return None
     shape = (len(members), 2)
@@ -194,14 +193,13 @@ class _Braces:
         frame: its model, with braces.
     """
 
-    def __init__(self, project: Project, frame: FrameModel) -> None:
-        braces, runs = frame.of_kind("brace"), project.frame.members
+    def __init__(self, frame: FrameModel) -> None:
+        braces = frame.of_kind("brace")
         self._names = [brace.name for brace in braces]
         self._buckles = np.array([brace.yield_elongation is not None for brace in braces])
-        steels = [project.materials[runs[name].material] for name in self._names]
         yields = [
-            np.inf if isinstance(steel, ElasticMaterial) else steel.fy / steel.E * project.frame.length(name)
-            for name, steel in zip(self._names, steels, strict=True)
+            np.inf if isinstance(brace.steel, ElasticMaterial) else brace.steel.fy / brace.steel.E * brace.length
+            for brace in braces
         ]
         self._yields = np.array(yields)
         self.forces = _followed("brace_force", [((1.0, "axial_force", brace.element, 0),) for brace in braces])

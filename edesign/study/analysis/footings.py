@@ -14,7 +14,6 @@ from edesign.errors import AnalysisError
 from edesign.frame.footings import DIRECTIONS
 from edesign.frame.frame import build_frame
 from edesign.frame.frame_model import FrameModel
-from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import Structure, make_structure
@@ -31,8 +30,7 @@ def store_footings(group: Group, frame: FrameModel) -> None:
         return
     coordinate(group, "footing", list(frame.footings), "", "name of the node that stands on the footing")
     springs = [built.springs for built in frame.footings.values()]
-    given = {names.node_name(line, 0): footing for line, footing in frame.frame.footings.items()}
-    formulas = np.asarray([given[node].formula for node in frame.footings])
+    formulas = np.asarray([of.formula for of in springs])
     group.add("footing_formula", ("footing",), formulas, "", "formula of the static stiffness")
     for name, values, unit, label in (
         ("period", [of.period for of in springs], "s", "period at which stiffness and damping are taken"),
@@ -113,7 +111,7 @@ def interaction(project: Project, structure: Structure, modes: Modes, gravity: b
         fixed.apply_gravity()
     on_fixed = fixed.modes(1)
     frame = structure.frame
-    of_nodes = [(mass, frame.nodes[name], frame.frame.nodes[name][1]) for name, mass in frame.masses.items()]
+    of_nodes = [(mass, frame.nodes[name], frame.places[name][1]) for name, mass in frame.masses.items()]
     moved = [(mass * on_fixed.shapes[0, node, 0], level) for mass, node, level in of_nodes]
     height = sum(share * level for share, level in moved) / sum(share for share, _ in moved)
     mass = float(on_fixed.participation_x[0]) ** 2
@@ -126,7 +124,7 @@ def interaction(project: Project, structure: Structure, modes: Modes, gravity: b
 
 def _closed_forms(frame: FrameModel, of: Interaction) -> tuple[float, float]:
     """Period ratio and foundation damping of one mass on the footings, which a rigid base connects."""
-    places = np.array([frame.frame.nodes[name][0] for name in frame.footings])
+    places = np.array([frame.places[name][0] for name in frame.footings])
     k = np.array([built.springs.stiffness for built in frame.footings.values()])
     c = np.array([built.springs.dashpot for built in frame.footings.values()])
     turned = np.array([frame.grounds[name][2] is not None for name in frame.footings])  # not by a pinned base

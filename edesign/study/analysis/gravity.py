@@ -7,10 +7,7 @@ from dataclasses import replace
 from edesign.archive.dataset import Group
 from edesign.core import Response
 from edesign.frame.frame_model import FrameModel
-from edesign.frame.loads import beam_loads, gravity_load, horizontal_load
-from edesign.frame.sections.named_section import cross_section
 from edesign.project.analysis.analyses import GravityAnalysis
-from edesign.project.frame.members import BraceRun
 from edesign.project.project import Project
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.structure import make_structure
@@ -55,7 +52,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         *isolator_axial_forces(frame, keep=("final",)),
         *leaning_column_forces(frame),
         *plastic_rotations(frame),
-        *brace_quantities(project, frame, group),
+        *brace_quantities(frame, group),
         *spring_quantities(frame, group),
         *_node_displacements(frame),
         *_reactions(frame),
@@ -70,7 +67,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         response, energy_warnings = replace(response, status="failed", reason=reason), None
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
-    warnings = buckling_warnings(group, project, frame)
+    warnings = buckling_warnings(group, frame)
     store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings, *fracture_warnings(group)])
     store_run(group, response)
     return group
@@ -82,35 +79,17 @@ def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
     The work of loads W that grow in proportion, on a frame that stays elastic, is W d/2 with the mean d of their
     displacements, wherever they stand on the members. That is seen over half a bay, as the slope of a beam that sags.
     """
-    loads, largest = gravity_load(project) + horizontal_load(project), project.largest_drift
-    if loads <= 0.0 or largest is None or not response.energy["input"].size:
+    of, largest = frame.sinking, project.largest_drift
+    if of.loads <= 0.0 or largest is None or not response.energy["input"].size:
         return ""
-    work = float(response.energy["input"][-1]) + _work_inside(project, frame)
-    sunk = 2.0 * work / loads
-    half = 0.5 * sum(project.frame.bay_widths) / project.frame.n_bays
-    if sunk <= largest * half:
+    sunk = 2.0 * (float(response.energy["input"][-1]) + of.work_inside) / of.loads
+    share = 100.0 * sunk / of.half_span
+    if sunk <= largest * of.half_span:
         return ""
     return (
-        f"the loads sank by {sunk:.3g} m on average, {100.0 * sunk / half:.3g} % of half a bay; the geometry of the "
-        f"model holds up to {100.0 * largest:.3g} % (`validity.drift`) [E-GRAV-02]"
+        f"the loads sank by {sunk:.3g} m on average, {share:.3g} % of half a bay; the geometry of the model holds up "
+        f"to {100.0 * largest:.3g} % (`validity.drift`) [E-GRAV-02]"
     )
-
-
-def _work_inside(project: Project, frame: FrameModel) -> float:
-    """Work of the loads on elastic beams as if they were simply supported, J, which the energy balance leaves out.
-
-    It is the same for any moments at the ends of their elements: the integral of M^2 / (2 E I).
-    """
-    total = 0.0
-    for name, loads in beam_loads(project, project.loads.gravity).items():
-        run, member = project.frame.members[name], frame.members[name]
-        inertia = cross_section(project, run.section, "strong" if isinstance(run, BraceRun) else run.axis).inertia
-        if member.layers is None and inertia is not None:
-            EI = project.materials[run.material].E * inertia
-            parts, _ = loads.split(member.bending_stretches)
-            lengths = zip(parts, member.bending_stretches.lengths, strict=True)
-            total += sum(on.squared_moment(length) for on, length in lengths) / (2.0 * EI)
-    return total
 
 
 def _node_displacements(frame: FrameModel) -> list[Quantity]:

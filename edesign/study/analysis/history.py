@@ -81,7 +81,7 @@ def run_history(
     )
     group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
-    both.store(group, project)
+    both.store(group, project.outputs.every, structure.frame.still)
     late.store(group)
     if response.status == "completed":
         store_warnings(group, isolator_warnings(project, group, structure.frame))

@@ -92,7 +92,7 @@ class HistoryResults:
             *axial_forces(frame),
             *leaning_column_forces(frame),
             *plastic_rotations(frame, "motion" in self._wanted),
-            *brace_quantities(project, frame, self._group),
+            *brace_quantities(frame, self._group),
             *spring_quantities(frame, self._group),
             *footing_quantities(frame, self._group),
             *damper_quantities(frame, "dampers" in self._wanted),
@@ -142,12 +142,12 @@ class HistoryResults:
         if self._moving:
             store_motion(group, self._moving, response)
         store_drift_extremes(group, frame, self._drifts, response)
-        warnings = buckling_warnings(group, self._project, frame)
+        warnings = buckling_warnings(group, frame)
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
             warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
         warnings += core_strain_warnings(group, frame.devices)
-        warnings += fracture_warnings(group) + hinge_warnings(group, self._project, frame)
+        warnings += fracture_warnings(group) + hinge_warnings(group, frame)
         warnings += self._couples.warnings(response)
         store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings])
         _store_energy(group, response, self.energies)

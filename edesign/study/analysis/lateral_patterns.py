@@ -40,7 +40,7 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
     if pattern == "uniform":
         weights = dict(frame.masses)
     elif pattern == "triangular":
-        weights = {name: mass * frame.frame.nodes[name][1] for name, mass in frame.masses.items()}
+        weights = {name: mass * frame.places[name][-1] for name, mass in frame.masses.items()}
     elif isinstance(pattern, GivenPattern) and pattern.mode is None:
         floors = (
             pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1, dampers)
@@ -71,8 +71,7 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     Returns:
         The sums, (f,), from the lowest floor.
     """
-    floors = range(1, frame.frame.n_storeys + 1)
-    return np.array([sum(values.get(name, 0.0) for name in frame.level_nodes(floor)) for floor in floors])
+    return np.array([sum(values.get(name, 0.0) for name in floor.nodes) for floor in frame.floors])
 
 
 def _shapes(project: Project, count: int, dampers: bool) -> np.ndarray:
@@ -101,11 +100,11 @@ def _spread(frame: FrameModel, floors: tuple[float, ...] | np.ndarray, name: str
     """Forces of floors over their nodes, in proportion to the masses."""
     masses = floor_masses(frame)
     found: dict[str, float] = {}
-    for floor, (force, mass) in enumerate(zip(floors, masses, strict=True), start=1):
+    for floor, force, mass in zip(frame.floors, floors, masses, strict=True):
         if force and not mass:
             raise AnalysisError(
-                f"pattern {name}: floor {floor} has a share of the lateral loads, and no mass [E-PUSH-02]"
+                f"pattern {name}: floor {floor.number} has a share of the lateral loads, and no mass [E-PUSH-02]"
             )
-        there = [node for node in frame.level_nodes(floor) if node in frame.masses]
+        there = [node for node in floor.nodes if node in frame.masses]
         found |= {node: float(force * frame.masses[node] / mass) for node in there}
     return found

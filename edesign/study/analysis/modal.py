@@ -84,13 +84,12 @@ def _store_modes(group: Group, structure: Structure, modes: Modes) -> None:
         modes: as the core returns them.
     """
     frame = structure.frame
-    storeys = range(1, frame.frame.n_storeys + 1)
-    nodes = [[frame.nodes[name] for name in frame.floor_nodes(floor)] for floor in storeys]
+    nodes = [[node for ((_, node, _),) in floor.movers[0]] for floor in frame.floors]
     floors = np.array([modes.shapes[:, there, 0].mean(axis=1) for there in nodes]).T
     scale = _scale(floors, modes.shapes)
     shapes = modes.shapes / scale[:, None, None]
     coordinate(group, "mode", np.arange(1, modes.omega.size + 1), "1", "number of the mode")
-    coordinate(group, "floor", list(storeys), "1", "floor, the highest is the roof")
+    coordinate(group, "floor", [floor.number for floor in frame.floors], "1", "floor, the highest is the roof")
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     group.add("period", ("mode",), modes.period, "s", "natural period")
     group.add("frequency", ("mode",), 1.0 / modes.period, "Hz", "natural frequency")

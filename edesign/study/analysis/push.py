@@ -115,7 +115,7 @@ def push(
         *axial_forces(frame),
         *leaning_column_forces(frame),
         *plastic_rotations(frame),
-        *brace_quantities(project, frame, group),
+        *brace_quantities(frame, group),
         *spring_quantities(frame, group),
         *damper_quantities(frame, history=False),
         *(support_reactions(frame, group) if "supports" in project.outputs.histories else []),
@@ -126,7 +126,7 @@ def push(
     events = EventChannels(project, frame, spec.steps)
     response = structure.analysis.pushover(
         lateral,
-        frame.nodes[frame.leading_nodes[-1]],
+        frame.control,
         "ux",
         target,
         spec.steps,
@@ -139,9 +139,9 @@ def push(
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
-    warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
+    warnings: list[AnalysisWarning] = buckling_warnings(group, frame)
     warnings += core_strain_warnings(group, frame.devices) + couples.warnings(response)
-    warnings += hinge_warnings(group, project, frame)
+    warnings += hinge_warnings(group, frame)
     store_warnings(group, [] if energy_warnings is None else [*energy_warnings, *warnings, *fracture_warnings(group)])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
@@ -149,7 +149,7 @@ def push(
     group.add("lateral_load_share", ("loaded_node",), list(loads.values()), "1", label)
     roof = group.variables["floor_displacement"].values[:, -1]
     group.add("roof_displacement", ("step",), roof, "m", "horizontal displacement of the roof, mean over its nodes")
-    group.add("roof_drift", ("step",), roof / frame.frame.height, "1", "roof displacement / height of the frame")
+    group.add("roof_drift", ("step",), roof / frame.floors[-1].level, "1", "roof displacement / height of the frame")
     sign = 1.0 if spec.directions[0] == "right" else -1.0
     moved = sign * (response.time - response.time[0])
     label = "displacement of the control node since gravity, positive in the direction of the push"

@@ -10,7 +10,6 @@ from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.delayed import delayed_by
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
-from edesign.project.notation import names
 from edesign.study.motions.applied import GroundMotion
 from edesign.study.results.recording import coordinate
 from edesign.study.results.warnings import AnalysisWarning, store_warnings
@@ -35,9 +34,9 @@ class DelayedSupports:
         self._moved: dict[str, np.ndarray] = {}
         if spec.wave_passage is None:
             return
-        grid = frame.frame
-        delays = spec.wave_passage.delays_of(dict(zip(grid.lines, grid.x, strict=True)))
-        at_base = {names.node_name(line, 0): delay for line, delay in delays.items()}
+        grid = frame.grid
+        delays = spec.wave_passage.delays_of({line: grid.line_place(line)[0] for line in grid.lines})
+        at_base = {grid.node_name(line, 0): delay for line, delay in delays.items()}
         self._delays = {support: at_base[support] for support in frame.supports}
         for support, delay in self._delays.items():
             self._moved[support] = np.zeros(1)

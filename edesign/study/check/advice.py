@@ -6,7 +6,6 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel
-from edesign.frame.masses import still_beams
 from edesign.ground_motion.hazard import objective_level
 from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record import Record
@@ -63,7 +62,7 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
 
 def _still_warnings(projects: Iterable[Project]) -> list[str]:
     """Say which beams miss the vertical motion of their histories."""
-    beams = list(dict.fromkeys(name for project in projects for name in still_beams(project)))
+    beams = list(dict.fromkeys(name for project in projects for name in make_frame(project).still))
     if not beams:
         return []
     return [
@@ -114,7 +113,7 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
         period = None  # the analyses will say why
     frame = make_frame(project, dampers=True)
     found = implausible(project, period if project.isolation is None else _fixed_base_period(project))
-    found += slender_braces(project, frame) + _damping_warnings(project, laws) + tuned_mass_advice(project)
+    found += slender_braces(frame) + _damping_warnings(project, laws) + tuned_mass_advice(project)
     found += _staying_elastic(project, frame)
     given = project.integration.time_step if project.integration is not None else None
     if given is not None:

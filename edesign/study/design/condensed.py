@@ -163,13 +163,13 @@ def condense(structure: Structure) -> CondensedFrame:
         raise AnalysisError("the frame has no masses [E-MODAL-02]")
     n = mass.size
     across = analysis.equations[:, 0]
-    floor_rows = np.zeros((frame.frame.n_storeys, n))
+    floor_rows = np.zeros((len(frame.floors), n))
     floor_at = np.full(n, -1)
-    for floor in range(1, frame.frame.n_storeys + 1):
-        equations = [e for name in frame.floor_nodes(floor) if (e := across[frame.nodes[name]]) >= 0]
+    for row, floor in enumerate(frame.floors):
+        equations = [e for ((_, node, _),) in floor.movers[0] if (e := across[node]) >= 0]
         for equation in equations:
-            floor_rows[floor - 1, equation] += 1.0 / len(equations)
-            floor_at[equation] = floor - 1
+            floor_rows[row, equation] += 1.0 / len(equations)
+            floor_at[equation] = row
     influence = np.zeros(n)
     influence[across[across >= 0]] = 1.0
     directions = analysis.damper_directions().toarray()[[device.number for device in frame.devices]]

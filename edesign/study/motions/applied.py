@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
-from edesign.frame.masses import STILL_BEAMS, still_beams
+from edesign.frame.masses import STILL_BEAMS
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
@@ -36,22 +37,23 @@ class GroundMotion:
         """Vertical accelerations, (n,) m/s2; None without vertical motion."""
         return None if self.vertical is None else self.vertical.acceleration
 
-    def store(self, group: Group, project: Project) -> None:
+    def store(self, group: Group, every: int, still: Sequence[str]) -> None:
         """Add the vertical motion, and the beams that it does not bend, to the group of a history.
 
         Args:
             group: of the history, with its times.
+            every: one step in so many is kept over time.
         """
         if self.vertical is None:
             return
-        kept = self.vertical.acceleration[:: project.outputs.every][: group.coords["time"].values.size]
+        kept = self.vertical.acceleration[::every][: group.coords["time"].values.size]
         label = "vertical ground acceleration as applied, upwards"
         group.add("ground_acceleration_vertical", ("time",), kept, "m/s^2", label)
         group.attributes |= {
             "vertical_motion": self.vertical.source,
             "vertical_scale_factor": self.factor,
             "vertical_pga_m_s2": self.vertical.pga,
-            STILL_BEAMS: still_beams(project),
+            STILL_BEAMS: list(still),
         }
 
 

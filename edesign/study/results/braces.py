@@ -8,7 +8,6 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel, Member
-from edesign.project.project import Project
 from edesign.study.results.recording import Quantity, Terms, coordinate
 from edesign.study.results.warnings import AnalysisWarning
 
@@ -21,7 +20,7 @@ def buckling_braces(frame: FrameModel) -> list[Member]:
     return [member for member in frame.of_kind("brace") if member.yield_elongation is not None]
 
 
-def brace_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+def brace_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
     """Return the extremes of the braces that buckle, and add their coordinate to the group; none without such braces.
 
     Args:
@@ -48,7 +47,7 @@ def brace_quantities(project: Project, frame: FrameModel, group: Group) -> list[
         ),
         _of_braces("brace_deflection", braces, "deflection", "m", "distance of the middle of the brace from its chord"),
     ]
-    if any(run.buckling is not None and run.buckling.fracture is not None for run in project.frame.braces):
+    if any(brace.fractures for brace in braces):
         label = "damage of the fibre of the brace with most, 1: it has broken"
         found.append(_of_braces("brace_damage", braces, "damage", "1", label))
         label = "share of the area that has broken, of the section of the brace of which most has"

@@ -15,7 +15,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     Args:
         group: of an analysis.
     """
-    storeys = np.arange(1, frame.frame.n_storeys + 1)
+    storeys = [storey.number for storey in frame.storeys]
     coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
     coordinate(group, "storey", storeys, "1", "storey below the floor of the same number")
     if frame.devices:
@@ -48,8 +48,10 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     if any(map(any, rigid)):
         label = "length of the rigid end; forces and rotations of the end are those where it begins to bend"
         group.add("rigid_end", ("member", "end"), rigid, "m", label)
-    group.add("floor_level", ("floor",), frame.frame.levels[1:], "m", "level of the floor above the base")
-    group.add("storey_height", ("storey",), frame.frame.storey_heights, "m", "height of the storey")
+    group.add(
+        "floor_level", ("floor",), [floor.level for floor in frame.floors], "m", "level of the floor above the base"
+    )
+    group.add("storey_height", ("storey",), [storey.height for storey in frame.storeys], "m", "height of the storey")
 
 
 RESTRAINED = (

@@ -12,7 +12,6 @@ from edesign.frame.devices import UX, UY, Device
 from edesign.frame.frame_model import FrameModel
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.notation.names import line_name
 from edesign.project.project import Project
 from edesign.study.results.dampers import storey_damper_forces
 from edesign.study.results.recording import Quantity, Terms
@@ -56,17 +55,17 @@ class LackingCouples:
     """
 
     def __init__(self, frame: FrameModel) -> None:
-        on: dict[int, Terms] = {}
+        on: dict[float, Terms] = {}
         for device, arm, (left, right) in _lacking(frame):
-            for line, way in ((left, 1.0), (right, -1.0)):
-                width = frame.frame.x[right] - frame.frame.x[left]
-                on[line] = (*on.get(line, ()), (way * arm / width, "damper_force", device.number, 0))
-        self._lines = list(on)
+            for at, way in ((left, 1.0), (right, -1.0)):
+                on[at] = (*on.get(at, ()), (way * arm / (right - left), "damper_force", device.number, 0))
+        lines = {frame.grid.line_place(line): line for line in frame.grid.lines}
+        self._lines = [lines[at,] for at in on]
         couples = couple_terms(frame)
         total: Terms = tuple(
-            (height * c, kind, item, at)
+            (storey.height * c, kind, item, at)
             for shear in (storey_shears(frame, history=False), storey_damper_forces(frame, history=False))
-            for height, terms in zip(frame.frame.storey_heights, shear.cells, strict=True)
+            for storey, terms in zip(frame.storeys, shear.cells, strict=True)
             for c, kind, item, at in terms
         )
         self._couple = Quantity("lacking_couple", (), (), (couples,), "N*m", "")
@@ -92,22 +91,22 @@ class LackingCouples:
         worst = int(forces.argmax())
         text = (
             f"{couple / 1e3:.4g} of {total / 1e3:.4g} kNm of overturning are in no column, at line "
-            f"{line_name(self._lines[worst])} {forces[worst] / 1e3:.4g} kN; {NO_COUPLE}"
+            f"{self._lines[worst]} {forces[worst] / 1e3:.4g} kN; {NO_COUPLE}"
         )
         return [AnalysisWarning("damper_couple", text, share / NEGLECTED)]
 
 
-def _lacking(frame: FrameModel) -> Iterator[tuple[Device, float, tuple[int, int]]]:
-    """Dampers that lack a couple, its moment over their force in m, and the outer column lines of their bay, from 0.
+def _lacking(frame: FrameModel) -> Iterator[tuple[Device, float, tuple[float, float]]]:
+    """Dampers that lack a couple, its moment over their force in m, and x of the outer column lines of their bay.
 
     Along a line between nodes, and at the apex of a chevron, forces balance; those on isolators go to the ground.
     """
-    places = {node: frame.frame.nodes[name] for name, node in frame.nodes.items()}
+    places = {node: frame.places[name] for name, node in frame.nodes.items()}
     for device in frame.devices:
         if device.column_base:
             continue
         arm = sum(c * places[node][1] for c, node, degree in device.terms if degree == UX)
         arm -= sum(c * places[node][0] for c, node, degree in device.terms if degree == UY)
-        if abs(arm) > _ROUNDING * frame.frame.height:
+        if abs(arm) > _ROUNDING * frame.floors[-1].level:
             ends = [places[node][0] for _, node, _ in device.terms]
-            yield device, arm, (frame.frame.x.index(min(ends)), frame.frame.x.index(max(ends)))
+            yield device, arm, (min(ends), max(ends))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.frame.frame_model import FrameModel
 from edesign.project.notation.names import tuned_mass_floor
-from edesign.study.results.recording import Quantity, Terms
+from edesign.study.results.recording import Quantity, Terms, recorded
 
 
 def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
@@ -44,10 +44,10 @@ def storey_damper_forces(frame: FrameModel, history: bool) -> Quantity:
     Args:
         history: whether values over time are kept.
     """
-    storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
+    storeys: list[Terms] = [() for _ in frame.storeys]
     for device in frame.devices:
         if device.storey:
-            top = {frame.nodes[name] for name in frame.level_nodes(device.storey)}
+            top = {frame.nodes[name] for name in frame.floors[device.storey - 1].nodes}
             across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
             storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
@@ -58,9 +58,8 @@ def tuned_mass_displacements(frame: FrameModel, history: bool) -> list[Quantity]
     """Displacement of each tuned mass relative to its floor, the stroke that it needs; nothing without any."""
     if not frame.attached:
         return []
-    floors = {name: frame.nodes[frame.frame.leading_node(tuned_mass_floor(name))] for name in frame.attached}
     cells = tuple(
-        ((1.0, "displacement", mass, 0), (-1.0, "displacement", floors[name], 0))
+        ((1.0, "displacement", mass, 0), *recorded(frame.floors[tuned_mass_floor(name) - 1].movers[0][0], factor=-1.0))
         for name, mass in frame.attached.items()
     )
     label = "horizontal displacement of the tuned mass relative to its floor"

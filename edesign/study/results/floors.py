@@ -7,7 +7,7 @@ floor are means over its nodes (with a diaphragm all are the same).
 from __future__ import annotations
 
 from edesign.frame.frame_model import FrameModel
-from edesign.study.results.recording import Quantity, Terms
+from edesign.study.results.recording import Quantity, Terms, directed, recorded
 
 
 def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
@@ -18,7 +18,7 @@ def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
     """
     cells = _floor_means(frame, "displacement")
     name = "horizontal displacement of the floor relative to the ground, mean over its nodes"
-    return Quantity("floor_displacement", ("floor",), (len(cells),), cells, "m", name, history)
+    return Quantity("floor_displacement", *directed(frame, "floor"), cells, "m", name, history)
 
 
 def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
@@ -29,7 +29,15 @@ def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
     """
     cells = _floor_means(frame, "total_acceleration")
     name = "total horizontal acceleration of the floor, mean over its nodes"
-    return Quantity("floor_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, history, ("max", "min"))
+    return Quantity(
+        "floor_acceleration",
+        *directed(frame, "floor"),
+        cells,
+        "m/s^2",
+        name,
+        history,
+        ("max", "min"),
+    )
 
 
 def floor_relative_accelerations(frame: FrameModel) -> Quantity:
@@ -37,7 +45,7 @@ def floor_relative_accelerations(frame: FrameModel) -> Quantity:
     cells = _floor_means(frame, "acceleration")
     name = "horizontal acceleration of the floor relative to the ground, mean over its nodes"
     keep = ("max", "min")
-    return Quantity("floor_relative_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, keep=keep)
+    return Quantity("floor_relative_acceleration", *directed(frame, "floor"), cells, "m/s^2", name, keep=keep)
 
 
 def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:
@@ -71,5 +79,8 @@ def _of_base(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
 
 def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
     """For each floor the mean over its nodes of a horizontal quantity."""
-    floors = [frame.floor_nodes(floor) for floor in range(1, frame.frame.n_storeys + 1)]
-    return tuple(tuple((1.0 / len(there), kind, frame.nodes[name], 0) for name in there) for there in floors)
+    return tuple(
+        tuple(term for mover in movers for term in recorded(mover, kind, 1.0 / len(movers)))
+        for floor in frame.floors
+        for movers in floor.movers
+    )

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from edesign.frame.frame_model import FrameModel, Member
+from edesign.frame.frame_model import Bending, FrameModel, Member
 from edesign.study.results.recording import Quantity, Terms
 
-END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the end
-    ("axial_force", "N", 0, "force on the member's end along its axis, from start to end"),
-    ("shear_force", "N", 1, "force on the member's end across its axis, to the left of it"),
-    ("bending_moment", "N*m", 2, "moment on the member's end, anticlockwise"),
+_END_FORCES = (
+    ("axial_force", "N", "axial", "force on the member's end along its axis, from start to end"),
+    ("shear_force", "N", "shear", "force on the member's end across its axis, to the left of it"),
+    ("bending_moment", "N*m", "moment", "moment on the member's end, anticlockwise"),
 )
 
 
@@ -25,14 +25,24 @@ def member_forces(members: list[Member], dim: str, history: bool) -> list[Quanti
             f"member_{name}",
             (dim, "end"),
             (len(members), 2),
-            tuple(((1.0, "end_force", m.at_end(end), at + 3 * end),) for m in members for end in (0, 1)),
+            tuple(
+                ((1.0, "end_force", m.at_end(end), of[end]),)
+                for m in members
+                for end in (0, 1)
+                for of in _ends(m, which)
+            ),
             unit,
             label,
             history,
             () if history else ("max", "min"),
         )
-        for name, unit, at, label in END_COMPONENTS
+        for name, unit, which, label in _END_FORCES
     ]
+
+
+def _ends(member: Member, which: str) -> list[tuple[int, int]]:
+    """Components of an end force at both ends, of shear and moment in each plane of bending."""
+    return [member.axial] if which == "axial" else [getattr(bending, which) for bending in member.bending]
 
 
 def axial_forces(frame: FrameModel) -> list[Quantity]:
@@ -84,7 +94,7 @@ def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity
     found = []
     for kind in ("column", "beam"):
         members = frame.of_kind(kind)
-        cells = tuple(plastic_rotation(member, end) for member in members for end in (0, 1))
+        cells = tuple(plastic_rotation(m, end, bending) for m in members for end in (0, 1) for bending in m.bending)
         if members:
             name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
             shape = (len(members), 2)
@@ -92,11 +102,14 @@ def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity
     return found
 
 
-def plastic_rotation(member: Member, end: int) -> Terms:
+def plastic_rotation(member: Member, end: int, bending: Bending) -> Terms:
     """Return the plastic rotation of a member's end as a sum of those of its fibres, hinges and joints.
 
     Args:
         end: 0 for its start, 1 for its end.
+        bending: one of the planes in which it bends.
     """
-    fibres: Terms = ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
-    return fibres + tuple((1.0, "plastic_rotation", s.element, 0) for s in member.springs[end] if s.yields)
+    springs: Terms = tuple((1.0, "plastic_rotation", s.element, 0) for s in member.springs[end] if s.yields)
+    if member.fibres is None:
+        return springs
+    return ((1.0, "plastic_rotation", member.element, bending.plastic[end]), *springs)

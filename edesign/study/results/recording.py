@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.core import Channel, Response
-
-Terms = tuple[tuple[float, str, int, int], ...]
+from edesign.frame.frame_model import FrameModel, Sum, Terms
 
 SINGLE = np.float32
 """Type of what is kept over time: its rounding, 6e-8, is finer than the tolerance to which equilibrium is solved, 1e-7
@@ -84,6 +84,22 @@ class Quantity:
 
     def _key(self, i: int) -> str:
         return f"{self.name}({', '.join(self.dims)})[{i}]"  # one name may be recorded over two dimensions
+
+
+def recorded(displacement: Sum, kind: str = "displacement", factor: float = 1.0) -> Terms:
+    """Return a displacement, or its velocity or acceleration, as a sum of what the core records.
+
+    Args:
+        kind: what is recorded of each degree.
+    """
+    return tuple((factor * c, kind, node, degree) for c, node, degree in displacement)
+
+
+def directed(frame: FrameModel, dimension: Literal["floor", "storey"]) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """Return dimensions and shape of a quantity of floors or storeys in each direction in which these move."""
+    if not frame.directions[0].name:
+        return (dimension,), (len(frame.floors),)
+    return (dimension, "direction"), (len(frame.floors), len(frame.directions))
 
 
 def channels(quantities: Iterable[Quantity]) -> list[Channel]:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
-from edesign.frame.frame_model import FrameModel, Member
-from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
+from edesign.frame.frame_model import Bending, FrameModel, Member
 from edesign.project.analysis.outputs import FibreOutput
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
@@ -30,7 +29,7 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
         coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
         found += member_forces(members, "recorded_member", history=True)
         found += recorded_braces(members, group)
-        found += _rotations(frame, [member if member.kind != "brace" else None for member in members])
+        found += _rotations(frame, members)
     if outputs.sections:
         found += _sections(project, frame, group)
     if outputs.fibres:
@@ -38,14 +37,15 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
     return found
 
 
-def _rotations(frame: FrameModel, members: list[Member | None]) -> list[Quantity]:
-    """Rotations of the ends of members, anticlockwise as the moments on them; None stands for a brace, which has none.
+def _rotations(frame: FrameModel, members: list[Member]) -> list[Quantity]:
+    """Rotations of the ends of members, anticlockwise as the moments on them; braces have none.
 
     The plastic part is there if at least one of the members can yield.
     """
     shape, dims = (len(members), 2), ("recorded_member", "end")
-    chord = tuple(_chord_rotation(frame, member, end) if member else () for member in members for end in (0, 1))
-    plastic = tuple(plastic_rotation(member, end) if member else () for member in members for end in (0, 1))
+    ends = [(member, end, bending) for member in members for end in (0, 1) for bending in member.bending]
+    chord = tuple(() if of[0].kind == "brace" else _chord_rotation(frame, *of) for of in ends)
+    plastic = tuple(() if of[0].kind == "brace" else plastic_rotation(*of) for of in ends)
     parts = (
         ("chord", chord, "chord rotation: rotation of the node against the line between the member's ends"),
         ("plastic", plastic, "plastic rotation of the member's end: chord rotation less its elastic part"),
@@ -57,13 +57,13 @@ def _rotations(frame: FrameModel, members: list[Member | None]) -> list[Quantity
     ]
 
 
-def _chord_rotation(frame: FrameModel, member: Member, end: int) -> Terms:
+def _chord_rotation(frame: FrameModel, member: Member, end: int, bending: Bending) -> Terms:
     """Rotation of the node at a member's end against its chord; with hinges inside the member, of small rotations."""
-    inside: Terms = ((1.0, "deformation", member.element, 1 + end),)
+    inside: Terms = ((1.0, "deformation", member.element, bending.chord[end]),)
     if len(member.parts) == 1:
         return inside + tuple((1.0, "deformation", spring.element, 0) for spring in member.springs[end])
     nodes = [frame.nodes[member.start], frame.nodes[member.end]]
-    (x0, y0), (x1, y1) = (frame.frame.nodes[name] for name in (member.start, member.end))
+    (x0, y0), (x1, y1) = (frame.places[name] for name in (member.start, member.end))
     length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
     across = (-(y1 - y0) / length**2, (x1 - x0) / length**2)
     turned = tuple(
@@ -77,10 +77,9 @@ def _chord_rotation(frame: FrameModel, member: Member, end: int) -> Terms:
 
 def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
     places = {}  # by label, so that what is asked for twice is kept once
-    breaks = breaks_of_members(project.frame, project.loads)
     for i, asked in enumerate(project.outputs.sections):
         member = _fibre_member(project, frame, asked.member, ("outputs", "sections", i))
-        for point in asked.points.numbers(1, points_of_member(project.elements, breaks.get(member.name, ()))):
+        for point in asked.points.numbers(1, member.points):
             places[f"{member.name}:{point}"] = (member, point)
     coordinate(group, "section", list(places), "", "section as member:point, from its start")
     quantities = (
@@ -106,16 +105,15 @@ def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantit
 
 def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
     places = {}  # by label, so that what is asked for twice is kept once
-    breaks = breaks_of_members(project.frame, project.loads)
     for i, asked in enumerate(project.outputs.fibres):
         keys = ("outputs", "fibres", i)
         member = _fibre_member(project, frame, asked.member, keys)
-        assert member.layers is not None
-        layers = _layers(project, asked, member.layers.size, keys)
-        for point in asked.points.numbers(1, points_of_member(project.elements, breaks.get(member.name, ()))):
+        assert member.fibres is not None
+        layers = _layers(project, asked, member.fibres.size, keys)
+        for point in asked.points.numbers(1, member.points):
             for layer in layers:
-                place = (member.element, (point - 1) * member.layers.size + layer - 1)
-                places[f"{member.name}:{point}:{layer}"] = (*place, member.layers[layer - 1])
+                place = (member.element, (point - 1) * member.fibres.size + layer - 1)
+                places[f"{member.name}:{point}:{layer}"] = (*place, member.fibres[layer - 1])
     coordinate(group, "fibre", list(places), "", "layer of fibres as member:point:layer, layers from the bottom")
     depths = [depth for _, _, depth in places.values()]
     group.add("fibre_depth", ("fibre",), depths, "m", "height of the layer above the section's centroid")
@@ -154,7 +152,7 @@ def _member(project: Project, frame: FrameModel, name: str, keys: tuple[str | in
 
 def _fibre_member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
     member = _member(project, frame, name, keys)
-    if member.layers is None:
+    if member.fibres is None:
         raise InputError(
             f"{project.where(*keys)}: `{name}` stays elastic, so it has no sections and fibres to record [E-HIST-04]"
         )

@@ -8,8 +8,6 @@ from edesign.archive.dataset import Group
 from edesign.codes.ec3.joints import classified
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.hinges import END_NAMES, EndSpring, SpringKind
-from edesign.frame.struts import frame_bars
-from edesign.project.project import Project
 from edesign.project.reading.words import counted
 from edesign.study.results.recording import Quantity, Terms, coordinate
 from edesign.study.results.warnings import AnalysisWarning
@@ -71,14 +69,14 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
     return found + _panels(frame, group) + _supports(frame, group)
 
 
-def hinge_warnings(group: Group, project: Project, frame: FrameModel) -> list[AnalysisWarning]:
+def hinge_warnings(group: Group, frame: FrameModel) -> list[AnalysisWarning]:
     """Return the warning about columns with hinges whose axial force would lower their moments.
 
     Args:
         group: results of a history or a pushover.
     """
     hinged = {name.partition(":")[0] for name in _end_springs(frame, "hinge")}
-    squash = {b.name: b.strut.squash for b in frame_bars(project, frame) if b.strut is not None and b.name in hinged}
+    squash = {b.name: b.strut.squash for b in frame.bars if b.strut is not None and b.name in hinged}
     if not squash or "column_axial_force_max" not in group.variables:
         return []
     most, least = (np.asarray(group.variables[f"column_axial_force_{which}"].values) for which in ("max", "min"))

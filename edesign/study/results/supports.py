@@ -52,7 +52,7 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
         )
         for name, at, unit, label in parts
     ]
-    places = {node: frame.frame.nodes[node] for node in supports}
+    places = {node: frame.places[node] for node in supports}
     middle = 0.5 * (min(x for x, _ in places.values()) + max(x for x, _ in places.values()))
     terms: Terms = couple_terms(frame)
     for node, fixed in supports.items():

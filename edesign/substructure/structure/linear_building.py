@@ -88,7 +88,7 @@ class LinearBuilding:
         group = Group(attributes={"fundamental_period_s": self.period})
         if self.frame is not None:
             coordinates(group, self.frame)
-            group.attributes["height"] = self.frame.frame.height
+            group.attributes["height"] = self.frame.floors[-1].level
         else:
             count = floors.shape[1]
             coordinate(group, "floor", np.arange(1, count + 1), "1", "floor, the highest is the roof")

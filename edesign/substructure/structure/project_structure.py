@@ -315,10 +315,10 @@ def _equation_names(structure: Structure) -> list[str]:
     """Name of each equation: that of the floor that it moves as a whole, or of its first node with the degree."""
     analysis, frame = structure.analysis, structure.frame
     names = [""] * analysis.n_equations
-    for floor in range(1, frame.frame.n_storeys + 1):
-        across = {int(analysis.equations[frame.nodes[name], 0]) for name in frame.floor_nodes(floor)}
+    for floor in frame.floors:
+        across = {int(analysis.equations[node, degree]) for ((_, node, degree),) in floor.movers[0]}
         if len(across) == 1 and min(across) >= 0:
-            names[min(across)] = f"floor {floor}"
+            names[min(across)] = f"floor {floor.number}"
     for node, equations in zip(frame.model.node_names, analysis.equations, strict=True):
         for degree, equation in zip(DEGREES, equations, strict=True):
             if equation >= 0 and not names[equation]:

@@ -22,8 +22,15 @@ def test_nodes_and_members_of_the_grid() -> None:
     assert call[:3] == ("C_B_2", frame.nodes["B1"], frame.nodes["B2"])
     assert call[-1] == {"points": 5, "geometry": "p_delta", "release": (False, False), "breaks": ()}
     assert model.get("element")[beam.element][-1]["geometry"] == "linear"
-    assert column.layers is not None and column.layers.size == 24
-    assert frame.leading_nodes == ["A1", "A2"]
+    assert column.fibres is not None and column.fibres.size == 24
+    assert column.outer == (0, 23) and column.points == 5 and column.length == 3.0
+    assert (column.section, column.material, beam.bar) == ("HEB260", "S275", None)
+    assert [(floor.number, floor.level) for floor in frame.floors] == [(1, 4.0), (2, 7.0)]
+    assert frame.floors[1].movers[0] == tuple(((1.0, frame.nodes[name], 0),) for name in ("A2", "B2", "C2"))
+    assert frame.floors[0].nodes == ("A1", "B1", "C1") and frame.control == frame.nodes["A2"]
+    upper, lower = frame.nodes["B2"], frame.nodes["B1"]
+    assert frame.storeys[1].drifts[0][1] == ((1.0 / 3.0, upper, 0), (-1.0 / 3.0, lower, 0))
+    assert [at for _, kind, at, _ in frame.storeys[1].shear[0]] == [m.element for m in frame.of_kind("column")[3:]]
 
 
 def test_each_section_and_material_is_made_once() -> None:
@@ -62,7 +69,7 @@ def test_missing_members_take_their_nodes_and_supports_along() -> None:
     assert list(frame.nodes) == ["A0", "B0", "A1", "B1", "C1", "B2"]
     assert list(frame.members) == ["C_A_1", "C_B_1", "C_B_2", "B_1_1", "B_2_1"]
     assert list(frame.supports) == ["A0", "B0"]
-    assert frame.leading_nodes == ["A1", "B2"]
+    assert frame.control == frame.nodes["B2"] and len(frame.storeys[1].drifts[0]) == 1
     assert len(model.get("fix")) == 2
 
 
@@ -91,7 +98,7 @@ def test_beams_about_the_weak_axis() -> None:
     frame, model = built(("section: IPE360, material: S275", "section: IPE360, material: S275, axis: weak"))
     y, area, *_ = model.get("fibre_section")[1]
     assert float(area @ y**2) == pytest.approx(1043e-8, rel=0.01)
-    layers = frame.members["B_1_1"].layers
+    layers = frame.members["B_1_1"].fibres
     assert layers is not None and layers.max() < 0.085
 
 
@@ -118,7 +125,7 @@ def test_elastic_members_get_exact_stiffness() -> None:
     assert (ea, ei) == pytest.approx((210e9 * 0.1, 210e9 * 1e-3), rel=1e-14)
     assert girder_ea == pytest.approx(70e9 * (2 * 0.18 * 0.014 + 0.372 * 0.009), rel=1e-12)
     assert girder_ei == pytest.approx(70e9 * (0.18 * 0.4**3 - 0.171 * 0.372**3) / 12, rel=1e-12)
-    assert all(member.layers is None for member in frame.members.values())
+    assert all(member.fibres is None for member in frame.members.values())
 
 
 def test_gravity_loads_of_the_combination() -> None:

@@ -47,7 +47,7 @@ def test_members_by_name_on_a_grid() -> None:
     assert (grid.n_storeys, grid.height, grid.storey_heights) == (2, 7.0, (4.0, 3.0))
     assert grid.lines == tuple(f"{letter}{number}" for letter in "ABC" for number in (1, 2, 3))
     assert grid.nodes["B3.1"] == (6.0, 10.0, 4.0) and grid.nodes["BY_A_1_2"] == (0.0, 2.5, 7.0)
-    assert grid.node_name("B3", 1) == "B3.1" and len(grid.nodes) == 27 + 4
+    assert grid.line_place("B3") == (6.0, 10.0) and grid.node_name("B3", 1) == "B3.1" and len(grid.nodes) == 27 + 4
     assert grid.ends["C_B3_2"] == ("B3.1", "B3.2") and grid.ends["BX_2_1_1"] == ("A2.1", "B2.1")
     assert grid.ends["BY_A_1_2_1"] == ("A1.2", "BY_A_1_2") and grid.ends["BY_A_1_2_2"] == ("BY_A_1_2", "A2.2")
     assert grid.ends["DY_A_1_2_f"] == ("A2.1", "BY_A_1_2")

@@ -19,7 +19,6 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.named_section import cross_section
 from edesign.frame.sections.section import CrossSection
 from edesign.frame.sections.steel_section import steel_section
-from edesign.frame.struts import frame_bars
 from edesign.project import Project, parse_project
 from edesign.project.analysis.analyses import GravityAnalysis, PushoverAnalysis
 from edesign.project.building import Building
@@ -128,7 +127,7 @@ def test_extracted_braces_buckle_about_their_weak_axis(section: str) -> None:
     """A diagonal of 6 m by 4 m in storey 1: lambda = L / (93.9 epsilon i) with E = 210 GPa, curve a of hot tubes."""
     whole = two_frames(("section: SHS120x6", f"section: {section}"), braces="kind: cross, compression: true")
     project = extracted(whole)
-    bar = next(bar for bar in frame_bars(project, make_frame(project)) if bar.name == "D_1_1_r")
+    bar = next(bar for bar in make_frame(project).bars if bar.name == "D_1_1_r")
     assert bar.strut is not None and bar.section == section
     shape, length = steel_section(section), np.hypot(6.0, 4.0)
     slenderness = length / shape.i_z / (93.9 * np.sqrt(235.0 / 355.0))
@@ -142,9 +141,9 @@ def test_diagonals_that_do_not_count_in_compression() -> None:
     project = extracted(two_frames(braces="kind: cross"))
     assert not project.frame.brace_at[1, 1, "r"].compression
     frame = make_frame(project)
-    assert all(bar.strut is None for bar in frame_bars(project, frame) if bar.kind == "brace")
+    assert all(bar.strut is None for bar in frame.bars if bar.kind == "brace")
     counts = extracted(two_frames(braces="kind: cross, compression: true"))
-    assert all(bar.strut is not None for bar in frame_bars(counts, make_frame(counts)))
+    assert all(bar.strut is not None for bar in make_frame(counts).bars)
 
 
 @pytest.mark.parametrize("section", ["SHS200x10", "RHS300x200x10", "CHS168.3x8", "SHS40x4", "CFSHS100x8"])

@@ -12,7 +12,6 @@ from unit.study.frames import project
 from edesign.archive.dataset import Group
 from edesign.cli.main import main
 from edesign.frame.project_file import load_project
-from edesign.frame.struts import frame_bars
 from edesign.project import ProjectError
 from edesign.study.analysis.buckling import slender_braces
 from edesign.study.analysis.structure import make_frame
@@ -43,10 +42,10 @@ EULER = np.pi**2 * 210e9 * 615.6e-8 / (6.0**2 + 4.0**2)  # N, HEA160 about its w
 def test_slender_braces_are_reported_before_the_run() -> None:
     """N_b,Rd lies below Euler's 245 kN, and far below the 1377 kN at which the brace yields in the analysis."""
     made = project(BRACED)
-    (line,) = slender_braces(made, make_frame(made))
+    (line,) = slender_braces(make_frame(made))
     assert "braces of section `HEA160` do not buckle in the analysis" in line and "buckling length 7.21 m" in line
     assert EULER == pytest.approx(245e3, rel=2e-3)
-    braces = [bar for bar in frame_bars(made, make_frame(made)) if bar.kind == "brace"]
+    braces = [bar for bar in make_frame(made).bars if bar.kind == "brace"]
     assert len(braces) == 6
     lowest = min(bar.strut.resistance for bar in braces if bar.strut is not None)
     assert 0.75 * EULER < lowest < EULER
@@ -54,7 +53,7 @@ def test_slender_braces_are_reported_before_the_run() -> None:
 
 def test_a_brace_with_a_support_at_mid_length() -> None:
     made = project(BRACED.replace("section: HEA160", "buckling_length_factor: 0.5, section: HEA160"))
-    half = [bar.strut for bar in frame_bars(made, make_frame(made)) if bar.kind == "brace"]
+    half = [bar.strut for bar in make_frame(made).bars if bar.kind == "brace"]
     assert half[0] is not None and half[0].length == pytest.approx(0.5 * np.hypot(6.0, 4.0))
     for wrong in ("0", "1e-9", "1.5"):
         with pytest.raises(ProjectError, match=r"frame.braces\[0\].buckling_length_factor.*E-VALUE-02"):
@@ -65,9 +64,9 @@ def test_stocky_braces_and_those_without_inertia() -> None:
     rod = "sections: {{rod: {{{}}}}}\nmaterials:"
     text = BRACED.replace("section: HEA160", "section: rod")
     stocky = project(text.replace("materials:", rod.format("area: 10 cm^2, inertia: 1 m^4")))
-    assert slender_braces(stocky, make_frame(stocky)) == []
+    assert slender_braces(make_frame(stocky)) == []
     unknown = project(text.replace("materials:", rod.format("area: 10 cm^2")))
-    (line,) = slender_braces(unknown, make_frame(unknown))
+    (line,) = slender_braces(make_frame(unknown))
     assert line == "braces of section `rod` cannot be judged for buckling: it has no `inertia`"
 
 
@@ -105,7 +104,7 @@ analyses:
 def damped(kind: str) -> tuple[Group, float]:
     """The pushover to the right, and N_b,Rd of a brace."""
     made = project(DAMPED.replace("@kind@", kind))
-    (bar,) = (bar for bar in frame_bars(made, make_frame(made, dampers=True)) if bar.kind == "brace of a damper")
+    (bar,) = (bar for bar in make_frame(made, dampers=True).bars if bar.kind == "brace of a damper")
     assert bar.strut is not None and bar.name[0] == kind[0].upper().replace("C", "V")
     return run_analysis(made, made.analyses[0]), bar.strut.resistance
 
