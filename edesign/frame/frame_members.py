@@ -65,7 +65,7 @@ def add_members(
         hinged = any(of.hinge is not None for of in ends)
         section, fibres = parts.section(run, hinged)
         EI = parts.bending_stiffness(run)
-        between = project.frame.length(name) - sum(arms)
+        inside = Stretches(arms, (facts["length"] - sum(arms),)).on_only_element(breaks.get(name, ()))
         built = builder.add(
             name,
             panels.ends(name, (start, end), EI, of_kind[kind]),
@@ -75,7 +75,7 @@ def add_members(
             of_kind[kind],
             project.frame.released.get(name, (False, False)),
             ends,
-            Stretches(arms, (between,)).on_only_element(breaks.get(name, ())),
+            inside,
         )
         if name in rigid:  # such a member has no hinges and no panel zones
             model.rigid_ends(built.interior, *rigid[name])
@@ -85,7 +85,7 @@ def add_members(
             element=built.interior,
             fibres=fibres,
             outer=() if fibres is None else (0, fibres.size - 1),
-            points=points_of_member(project.elements, breaks.get(name, ())),
+            points=points_of_member(project.elements, inside),
             parts=built.parts,
             stretches=stretches,
             springs=built.springs,

@@ -15,7 +15,6 @@ from edesign.core import Response
 from edesign.frame.frame_model import FrameModel, Member
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.notation.names import MemberKind
-from edesign.project.project import Project
 from edesign.study.analysis.collapse import collapse_reason
 from edesign.study.results.members import plastic_rotation
 from edesign.study.results.recording import Quantity, Terms, coordinate
@@ -59,12 +58,12 @@ class _Yielding:
 class EventChannels:
     """The quantities that a push records to find its events."""
 
-    def __init__(self, project: Project, frame: FrameModel, steps: int) -> None:
+    def __init__(self, frame: FrameModel, steps: int) -> None:
         self._storeys = line_drift_storeys(frame)
         self._drifts = line_drifts(frame)
         self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
         follows = steps <= MOST_STEPS
-        self._yielding = [found for kind in KINDS if follows and (found := _yielding(project, frame, kind))]
+        self._yielding = [found for kind in KINDS if follows and (found := _yielding(frame, kind))]
         self._braces = _Braces(frame) if follows and frame.of_kind("brace") else None
         self._panels = list(frame.panels) if follows else []
         terms: list[Terms] = [
@@ -152,18 +151,17 @@ def _hinge_yield(member: Member, end: int) -> Terms:
     return tuple((1e6 * s.stiffness / s.M_y, "plastic_rotation", s.element, 0) for s in springs)
 
 
-def _yielding(project: Project, frame: FrameModel, kind: MemberKind) -> _Yielding | None:
+def _yielding(frame: FrameModel, kind: MemberKind) -> _Yielding | None:
     members: list[Member] = []
     strains: list[Terms] = []
     rotations: list[Terms] = []
-    last = project.elements.integration_points - 1
     for member in frame.of_kind(kind):
         steel = member.steel
         fibres = None if isinstance(steel, ElasticMaterial) else member.fibres
         if fibres is None and not any(spring.yields for end in member.springs for spring in end):
             continue
         members.append(member)
-        for end, point in enumerate((0, last)):
+        for end, point in enumerate((0, member.points - 1)):
             if fibres is not None and not isinstance(steel, ElasticMaterial):
                 first, factor = point * len(fibres), steel.E / steel.fy
                 strains += [((factor, "fibre_strain", member.element, first + layer),) for layer in member.outer]

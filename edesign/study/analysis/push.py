@@ -123,7 +123,7 @@ def push(
     ]
     couples = LackingCouples(frame)
     names = rotation_names(frame, drifts, recorded)
-    events = EventChannels(project, frame, spec.steps)
+    events = EventChannels(frame, spec.steps)
     response = structure.analysis.pushover(
         lateral,
         frame.control,

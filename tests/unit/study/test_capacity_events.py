@@ -61,6 +61,32 @@ def test_a_brace_has_buckled_at_its_limit_point(
     assert _limit_point(np.array(compression, dtype=float), np.array(shortening, dtype=float)) == step
 
 
+PORTAL = """\
+edesign: 1
+title: A portal with a loaded beam
+frame:
+  bays: [6 m]
+  storeys: [3 m]
+  columns: [{storeys: all, section: HEB300, material: S}]
+  beams: [{floors: all, section: IPE240, material: S}]
+materials: {S: {law: bilinear, E: 210 GPa, fy: 235 MPa}}
+loads: {beams: [{floors: all, G: 15 kN/m}]}
+masses: {given: [{floors: all, mass: 20 t}]}
+analyses: [{name: push, kind: pushover, pattern: uniform, direction: right, roof_drift: 2 %, steps: 200}]
+"""
+
+
+def test_a_beam_yields_first_at_its_ends_where_a_load_divides_it() -> None:
+    """A load of 1 N in its middle does not change when the beam yields, first at its leeward end."""
+    steps = []
+    for load in ("G: 15 kN/m", "G: 15 kN/m, points: [{at: 50 %, G: 1 N}]"):
+        project = parse_project(PORTAL.replace("G: 15 kN/m", load), "project.yaml")
+        group = run_analysis(project, project.analyses[0])
+        events = group.variables["capacity_event_what"].values.tolist()
+        steps.append(group.variables["capacity_event_step"].values[events.index("first yield of a beam")])
+    assert steps[0] == steps[1]
+
+
 SECOND = """\
 edesign: 1
 title: Two storeys pushed by their second mode
