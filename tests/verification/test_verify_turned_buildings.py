@@ -47,8 +47,7 @@ PLACINGS = {
 METHODS: dict[str, Integrator] = {"newmark": Newmark(), "hht": HHT(-0.1)}
 
 
-@pytest.mark.parametrize("method", list(METHODS))
-@pytest.mark.parametrize("law", list(LAWS))
+@pytest.mark.parametrize(("law", "method"), [("bilinear", "newmark"), ("bilinear", "hht"), ("curved", "newmark")])
 @pytest.mark.parametrize("diaphragms", [True, False], ids=["diaphragms", "flexible"])
 def test_axes_mean_nothing(law: str, diaphragms: bool, method: str) -> None:
     """1e-9 of the largest: equilibrium to 1e-12 of the largest force, grown over 160 steps that yield.
