@@ -1,5 +1,5 @@
 /* Stiffness of structures in space against central differences of their resisting forces: all kinds of elements, yielded, released, loaded
- * in both planes, P-Delta, with and without diaphragms, from a state at rest and from one that has yielded before. */
+ * in both planes, P-Delta, finite rotations, with and without diaphragms, from a state at rest and from one that has yielded before. */
 #include "checks.h"
 #include "frame.h"
 #include "numbers.h"
@@ -83,7 +83,7 @@ static ed_model *structure(options o, int geometry, parts *p)
   int last = -1;
   for (int i = 0; i < CORNERS; i++) {
     const int column = beam(model, p, p->base[i], p->top[i], i == 1, geometry, i == 3 ? 5 : 0, 0.4 * i);
-    last = beam(model, p, p->top[i], p->top[(i + 1) % CORNERS], i == 2, ED_LINEAR, i == 1 ? 6 : i == 2 ? 1 : 0, 0.3 * i);
+    last = beam(model, p, p->top[i], p->top[(i + 1) % CORNERS], i == 2, geometry == ED_COROTATIONAL ? geometry : ED_LINEAR, i == 1 ? 6 : i == 2 ? 1 : 0, 0.3 * i);
     CHECK(column >= 0 && last >= 0);
   }
   CHECK(ed_model_truss(model, "truss", p->base[0], p->top[1], p->steel, 1e-3, ED_LINEAR) >= 0);
@@ -163,7 +163,8 @@ static void check(options o, int geometry, double size, unsigned long long seed,
         u[i] = 0.0;
     }
     *tried += n;
-    check_at(a, u, 1e-6, smooth); /* forces to 1e-11 of themselves over h of 1e-7 */
+    /* forces to 1e-11 of themselves over h of 1e-7; finite rotations leave out what is not symmetric of the couple of axial loads */
+    check_at(a, u, geometry == ED_COROTATIONAL && o.loaded ? 1e-4 : 1e-6, smooth);
     ed_commit(a);
   }
   free(u);
@@ -180,7 +181,7 @@ int main(void)
   long smooth = 0, tried = 0;
   for (int steel = 0; steel < 4; steel++)
     for (int diaphragm = 0; diaphragm < 2; diaphragm++)
-      for (int geometry = ED_LINEAR; geometry <= ED_P_DELTA; geometry++)
+      for (int geometry = ED_LINEAR; geometry <= ED_COROTATIONAL; geometry++)
         for (int loaded = 0; loaded < 2; loaded++) {
           options o = STEELS[steel];
           o.diaphragm = diaphragm;

@@ -1,7 +1,8 @@
 /* Exact kinematics of members in space: finite rotations of the nodes, a chord that moves with them, small deformations from it.
  *
  * The rotations of a node are the components of its rotation vector, so that R = exp(r) (Argyris 1982; Ibrahimbegovic 1997). The chord's
- * frame has its x along the chord and its y as near as can be to the mean of the local y of both ends (Battini & Pacoste 2002). From it
+ * frame has its x along the chord (Battini & Pacoste 2002), and turns about it so that y and z are together as near as can be to those of
+ * both ends: its y is along what y + z x chord of the ends has across the chord. Of y alone it would depend on how the web stands. From it
  * the ends turn by log(E' R E_0), of which the components about z and y are rotations of the basic system, and the difference about x the
  * twist. With basic forces q the forces are the gradient of sum q_k v_k, and the geometric tangent is its second derivative, which is
  * symmetric: rotation vectors are coordinates. Both come from arithmetic on values with their derivatives, by the displacements that
@@ -220,13 +221,18 @@ ED_INLINE double deform(const ed_element *e, const double *d, jet strain[STRAINS
     add(&chord[0][i], 1.0, &variable[i], order);
   }
   make_unit(chord[0], order);
-  jet mean[3];
+  jet mean[3], z[3], across[3];
   for (int end = 0; end < 2; end++)
     turn_axes(e, variable + 3 + 3 * end, axis[end], order);
   for (int i = 0; i < 3; i++) {
     mean[i] = axis[0][1][i];
     add(&mean[i], 1.0, &axis[1][1][i], order);
+    z[i] = axis[0][2][i];
+    add(&z[i], 1.0, &axis[1][2][i], order);
   }
+  cross(across, z, chord[0], order);
+  for (int i = 0; i < 3; i++)
+    add(&mean[i], 1.0, &across[i], order);
   cross(chord[2], chord[0], mean, order);
   make_unit(chord[2], order);
   cross(chord[1], chord[2], chord[0], order);
