@@ -407,8 +407,26 @@ static void check_refusals(void)
   ed_model_free(model);
 }
 
+/* Sizes of a damper that overflow its stiffness are refused, also where it lies between supports and nothing moves it. */
+static void check_endless_stiffness(void)
+{
+  const frame_options small = {.bays = 1, .storeys = 1, .points = 4};
+  ed_model *model = frame_model(small);
+  const double parameters[] = {2e5, 3e3}, one = 1.0;
+  const int foot = frame_node(small, 0, 0), along_x = 0;
+  const int damper = ed_model_damper(model, "endless", ED_LAW_KELVIN_VOIGT, 2, parameters, 0.0, 0.0, 1e300, 1e30, 1, &foot, &along_x, &one);
+  int status = ED_OK;
+  char message[300] = "";
+  CHECK_STATUS(ed_model_damper_carries(model, damper), ED_OK);
+  CHECK(!ed_analysis_new(model, &status, message, sizeof message));
+  CHECK_STATUS(status, ED_E_NOT_FINITE);
+  CHECK_CONTAINS(message, "endless");
+  ed_model_free(model);
+}
+
 int main(void)
 {
+  check_endless_stiffness();
   check_link();
   for (int exact = 0; exact < 2; exact++) {
     check_tries(exact, 0.0);

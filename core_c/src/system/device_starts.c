@@ -30,6 +30,11 @@ int ed_first_slopes(ed_analysis *a)
     ed_name_damper(a->model, &a->devices, name, sizeof name);
     return ed_fail(a, status, "%s: no state was found at the start", name);
   }
+  for (int i = 0; i < a->model->n_devices; i++) { /* on supports alone no matrix would show it */
+    const double *slope = ed_device_block(&a->devices, &a->trial, i) + ED_DEVICE_SLOPE;
+    if (!isfinite(slope[0]) || !isfinite(slope[1]))
+      return ed_fail(a, ED_E_NOT_FINITE, "damper %s: its stiffness at the start is not a finite number", a->model->devices[i].name);
+  }
   for (int i = 0; i < a->model->n_devices; i++) {
     double *first = ed_device_block(&a->devices, &a->committed, i), *slow = ed_device_block(&a->devices, &a->trial, i);
     memcpy(first + ED_DEVICE_SLOPE, slow + ED_DEVICE_SLOPE, 2 * sizeof *first);
