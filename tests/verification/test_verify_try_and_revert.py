@@ -25,7 +25,7 @@ def begin(kind: str, curved: bool = False, **settings_: float) -> Analysis:
     if kind == "history":
         motion = ground(STEPS)
         status = lib.ed_history_begin(
-            a._c, STEPS, DT, ffi.from_buffer("double[]", motion), ffi.NULL, lib.ED_NEWMARK, [0.5, 0.25]
+            a._c, STEPS, DT, ffi.from_buffer("double[]", motion), ffi.NULL, ffi.NULL, lib.ED_NEWMARK, [0.5, 0.25]
         )
     elif kind == "static":
         status = lib.ed_static_begin(a._c, g, 3.0, STEPS)

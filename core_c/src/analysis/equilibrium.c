@@ -1,4 +1,5 @@
 /* Iteration of one step to equilibrium: Newton with factors kept while they converge well, full Newton, line search. */
+#include "base/lanes.h"
 #include "system/analysis.h"
 
 #include <float.h>
@@ -48,19 +49,25 @@ static inline double larger(double a, double b)
   return a > b ? a : b;
 }
 
+ED_INLINE void raise_by_member(const double *f, const int forces, const int moments, double *force, double *moment)
+{
+  for (int end = 0; end < 2; end++, f += forces + moments) {
+    for (int i = 0; i < forces; i++)
+      *force = larger(*force, fabs(f[i]));
+    for (int i = 0; i < moments; i++)
+      *moment = larger(*moment, fabs(f[forces + i]));
+  }
+}
+
 /* Largest force on a member's end or node, of the accepted steps and of this iterate; iterates that were left do not count. */
 void ed_raise_force_level(ed_analysis *a)
 {
   double force = 0.0, moment = 0.0;
   for (int m = 0; m < a->model->n_members; m++) {
-    const double *f = ed_member_force(&a->members, m);
-    const int degrees = a->members.element[m].degrees, forces = degrees == 6 ? 2 : 3;
-    for (int end = 0; end < degrees; end += degrees / 2) {
-      for (int i = 0; i < forces; i++)
-        force = larger(force, fabs(f[end + i]));
-      for (int i = forces; i < degrees / 2; i++)
-        moment = larger(moment, fabs(f[end + i]));
-    }
+    if (a->model->dimension == 2)
+      raise_by_member(a->members.force + 6 * m, 2, 1, &force, &moment);
+    else
+      raise_by_member(a->members.force + ED_MAX_DEGREES * m, 3, 3, &force, &moment);
   }
   for (int i = 0; i < a->numbering.n; i++) {
     double *largest = a->numbering.rotational[i] ? &moment : &force;

@@ -137,10 +137,12 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
     if (dissipated != 0.0)
       block[ED_BLOCK_INELASTIC] = 1.0;
   }
-  for (int p = 0; p < e->points; p++) {
-    double *point = block + ed_point_at(axes, p), *reach = point + ed_point_reach(axes);
-    if (point[ed_point_elastic(axes)] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
+  double *point = block + ed_block_points(axes);
+  const int elastic = ed_point_elastic(axes), size = ed_point_size(axes);
+  for (int p = 0; p < e->points; p++, point += size) {
+    if (point[elastic] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
       continue; /* no layer yields: nothing to remember */
+    double *reach = point + ed_point_reach(axes);
     const double *record = *reach > 0.0 ? e->record[p] : NULL; /* 0: no trial since the last commit */
     block[ed_block_inelastic(axes)] = point[ed_point_inelastic(axes)] = 1.0;
     *reach = 0.0;

@@ -71,11 +71,14 @@ static double load_work(const ed_analysis *a, int member)
   for (int i = 0; i < ed_basic(e->axes); i++)
     work -= 0.5 * (e->end_load[i] + before->end_load[i]) * local[i];
   const double *now = a->trial.elements + e->state, *then = a->committed.elements + e->state;
-  for (int p = 0; p < e->points; p++)
-    for (int i = 0; i <= e->axes; i++) {
-      const int k = ed_point_at(e->axes, p) + i;
-      work += 0.5 * e->weight[p] * (e->section_load[p][i] + before->section_load[p][i]) * (now[k] - then[k]);
-    }
+  const int size = ed_point_size(e->axes);
+  for (int p = 0, k = ed_block_points(e->axes); p < e->points; p++, k += size) {
+    const double *load = e->section_load[p], *was = before->section_load[p];
+    work += 0.5 * e->weight[p] * (load[0] + was[0]) * (now[k] - then[k]);
+    work += 0.5 * e->weight[p] * (load[1] + was[1]) * (now[k + 1] - then[k + 1]);
+    if (e->axes == ED_SPACE)
+      work += 0.5 * e->weight[p] * (load[2] + was[2]) * (now[k + 2] - then[k + 2]);
+  }
   if (e->kind == ED_ELASTIC_BEAM)
     for (int i = 0; i < ed_basic(e->axes); i++)
       work += 0.5 * (e->free_deformation[i] + before->free_deformation[i]) *
@@ -112,8 +115,9 @@ void ed_count_energy(ed_analysis *a, double dissipated)
     const double *then = a->committed.p_delta + 2 * across * m;
     ed_gather(&a->members, m, d);
     ed_element_p_delta(e, d, a->trial.elements + e->state, now, now + across);
-    for (int i = 0; i < across; i++)
-      second_order += 0.5 * (now[i] + then[i]) * (now[across + i] - then[across + i]);
+    second_order += 0.5 * (now[0] + then[0]) * (now[across] - then[across]);
+    if (across == 2)
+      second_order += 0.5 * (now[1] + then[1]) * (now[3] - then[3]);
     if (e->rigid)
       second_order += rigid_second_order(a, e, d);
   }
