@@ -1,5 +1,5 @@
-/* Members in space: small rotations, linear and P-Delta; of finite ones (corotational_3d.c) what loads add. Rows of the basic system over the displacements u and rotations r of its ends,
- * with the local axes x, y, z and the length L:
+/* Members in space: small rotations, linear and P-Delta; of finite ones (corotational_3d.c) what loads add. Rows of the basic system over the
+ * displacements u and rotations r of its ends, with the local axes x, y, z and the length L:
  *     elongation         x (u_j - u_i)
  *     rotation about z   z r - y (u_j - u_i) / L     at i, at j
  *     rotation about y   y r + z (u_j - u_i) / L     at i, at j
@@ -43,13 +43,14 @@ static void add_global(const ed_element *e, const double *local, double factor, 
     global[i] += factor * (e->axis[0][i] * local[0] + e->axis[1][i] * local[1] + e->axis[2][i] * local[2]);
 }
 
-/* Of axial loads inside a member that turns, over the drift across it. */
-static double couple_of_loads(const ed_element *e, const double *d)
+/* Loads keep their direction: with the chord turned, forces at the ends balance the moment of the axial ones. The return is such a force over
+ * the drift. */
+static double couple_of_loads(const ed_element *e, const double *d, double drift[3])
 {
-  if (e->mean_axial == 0.0)
-    return 0.0;
-  const double apart[3] = {d[U_J] - d[U_I], d[U_J + 1] - d[U_I + 1], d[U_J + 2] - d[U_I + 2]};
-  return e->mean_axial / (e->length + dot(e->axis[0], apart));
+  const double apart[3] = {d[U_J] - d[U_I], d[U_J + 1] - d[U_I + 1], d[U_J + 2] - d[U_I + 2]}, along = dot(e->axis[0], apart);
+  for (int i = 0; i < 3; i++)
+    drift[i] = apart[i] - along * e->axis[0][i];
+  return e->mean_axial / (e->length + along);
 }
 
 void ed_forces_3d(const ed_element *e, const double *d, const double *block, double *force)
@@ -64,12 +65,11 @@ void ed_forces_3d(const ed_element *e, const double *d, const double *block, dou
   add_global(e, (double[3]){0.0, e->end_load[2], e->end_load[4]}, 1.0, force + U_J);
   if (e->geometry == ED_COROTATIONAL) {
     ed_corotational_forces_3d(e, d, block, force);
-    const double couple = couple_of_loads(e, d);
-    if (couple != 0.0) { /* loads keep their direction: with the chord turned, forces at the ends balance their moment */
-      ed_kinematics k;
-      ed_kinematics_3d(e, d, &k);
-      add_global(e, (double[3]){0.0, k.drift[0], k.drift[1]}, -couple, force + U_I);
-      add_global(e, (double[3]){0.0, k.drift[0], k.drift[1]}, couple, force + U_J);
+    double drift[3];
+    const double couple = couple_of_loads(e, d, drift);
+    for (int i = 0; i < 3; i++) {
+      force[U_I + i] -= couple * drift[i];
+      force[U_J + i] += couple * drift[i];
     }
     return;
   }
@@ -123,7 +123,8 @@ void ed_tangent_3d(const ed_element *e, const double *d, const double *block, do
     return;
   }
   if (e->geometry == ED_COROTATIONAL) {
-    const double couple = couple_of_loads(e, d), across[3][3] = {{0.0, 0.0, 0.0}, {0.0, couple, 0.0}, {0.0, 0.0, couple}};
+    double drift[3];
+    const double couple = couple_of_loads(e, d, drift), across[3][3] = {{0.0, 0.0, 0.0}, {0.0, couple, 0.0}, {0.0, 0.0, couple}};
     memset(t, 0, ED_MAX_DEGREES * ED_MAX_DEGREES * sizeof *t);
     set_block(e, across, U_I, U_I, t);
     set_block(e, across, U_J, U_J, t);

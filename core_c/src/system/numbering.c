@@ -14,6 +14,9 @@ static int root(const ed_model *model, int degree)
   return degrees * node + d;
 }
 
+/* What the rounding of a centre may leave of a first moment, as a share of the sum of its parts; the mass matrix leaves it out. */
+static const double OFF_CENTRE = 1e-9;
+
 /* How displacements go with the masters of diaphragms, and masses with them: a master stands at the centre of mass of its diaphragm, so that
  * the mass matrix stays diagonal. */
 static int number_diaphragms(ed_analysis *a)
@@ -45,7 +48,7 @@ static int number_diaphragms(ed_analysis *a)
   }
   int status = ED_OK;
   for (int i = 0; status == ED_OK && i < numbering->n; i++)
-    if (fabs(about[3 * i]) + fabs(about[3 * i + 1]) > 1e-9 * about[3 * i + 2])
+    if (fabs(about[3 * i]) + fabs(about[3 * i + 1]) > OFF_CENTRE * about[3 * i + 2])
       status = ed_fail(a, ED_E_ARGUMENT, "the master %s of a diaphragm does not stand at the centre of its masses",
                        model->nodes[numbering->name[i] / ed_degrees(model)].name);
   free(about);
