@@ -9,11 +9,11 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
+from edesign.project.analysis_file import Identifier
 from edesign.project.notation.quantities import LENGTH
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.notation.units import PositiveTime, PositiveVelocity, written
 from edesign.project.notation.written import Written, text
-from edesign.project.project import Identifier
 from edesign.project.reading.base import FormatVersion, Model, refuse
 from edesign.project.reading.problems import FileProblems, Problems, did_you_mean, listed
 from edesign.project.reading.yaml_file import check_model, read_yaml_text

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber, State
-from edesign.project.analysis.pushover import Method, Pushover, Steps
+from edesign.project.analysis.pushover import BuildingDirections, FrameDirections, Method, Pushover, Steps
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.notation.units import (
     Duration,
@@ -70,13 +70,33 @@ class GravityAnalysis(_Analysis):
 
 
 class PushoverAnalysis(_Analysis, Pushover):
-    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement.
+    """Pushovers of a plane frame or of a building.
 
     Attributes:
         kind: pushovers under gravity.
     """
 
     kind: Literal["pushover"]
+
+
+class FramePushover(PushoverAnalysis):
+    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement.
+
+    Attributes:
+        direction: in which the frame is pushed; `both` stands for two pushovers.
+    """
+
+    direction: FrameDirections = "right"
+
+
+class BuildingPushover(PushoverAnalysis):
+    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement.
+
+    Attributes:
+        direction: in which the building is pushed; `x` stands for `x+` and `x-`, `y` likewise, `all` for all four.
+    """
+
+    direction: BuildingDirections
 
 
 class TargetAnalysis(_Analysis, Pushover):
@@ -137,7 +157,12 @@ class HistoryAnalysis(_Analysis):
     wave_passage: WavePassage | None = None
 
 
-Analysis = Annotated[ModalAnalysis | GravityAnalysis | PushoverAnalysis | HistoryAnalysis, OneOf("kind")]
+Analysis = Annotated[ModalAnalysis | GravityAnalysis | FramePushover | HistoryAnalysis, OneOf("kind")]
+"""Of a plane frame."""
 
-PlannedAnalysis = Analysis | TargetAnalysis
+BuildingAnalysis = Annotated[ModalAnalysis | GravityAnalysis | BuildingPushover | HistoryAnalysis, OneOf("kind")]
+
+AnyAnalysis = ModalAnalysis | GravityAnalysis | PushoverAnalysis | HistoryAnalysis
+
+PlannedAnalysis = AnyAnalysis | TargetAnalysis
 """What a plan is made of."""

@@ -17,7 +17,10 @@ Steps = Annotated[int, Field(ge=1, le=1_000_000)]
 PUSHOVER_STEPS = 200
 
 NamedPattern = Literal["first_mode", "uniform", "triangular"]
-Direction = Literal["right", "left"]
+FrameDirections = Literal["right", "left", "both"]
+BuildingDirections = Literal["x+", "x-", "y+", "y-", "x", "y", "all"]
+SEVERAL = {"both": ("right", "left"), "x": ("x+", "x-"), "y": ("y+", "y-"), "all": ("x+", "x-", "y+", "y-")}
+"""Directions that one word stands for."""
 Method = Literal["n2", "fema356", "asce41"]
 SiteClass = Literal["A", "B", "C", "D", "E", "F"]
 
@@ -61,7 +64,7 @@ class Pushover(Model):
 
     Attributes:
         pattern: lateral forces; a list stands for several pushovers.
-        direction: in which the frame is pushed; `both` stands for two pushovers.
+        direction: in which the structure is pushed; some words stand for several pushovers.
         roof_drift: last roof displacement over the height; without the key 150 % of the largest target displacement.
         steps: number of equal steps.
         targets: methods for target displacements, each a push of its own to every level.
@@ -71,7 +74,7 @@ class Pushover(Model):
     """
 
     pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), Written(several, one_or_list)]
-    direction: Literal["right", "left", "both"] = "right"
+    direction: FrameDirections | BuildingDirections
     roof_drift: PushedDrift | None = None
     steps: Steps = PUSHOVER_STEPS
     targets: Annotated[tuple[Method, ...], Written(several, one_or_list)] = ()
@@ -80,9 +83,9 @@ class Pushover(Model):
     site_class: SiteClass | None = None
 
     @property
-    def directions(self) -> tuple[Direction, ...]:
-        """The directions in which the frame is pushed."""
-        return ("right", "left") if self.direction == "both" else (self.direction,)
+    def directions(self) -> tuple[str, ...]:
+        """The directions in which the structure is pushed, one by one."""
+        return SEVERAL.get(self.direction, (self.direction,))
 
 
 class Pushovers(Pushover):
@@ -90,9 +93,11 @@ class Pushovers(Pushover):
 
     Attributes:
         name: name of the pushovers, of letters, digits and `_ + -`.
+        direction: in which the frame is pushed; `both` stands for two pushovers.
         variants: variants of the study, or `all`.
     """
 
+    direction: FrameDirections = "right"
     name: ShortName = "push"
     variants: Names = ("all",)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.damping import check_damping
 from edesign.project.checks.loads import check_loads
 from edesign.project.checks.pushover import check_pushover
@@ -26,6 +27,20 @@ def check_analyses(project: Project, problems: Problems, files: bool = True) -> 
     check = Selections(project.frame, problems)
     check_loads(project, problems)
     _masses(project, problems, check)
+    check_shared(project, problems, files)
+    for i, analysis in enumerate(project.analyses):
+        if isinstance(analysis, HistoryAnalysis):
+            check_wave_passage(project.frame, problems, ("analyses", i, "wave_passage"), analysis.wave_passage)
+
+
+def check_shared(project: AnalysisFile, problems: Problems, files: bool = True) -> None:
+    """Check damping, records and analyses of a plane frame or a building.
+
+    Args:
+        project: the file, which has no schema problems.
+        problems: collects what is wrong.
+        files: whether the files of the records must be there.
+    """
     check_damping(project, problems)
     _validity(project, problems)
     check_project_records(project, problems)
@@ -57,7 +72,7 @@ def _masses(project: Project, problems: Problems, check: Selections) -> None:
             first[node] = i
 
 
-def _validity(project: Project, problems: Problems) -> None:
+def _validity(project: AnalysisFile, problems: Problems) -> None:
     validity = project.validity
     if "energy_error_warning" in validity.model_fields_set and validity.energy_error_warning > validity.energy_error:
         message = (
@@ -67,11 +82,11 @@ def _validity(project: Project, problems: Problems) -> None:
         problems.at_value(("validity", "energy_error_warning"), message)
 
 
-def check_drift(project: Project, problems: Problems, keys: Keys, drift: float | None) -> None:
+def check_drift(project: AnalysisFile, problems: Problems, keys: Keys, drift: float | None) -> None:
     """Check that a drift that an analysis is to reach is within the limit of valid results.
 
     Args:
-        project: the project, which has no schema problems.
+        project: the file, which has no schema problems.
         problems: the problems of the file, to which those found are added.
         drift: drift ratio; None: none is given.
     """
@@ -84,7 +99,7 @@ def check_drift(project: Project, problems: Problems, keys: Keys, drift: float |
         )
 
 
-def _analyses(project: Project, problems: Problems) -> None:
+def _analyses(project: AnalysisFile, problems: Problems) -> None:
     first: dict[str, int] = {}
     for i, analysis in enumerate(project.analyses):
         keys: Keys = ("analyses", i)
@@ -100,7 +115,6 @@ def _analyses(project: Project, problems: Problems) -> None:
             check_horizontal(project, problems, (*keys, "record"), (analysis.record,))
             levels = (analysis.level,) if analysis.level else ()
             check_vertical(project, problems, (*keys, "vertical"), analysis.vertical, (analysis.record,), levels)
-            check_wave_passage(project.frame, problems, (*keys, "wave_passage"), analysis.wave_passage)
         if isinstance(analysis, PushoverAnalysis):
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
             check_pushover(project, problems, keys, analysis)
@@ -111,7 +125,7 @@ def _analyses(project: Project, problems: Problems) -> None:
             problems.at_value(keys, message)
 
 
-def _history(project: Project, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
+def _history(project: AnalysisFile, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
     if analysis.record not in project.records:
         problems.at_value((*keys, "record"), unknown_name("record", analysis.record, project.records))
     else:
@@ -134,7 +148,7 @@ def _history(project: Project, problems: Problems, keys: Keys, analysis: History
         )
 
 
-def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
+def _level(project: AnalysisFile, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
     """A level is one of the hazard's, if that has any; a record fitted to its spectrum is scaled by a level only."""
     if project.hazard is None:
         return

@@ -11,18 +11,18 @@ from edesign.project.analysis.damping import (
     RayleighDamping,
     StiffnessDamping,
 )
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import Keys, Problems
 
 MOST_TERMS = 8
 """Of Caughey's series: with more its powers of the frequency, from -1 to 15, leave no digits in double precision."""
 
 
-def check_damping(project: Project, problems: Problems) -> None:
+def check_damping(project: AnalysisFile, problems: Problems) -> None:
     """Check the inherent damping; `project` has no schema problems.
 
     Args:
-        project: the project, which has no schema problems.
+        project: the file, which has no schema problems.
         problems: the problems of the file, to which those found are added.
     """
     damping = project.damping

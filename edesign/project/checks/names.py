@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 from edesign.project.records.records import record_of
 
@@ -28,12 +28,12 @@ def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str],
             problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
 
 
-def check_records(problems: Problems, keys: Keys, given: Sequence[str], project: Project) -> None:
+def check_records(problems: Problems, keys: Keys, given: Sequence[str], project: AnalysisFile) -> None:
     """Check references of records, RECORD or SUITE/RECORDING; recordings are found when the suite is read.
 
     Args:
         problems: the problems of the file, to which those found are added.
-        project: the project, which has no schema problems.
+        project: the file, which has no schema problems.
     """
     for i, reference in enumerate(given):
         if record_of(reference) not in project.records:

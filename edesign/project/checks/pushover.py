@@ -5,14 +5,14 @@ from __future__ import annotations
 from edesign.project.actions.hazard import EC8Hazard, UserHazard
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.pushover import METHODS, GivenPattern, Pushover, pattern_name
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.names import check_names
-from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed
 
 OF_TARGETS = ("levels", "damping", "site_class")
 
 
-def check_pushover(project: Project, problems: Problems, keys: Keys, pushover: Pushover) -> None:
+def check_pushover(project: AnalysisFile, problems: Problems, keys: Keys, pushover: Pushover) -> None:
     """Check pushovers against their project, but for their drift; they have no schema problems.
 
     Args:
@@ -84,7 +84,7 @@ def _other_codes(hazard: Hazard, problems: Problems, keys: Keys, pushover: Pusho
         problems.at_value((*keys, "damping"), message)
 
 
-def _given(project: Project, problems: Problems, keys: Keys, i: int, pattern: GivenPattern, targets: bool) -> None:
+def _given(project: AnalysisFile, problems: Problems, keys: Keys, i: int, pattern: GivenPattern, targets: bool) -> None:
     if len(pattern.given) != 1:
         seen = f", not {listed(pattern.given)}" if pattern.given else ""
         message = f"a pattern has one of the keys {listed(GivenPattern.model_fields)}{seen} [E-VALUE-01]"

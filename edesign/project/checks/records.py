@@ -7,7 +7,7 @@ from pathlib import Path
 
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.checks_files import check_file
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -28,11 +28,11 @@ from edesign.project.records.records import (
 from edesign.project.records.suite_names import is_suite_name, suite_names
 
 
-def check_project_records(project: Project, problems: Problems) -> None:
+def check_project_records(project: AnalysisFile, problems: Problems) -> None:
     """Check the keys of the records of a project against its hazard, without reading their files.
 
     Args:
-        project: the project, which has no schema problems.
+        project: the file, which has no schema problems.
         problems: the problems of the file, to which those found are added.
     """
     for name, record in project.records.items():
@@ -101,7 +101,7 @@ def _pair(record: PairRecord, keys: Keys, problems: Problems) -> None:
         )
 
 
-def _choice(project: Project, record: ChosenRecords, keys: Keys, problems: Problems) -> None:
+def _choice(project: AnalysisFile, record: ChosenRecords, keys: Keys, problems: Problems) -> None:
     """Records can be chosen for a spectrum, by rules that fit together."""
     if project.hazard is None:
         problems.at_key(
@@ -189,7 +189,7 @@ def _check_folder(path: Path, keys: Keys, problems: Problems, what: str) -> None
         problems.at_value(keys, f"there is no folder `{path}` (the path is relative to the {what}) [E-FILE-01]")
 
 
-def _matching(project: Project, match: Matching | None, keys: Keys, problems: Problems) -> None:
+def _matching(project: AnalysisFile, match: Matching | None, keys: Keys, problems: Problems) -> None:
     if match is None:
         return
     if project.hazard is None:
@@ -219,7 +219,7 @@ def _fitted_level(hazard: Hazard, level: str | None, keys: Keys, problems: Probl
 
 
 def check_fitted_levels(
-    keys: Keys, records: Iterable[str], levels: Sequence[str], project: Project, problems: Problems
+    keys: Keys, records: Iterable[str], levels: Sequence[str], project: AnalysisFile, problems: Problems
 ) -> None:
     """Check that records fitted to the spectrum of one level are used at no other.
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from edesign.project.analysis.analyses import VerticalMotion
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.records import check_fitted_levels
-from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.records import RecordSet, record_of
 
 
 def check_vertical(
-    project: Project,
+    project: AnalysisFile,
     problems: Problems,
     keys: Keys,
     motion: VerticalMotion | None,
@@ -63,11 +63,11 @@ def check_vertical(
         _shared_factor(project, problems, keys, records)
 
 
-def check_horizontal(project: Project, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
+def check_horizontal(project: AnalysisFile, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
     """Check that the records of horizontal motions are not fitted to a vertical spectrum.
 
     Args:
-        project: the project, which has no schema problems.
+        project: the file, which has no schema problems.
         problems: the problems of the file, to which those found are added.
         records: references of the records.
     """
@@ -81,7 +81,7 @@ def check_horizontal(project: Project, problems: Problems, keys: Keys, records: 
 
 
 def _fitted(
-    project: Project, problems: Problems, keys: Keys, motion: VerticalMotion, name: str, levels: Sequence[str]
+    project: AnalysisFile, problems: Problems, keys: Keys, motion: VerticalMotion, name: str, levels: Sequence[str]
 ) -> None:
     """A record that is fitted to the vertical spectrum is scaled by the level of its history."""
     match = project.records[name].match
@@ -104,7 +104,7 @@ def _fitted(
     check_fitted_levels((*keys, "record"), (name,), levels, project, problems)
 
 
-def _shared_factor(project: Project, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
+def _shared_factor(project: AnalysisFile, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
     """Without a scale of its own a record has the factor of the horizontal one, which a fitted one has not."""
     for reference in records:
         horizontal = project.records.get(record_of(reference))

@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, PrivateAttr, WithJsonSchema
 
+from edesign.project.analysis_file import Identifier
 from edesign.project.criteria.measures import SHORT_NAMES
 from edesign.project.notation.units import PositiveFactor
-from edesign.project.project import Identifier
 from edesign.project.reading.base import FormatVersion, Model, refuse
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.one_of import OneOf

@@ -14,6 +14,7 @@ from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis.pushover import Pushovers
 from edesign.project.analysis.wave_passage import WavePassage
+from edesign.project.analysis_file import Identifier
 from edesign.project.criteria.criteria import Criteria, Objectives
 from edesign.project.dampers.designs import Bounds, Design
 from edesign.project.document import Document
@@ -21,7 +22,7 @@ from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio
 from edesign.project.notation.written import Written, one_or_list
-from edesign.project.project import Identifier, Project
+from edesign.project.project import Project
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.values import KeyPath

@@ -10,11 +10,12 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field, PrivateAttr
 
 from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis_file import Identifier
 from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.document import Document
 from edesign.project.notation.units import PositiveFactor, PositiveRatio
-from edesign.project.project import Identifier, Project
+from edesign.project.project import Project
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.yaml_file import read_yaml_text, yaml_text
