@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Protocol, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Protocol, Self
 
 from pydantic import Field, PrivateAttr
 
@@ -44,7 +44,14 @@ class AnalysisFile(RecordFiles, FileModel):
     """A file with a structure that is analysed: a plane frame or a building.
 
     It declares no keys for the reader, as each file has them in its own order.
+
+    Attributes:
+        structure: what it is, for messages: "frame" or "building".
+        member_names: how members are named, for messages.
     """
+
+    structure: ClassVar[str]
+    member_names: ClassVar[str]
 
     if TYPE_CHECKING:
         title: str

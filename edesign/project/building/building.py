@@ -11,22 +11,32 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from pydantic import Field, PrivateAttr
 
 from edesign.project.actions.hazard import BuildingHazard
+from edesign.project.analysis.analyses import BuildingAnalysis
+from edesign.project.analysis.damping import Damping
+from edesign.project.analysis.integration import Integration
+from edesign.project.analysis.outputs import Outputs
+from edesign.project.analysis.validity import Validity
+from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.building.design import Design
 from edesign.project.building.layout import Layout
 from edesign.project.building.loads import Loads, Masses
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
 from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
+from edesign.project.building.steel import Steel
 from edesign.project.building.supports import Springs, Support, springs_of
+from edesign.project.dampers.dampers import Dampers
 from edesign.project.document import Document
 from edesign.project.frame import spacing
+from edesign.project.frame.elements import Elements
+from edesign.project.frame.materials import Material
+from edesign.project.frame.sections import SpaceFibres
 from edesign.project.notation.grid import Grid
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
-from edesign.project.notation.units import PositiveDensity, PositiveLength, PositiveStress
-from edesign.project.project import Identifier
+from edesign.project.notation.units import PositiveLength
 from edesign.project.reading.base import FormatVersion, Model
-from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.one_of import OneOf
+from edesign.project.records.records import Record
 
 MOST_BAYS = 100
 """In one direction, so that letters of lines and names of frames (`XA`, `YA`) are distinguished."""
@@ -76,26 +86,8 @@ class Setback(Model):
     bays: Bays
 
 
-class Steel(Model):
-    """An elastic steel.
-
-    Attributes:
-        E: modulus of elasticity (EN 1993-1-1, 3.2.6(1)).
-        fy: yield strength.
-        nu: Poisson's ratio.
-        density: density, for the self weight (EN 1991-1-1, Table A.4).
-
-    Source of the defaults: EN 1993-1-1:2005, 3.2.6(1); EN 1991-1-1:2002, Table A.4.
-    """
-
-    E: PositiveStress = 210e9
-    fy: PositiveStress
-    nu: Annotated[float, Field(ge=0.0, lt=0.5)] = 0.3
-    density: PositiveDensity = 7850.0
-
-
-class Building(spacing.Storeys, FileModel):
-    """A building file: a building in three dimensions, what acts on it, and what it is designed for.
+class Building(spacing.Storeys, AnalysisFile):
+    """A building file: a building in three dimensions, what acts on it, what it is designed for, and what is analysed.
 
     Once validated all values are in SI. Made by `load_building`.
 
@@ -114,13 +106,23 @@ class Building(spacing.Storeys, FileModel):
         braces: runs of pin-ended braces.
         missing: members that the regular grid has and this building has not.
         materials: steels by name, to which members refer.
+        fibres: how many fibres a section is cut into in analyses.
         loads: permanent loads G and variable loads Q, downwards.
         masses: masses of the nodes, from the loads or given.
+        elements: how members are modelled in analyses: integration points, geometry.
+        damping: inherent damping of the building; histories need it.
+        integration: time integration; histories need it.
+        validity: errors and drifts beyond which a result does not count.
         hazard: the seismic action by EN 1998-1, without `behaviour_factor`.
+        records: ground motions by name.
         design: what is checked, and how the seismic action is combined.
+        analyses: what is analysed beside the design, in this order; names differ.
+        outputs: what is kept in the archive beside the envelopes.
     """
 
     kind: ClassVar[str] = "building"
+    structure: ClassVar[str] = "building"
+    member_names: ClassVar[str] = "columns are named C_A2_3, beams BX_2_1_5, braces DX_2_1_5_r or _f"
 
     edesign_building: FormatVersion
     title: Annotated[str, Field(min_length=1)]
@@ -135,10 +137,18 @@ class Building(spacing.Storeys, FileModel):
     braces: tuple[BraceRun, ...] = ()
     missing: Missing = Missing()
     materials: dict[Identifier, Steel]
+    fibres: SpaceFibres = SpaceFibres()
     loads: Loads = Loads()
     masses: Masses | None = None
+    elements: Elements = Elements()
+    damping: Damping | None = None
+    integration: Integration | None = None
+    validity: Validity = Validity()
     hazard: BuildingHazard | None = None
+    records: dict[Identifier, Record] = {}
     design: Design | None = None
+    analyses: tuple[BuildingAnalysis, ...] = ()
+    outputs: Outputs = Outputs()
 
     _path: Path = PrivateAttr(default=Path("building.yaml"))
 
@@ -153,11 +163,6 @@ class Building(spacing.Storeys, FileModel):
         for name in ("layout", "storey_heights", "levels"):
             found.__dict__.pop(name, None)
         return found
-
-    @property
-    def archive_path(self) -> Path:
-        """The path of the archive, unless the command line gives another one."""
-        return self.folder / f"{self._path.stem}.h5"
 
     @property
     def design_level(self) -> str:
@@ -175,6 +180,15 @@ class Building(spacing.Storeys, FileModel):
     def grid(self) -> Grid:
         """What stands where, by name."""
         return self.layout
+
+    @property
+    def steels(self) -> Mapping[str, Material]:
+        """The law of each steel in analyses, by its name."""
+        return {name: steel.material for name, steel in self.materials.items()}
+
+    def with_dampers(self, dampers: Dampers | None) -> Self:
+        """Return the building with other dampers."""
+        return self.model_copy(update={"dampers": dampers})
 
     def widths(self, along: Direction) -> tuple[float, ...]:
         """Return the widths of the bays along x or y, m."""

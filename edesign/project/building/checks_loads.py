@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.layout import edges
-from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
+from edesign.project.building.loads import Areas, BeamLoad, Combination, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.places import Panels, panels_in
 from edesign.project.reading.problems import Keys, Problems, listed
@@ -43,6 +43,7 @@ def check_loads(building: Building, problems: Problems) -> None:
         keys = ("loads", "nodes", i)
         _variable(problems, keys, node.Q, node.category)
         check.nodes(keys, node.at, node.floors)
+    _categories(building, problems, ("loads", "gravity"), loads.gravity)
     _masses(building, problems, check)
 
 
@@ -129,6 +130,16 @@ def has_variable_points(load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> bo
     return isinstance(load, BeamLoad) and any(point.Q != 0.0 for point in load.points)
 
 
+def _categories(building: Building, problems: Problems, keys: Keys, factors: Combination) -> None:
+    """Factors by category are there for each that the loads have."""
+    if not isinstance(factors.Q, dict):
+        return
+    used = {item.category for item in building.loads.items if item.Q != 0.0 or has_variable_points(item)}
+    absent = sorted(category for category in used if category and category not in factors.Q)
+    if absent:
+        problems.at_value((*keys, "Q"), f"no factor for the category {listed(absent)} of the loads [E-KEY-02]")
+
+
 def _masses(building: Building, problems: Problems, check: Selections) -> None:
     masses = building.masses
     if masses is None:
@@ -137,12 +148,8 @@ def _masses(building: Building, problems: Problems, check: Selections) -> None:
         problems.at_key(("masses",), "give either `from_loads` or `given`, one of them [E-KEY-03]")
     if masses.given is not None and "phi" in masses.model_fields_set:
         problems.at_key(("masses", "phi"), "phi reduces variable loads, which given masses do not come from [E-KEY-03]")
-    if masses.from_loads is not None and isinstance(masses.from_loads.Q, dict):
-        used = {item.category for item in building.loads.items if item.Q != 0.0 or has_variable_points(item)}
-        absent = sorted(category for category in used if category and category not in masses.from_loads.Q)
-        if absent:
-            message = f"no factor for the category {listed(absent)} of the loads [E-KEY-02]"
-            problems.at_value(("masses", "from_loads", "Q"), message)
+    if masses.from_loads is not None:
+        _categories(building, problems, ("masses", "from_loads"), masses.from_loads)
     seen: dict[str, int] = {}
     for i, given in enumerate(masses.given or ()):
         keys: Keys = ("masses", "given", i)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from edesign.project.building.building import Building
+from edesign.project.building.checks_analyses import check_analyses
 from edesign.project.building.checks_design import check_design
 from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
@@ -72,6 +73,7 @@ def parse_building(
             check_loads(building, problems)
             check_given_masses(building, problems)
             check_design(building, problems, files)
+            check_analyses(building, problems, files)
     if building is None or problems.found:
         raise BuildingError(path, problems.found)
     return building

@@ -95,33 +95,8 @@ class NodeLoad(Model):
     category: Category | None = None
 
 
-class Loads(Model):
-    """All loads of the building.
-
-    Attributes:
-        areas: loads on bays of floors.
-        perimeter: loads along the edge of floors.
-        beams: uniform loads on beams.
-        nodes: forces on nodes.
-        self_weight: whether members weigh, by their area and density.
-        live_load_reduction: whether variable loads are reduced in persistent combinations (EN 1991-1-1, 6.3.1.2).
-    """
-
-    areas: tuple[Areas, ...] = ()
-    perimeter: tuple[PerimeterLoad, ...] = ()
-    beams: tuple[BeamLoad, ...] = ()
-    nodes: tuple[NodeLoad, ...] = ()
-    self_weight: bool = True
-    live_load_reduction: bool = False
-
-    @property
-    def items(self) -> tuple[Areas | PerimeterLoad | BeamLoad | NodeLoad, ...]:
-        """Return all loads in the order of the file's lists."""
-        return (*self.areas, *self.perimeter, *self.beams, *self.nodes)
-
-
-class MassCombination(Model):
-    """Factors of G and Q in the masses.
+class Combination(Model):
+    """Factors of G and Q in the masses, or in the gravity loads of analyses.
 
     Attributes:
         G: factor of permanent loads and of the self weight.
@@ -134,6 +109,33 @@ class MassCombination(Model):
     def psi_2(self, category: str) -> float | None:
         """Return the factor of a category of Q, None where the country's holds; a mapping names all that there are."""
         return self.Q[category] if isinstance(self.Q, dict) else self.Q  # type: ignore[index]
+
+
+class Loads(Model):
+    """All loads of the building.
+
+    Attributes:
+        areas: loads on bays of floors.
+        perimeter: loads along the edge of floors.
+        beams: uniform loads on beams.
+        nodes: forces on nodes.
+        self_weight: whether members weigh, by their area and density.
+        gravity: factors of the combination that acts before and during histories and pushovers.
+        live_load_reduction: whether variable loads are reduced in persistent combinations (EN 1991-1-1, 6.3.1.2).
+    """
+
+    areas: tuple[Areas, ...] = ()
+    perimeter: tuple[PerimeterLoad, ...] = ()
+    beams: tuple[BeamLoad, ...] = ()
+    nodes: tuple[NodeLoad, ...] = ()
+    self_weight: bool = True
+    gravity: Combination = Combination()
+    live_load_reduction: bool = False
+
+    @property
+    def items(self) -> tuple[Areas | PerimeterLoad | BeamLoad | NodeLoad, ...]:
+        """Return all loads in the order of the file's lists."""
+        return (*self.areas, *self.perimeter, *self.beams, *self.nodes)
 
 
 class GivenMass(Model):
@@ -157,8 +159,10 @@ class Masses(Model):
         from_loads: factors of the loads that are masses; this key or `given`.
         given: masses node by node; this key or `from_loads`.
         phi: factor phi by which psi_2 is multiplied to psi_E (EN 1998-1, 4.2.4(2)P, Eq. 4.2).
+        directions: whether a mass resists horizontal motion only, or in analyses vertical motion too.
     """
 
-    from_loads: MassCombination | None = None
+    from_loads: Combination | None = None
     given: tuple[GivenMass, ...] | None = None
     phi: PositiveRatio = 1.0
+    directions: Literal["horizontal", "both"] = "horizontal"

@@ -136,10 +136,7 @@ def _history(project: AnalysisFile, problems: Problems, keys: Keys, analysis: Hi
     if analysis.pga is not None and analysis.scale is not None:
         problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them [E-KEY-03]")
     if project.damping is None:
-        message = (
-            "a history needs `damping`, and the file has none; for an undamped frame write `damping: {kind: none}`"
-            " [E-KEY-02]"
-        )
+        message = "a history needs `damping`, and the file has none; for none write `damping: {kind: none}` [E-KEY-02]"
         problems.at_value(keys, message)
     if project.integration is None:
         example = "integration: {method: newmark, time_step: 0.01 s}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
 from edesign.project.analysis.outputs import FibreOutput, SectionOutput
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.selections import Selections
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import ElasticSection, RectangleSection, is_hollow
@@ -20,6 +21,25 @@ def check_outputs(project: Project, problems: Problems) -> None:
         problems: the problems of the file, to which those found are added.
     """
     outputs = project.outputs
+    check_kept(project, problems)
+    for i, section in enumerate(outputs.sections):
+        _points(project, problems, ("outputs", "sections", i), section)
+    for i, fibre in enumerate(outputs.fibres):
+        keys: Keys = ("outputs", "fibres", i)
+        if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
+            last = _layers_at_most(project, project.frame.members[fibre.member])
+            if last is not None:
+                Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
+
+
+def check_kept(project: AnalysisFile, problems: Problems) -> None:
+    """Check the outputs of a plane frame or a building, but for sections and fibres.
+
+    Args:
+        project: the file, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
+    outputs = project.outputs
     for i, kind in enumerate(outputs.histories):
         if kind in outputs.histories[:i]:
             problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice [E-NAME-02]")
@@ -27,14 +47,6 @@ def check_outputs(project: Project, problems: Problems) -> None:
         keys: Keys = ("outputs", "members", i)
         if check_member(project, problems, keys, member) and member in outputs.members[:i]:
             problems.at_value(keys, f"`{member}` comes twice [E-NAME-02]")
-    for i, section in enumerate(outputs.sections):
-        _points(project, problems, ("outputs", "sections", i), section)
-    for i, fibre in enumerate(outputs.fibres):
-        keys = ("outputs", "fibres", i)
-        if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
-            last = _layers_at_most(project, project.frame.members[fibre.member])
-            if last is not None:
-                Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
     if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
         problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc [E-FILE-08]")
 
@@ -57,19 +69,19 @@ def _layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> in
     return 2 * fibres.flange_thickness + fibres.web_height
 
 
-def check_member(project: Project, problems: Problems, keys: Keys, member: str) -> bool:
+def check_member(project: AnalysisFile, problems: Problems, keys: Keys, member: str) -> bool:
     """Check that a member exists, and return whether it does.
 
     Args:
-        project: the project, which has no schema problems.
+        project: the file, which has no schema problems.
         problems: the problems of the file, to which those found are added.
     """
     known = project.grid.members
     if member in known:
         return True
     hint = did_you_mean(member, known)
-    kinds = "columns are named C_line_storey, beams B_bay_floor, braces D_bay_storey_r or _f"
-    problems.at_value(keys, f"there is no member `{member}` in this frame{hint} ({kinds}) [E-NAME-01]")
+    message = f"there is no member `{member}` in this {project.structure}{hint} ({project.member_names}) [E-NAME-01]"
+    problems.at_value(keys, message)
     return False
 
 

@@ -44,7 +44,7 @@ def check_pushover(project: AnalysisFile, problems: Problems, keys: Keys, pushov
                 )
         return
     if not project.hazard_levels:
-        message = "target displacements need `hazard` with `levels`, and the project has none [E-HAZ-05]"
+        message = "target displacements need `hazard` with `levels`, and the file has none [E-HAZ-05]"
         problems.at_key((*keys, "targets"), message)
     elif pushover.levels is not None:
         check_names(problems, (*keys, "levels"), "level", pushover.levels, project.hazard_levels)
@@ -102,7 +102,7 @@ def _given(project: AnalysisFile, problems: Problems, keys: Keys, i: int, patter
             problems.at_item(keys, i, "target displacements are of the roof, which has no share here [E-PUSH-03]")
     if pattern.modes is not None and project.hazard is None:
         problems.at_item(
-            keys, i, "storey shears of modes need the spectrum of a `hazard`, and the project has none [E-HAZ-05]"
+            keys, i, "storey shears of modes need the spectrum of a `hazard`, and the file has none [E-HAZ-05]"
         )
     if pattern.modes is not None and project.hazard is not None:
         if project.hazard.own_shapes and len(project.hazard.levels) > 1:

@@ -113,7 +113,7 @@ def _choice(project: AnalysisFile, record: ChosenRecords, keys: Keys, problems: 
     elif record.level is not None:
         problems.at_key((*keys, "level"), "with `match` its `level` says for which spectrum [E-KEY-03]")
     if record.T_1 is None and project.masses is None:
-        message = "this key is missing; the frame has no `masses` from which it would follow [E-MODAL-02]"
+        message = "this key is missing; the file has no `masses` from which it would follow [E-MODAL-02]"
         problems.under(keys, "T_1", message)
     first, last = record.periods or (Period(0.0), Period(1.0))  # by the code they rise
     comparable = first.of_T_1 == last.of_T_1 or record.T_1 is not None

@@ -92,6 +92,20 @@ class Fibres(Model):
     fillets: bool = False
 
 
+FIBRES_OF_HALF_A_FLANGE = 4
+"""By default, which gives 32 fibres of a section in space."""
+
+
+class SpaceFibres(Model):
+    """Fibre counts of a section that bends about both axes.
+
+    Attributes:
+        half_flange: fibres of half a flange; a section has eight times as many.
+    """
+
+    half_flange: Annotated[int, Field(ge=2, le=50)] = FIBRES_OF_HALF_A_FLANGE
+
+
 class Catalogue(Collection[str], Protocol):
     """The names of sections that a project need not define."""
 

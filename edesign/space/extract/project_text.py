@@ -8,6 +8,7 @@ from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BraceRun
 from edesign.project.building.names import BracePlace
+from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
@@ -16,7 +17,7 @@ from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_fram
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.extract.study_text import StudyNames, study_blocks
 from edesign.space.structure.load_cases import PERMANENT, SELF_WEIGHT
-from edesign.space.structure.masses import psi_2
+from edesign.space.structure.masses import gravity_factor
 
 LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame, and its elastic material."""
@@ -25,9 +26,8 @@ LEANING = "leaning"
 def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
     """Return plane frames as a project file: tributary loads and masses, sections, supports, and first analyses.
 
-    The loads of a beam are spread over its length. The steel is elastic-perfectly plastic. Beside a single frame,
-    parallel frames that resist nothing stand as one more line of pin-ended columns, tied by the diaphragms, with their
-    share of mass and load.
+    The loads of a beam are spread over its length. Beside a single frame, parallel frames that resist nothing
+    stand as one more line of pin-ended columns, tied by the diaphragms, with their share of mass and load.
 
     Args:
         row: one frame of a building, or all of a direction.
@@ -204,8 +204,7 @@ class _ProjectText:
         text = ["materials:"]
         for name in dict.fromkeys(used):
             steel = self.building.materials[name]
-            moduli = f"E: {value(steel.E / 1e9, 'GPa')}, fy: {value(steel.fy / 1e6, 'MPa')}"
-            text.append(f"  {yaml_text(name)}: {{law: bilinear, {moduli}, hardening: 0}}")
+            text.append(f"  {yaml_text(name)}: {_law(steel.material)}")
         if self.leans:
             modulus = self.building.materials[used[0]].E
             text.append(f"  {self.leaning_steel}: {{law: elastic, E: {value(modulus / 1e9, 'GPa')}}}")
@@ -226,7 +225,7 @@ class _ProjectText:
         text.append("  nodes:")
         for at, floors, (own, live) in runs(nodes, self.lines, self.storeys, line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, G: {value(own, 'kN')}, Q: {value(live, 'kN')}}}")
-        return [*text, f"  gravity: {{G: 1.0, Q: {factor:.6g}}}              # {why}", ""]
+        return [*text, f"  gravity: {{G: {self.building.loads.gravity.G}, Q: {factor:.6g}}}              # {why}", ""]
 
     def _node_load(self, factors: Mapping[str, float]) -> AtNodes:
         found = self.row.merged(lambda frame: frame.node_load(factors))
@@ -239,9 +238,9 @@ class _ProjectText:
         """Factors on the live load cases, the factor of Q in the gravity loads, and what it is."""
         live = {n: case.category for n, case in self.row.space.cases.items() if case.category != "permanent"}
         masses = self.building.masses
-        if masses is None or masses.from_loads is None:
+        if self.building.loads.gravity.Q is None and (masses is None or masses.from_loads is None):
             return dict.fromkeys(live, 1.0), 0.3, "the building file does not say psi_2"
-        of_cases = {name: psi_2(self.building, category) for name, category in live.items()}
+        of_cases = {name: gravity_factor(self.building, category) for name, category in live.items()}
         if len(set(of_cases.values())) <= 1:
             return dict.fromkeys(live, 1.0), next(iter(of_cases.values()), 0.0), "psi_2"
         return of_cases, 1.0, "Q is multiplied with psi_2 of its categories"
@@ -254,7 +253,8 @@ class _ProjectText:
         tonnes = {node: _kilo(mass) for node, mass in found.items() if mass > 0.0}
         if not tonnes:
             return []
-        text = ["masses:", "  directions: horizontal", "  given:"]
+        directions = self.building.masses.directions if self.building.masses is not None else "horizontal"
+        text = ["masses:", f"  directions: {directions}", "  given:"]
         for at, floors, mass in runs(tonnes, self.lines, self.storeys, line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, mass: {value(mass, 't')}}}")
         return [*text, ""]
@@ -285,6 +285,16 @@ def _lengths(lengths: tuple[float, ...] | list[float], key: str) -> str:
     if len(set(lengths)) == 1 and len(lengths) > 1:
         return f"{{count: {len(lengths)}, {key}: {value(lengths[0], 'm')}}}"
     return f"[{', '.join(value(length, 'm') for length in lengths)}]"
+
+
+def _law(material: Material) -> str:
+    """A steel as a project file has it."""
+    said = [f"law: {material.law}", f"E: {value(material.E / 1e9, 'GPa')}"]
+    if not isinstance(material, ElasticMaterial):
+        said += [f"fy: {value(material.fy / 1e6, 'MPa')}", f"hardening: {material.hardening:.6g}"]
+    if isinstance(material, MenegottoPintoMaterial):
+        said += [f"{key}: {getattr(material, key):.6g}" for key in ("R0", "cR1", "cR2")]
+    return f"{{{', '.join(said)}}}"
 
 
 def _kilo(number: float) -> float:

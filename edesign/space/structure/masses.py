@@ -29,6 +29,24 @@ def psi_2(building: Building, category: str) -> float:
     return national.psi[category].psi_2
 
 
+def gravity_factor(building: Building, category: str) -> float:
+    """Return the factor of a load case in the combination that acts before and during histories and pushovers.
+
+    It is that of `loads.gravity`; without one there 1 for permanent loads and psi_2 for variable ones.
+
+    Args:
+        building: from `load_building`.
+        category: of the load case: "permanent", or that of the use.
+
+    Source: EN 1990:2002, 6.4.3.4, Eq. 6.12b.
+    """
+    gravity = building.loads.gravity
+    if category == "permanent":
+        return gravity.G
+    given = gravity.psi_2(category)
+    return psi_2(building, category) if given is None else given
+
+
 @dataclass(frozen=True)
 class FloorMasses:
     """The masses of the floors, each (n_floors + 1,), the base first.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from building_examples import SMALL, building
+from building_examples import ANALYSED, IRREGULAR, SMALL, building
 from messages import says
 
 from edesign.project.building import BuildingError
@@ -64,7 +64,9 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
         ),
         ("materials: {", "missing: {@columns: [{storeys: 2}]}\nmaterials: {", "missing.columns E-BLDG-02"),
         ("S275: {fy: 275 MPa}", "@S275: {E: 210 GPa}", "materials.S275.fy E-KEY-02"),
-        ("{fy: 275 MPa}", "{fy: 275 MPa, @law: elastic}", "materials.S275.law E-KEY-01"),
+        ("{fy: 275 MPa}", "{fy: 275 MPa, law: @steel}", "materials.S275.law `bilinear` E-VALUE-03"),
+        ("{fy: 275 MPa}", "{fy: 275 MPa, @R0: 20}", "materials.S275.R0 `bilinear` E-KEY-03"),
+        ("{fy: 275 MPa}", "{fy: 275 MPa, law: elastic, @hardening: 0.01}", "materials.S275.hardening E-KEY-03"),
         # loads
         ("Q: 2 kN/m^2, category: B, ", "Q: 2 kN/m^2, ", "loads.areas[0].category E-KEY-02"),
         ("category: B", "category: @I", "loads.areas[0].category `A` E-VALUE-03"),
@@ -112,9 +114,13 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
     ],
 )
 def test_each_mistake_is_reported_with_its_place(old: str, new: str, said: str) -> None:
+    _is_reported(SMALL, old, new, said)
+
+
+def _is_reported(whole: str, old: str, new: str, said: str) -> None:
     old = old.replace("@", "")
-    assert SMALL.count(old) == 1, old
-    marked = SMALL.replace(old, new)
+    assert whole.count(old) == 1, old
+    marked = whole.replace(old, new)
     text = marked.replace("@", "")
     ((place, message),) = faults(text)
     assert says(message, said)
@@ -124,6 +130,69 @@ def test_each_mistake_is_reported_with_its_place(old: str, new: str, said: str) 
 
 
 PINNED = ("IPE300, material: S275}", "IPE300, material: S275, ends: pinned}")
+
+
+SHAKEN = "kind: history, record: far"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [  # as above, of a building with analyses
+        ("half_flange: 3", "half_flange: @1", "fibres.half_flange E-VALUE-02"),
+        ("half_flange: 3", "@flange_width: 16", "fibres.flange_width E-KEY-01"),
+        (
+            "integration_points: 4, ",
+            "integration_points: 4, rigid_ends: @{beams: 50 %}, ",
+            "elements.rigid_ends E-BLDG-04",
+        ),
+        ("integration_points: 4", "integration_points: @1", "elements.integration_points E-VALUE-02"),
+        (", periods: [1.0 s, 0.1 s]", "", "damping.modes `periods` E-KEY-02"),
+        ("periods: [1.0 s, 0.1 s]", "modes: @[2, 2]", "damping.modes 2 E-VALUE-04"),
+        ("damping: {kind: rayleigh, ratio: 2 %, periods: [1.0 s, 0.1 s]}\n", "", "analyses[3] `damping` E-KEY-02"),
+        ("integration: {method: newmark, time_step: 0.01 s}\n", "", "analyses[3] `integration` E-KEY-02"),
+        ("method: newmark", "method: @newmrak", "integration.method `newmark` E-VALUE-03"),
+        ("record: farfield/1/a", "record: @far/1/a", "records.far.record E-VALUE-01"),
+        (SHAKEN, "kind: history, record: @fra", "analyses[3].record `far` E-NAME-01"),
+        (SHAKEN, "kind: @histroy, record: far", "analyses[3].kind `history` E-VALUE-03"),
+        ("level: DBE", "level: @MCE", "analyses[3].level `DBE` E-NAME-01"),
+        ("name: shaken", "name: @modes", "analyses[3].name analyses[1] E-NAME-02"),
+        ("pga: 0.3 g", "pga: 0.3 g, @scale: 2", "analyses[3].scale E-KEY-03"),
+        ("vertical: {ratio: 0.7}", "wave_passage: @{velocity: 500 m/s}", "analyses[3].wave_passage E-BLDG-04"),
+        (", directions: both", "", "analyses[3].vertical E-VERT-01"),
+        ("directions: both", "directions: @all", "masses.directions `both` E-VALUE-03"),
+        ("direction: all", "direction: @right", "analyses[2].direction `x+` `y-` `all` E-VALUE-03"),
+        (", direction: all", "", "analyses[2].direction E-KEY-02"),
+        ("floors: [1, 2]", "floors: [1, 2, 3]", "analyses[2].pattern[1] 2 3 E-VALUE-04"),
+        ("roof_drift: 2 %", "roof_drift: 2 %, targets: n2, levels: [@MCE]", "analyses[2].levels E-NAME-01"),
+        ("archive: shaken.h5", "archive: @shaken.zip", "outputs.archive E-FILE-08"),
+        ("[C_A2_1, BX_2_1_2]", "[@C_A_1, BX_2_1_2]", "outputs.members[0] `C_A3_1` BX_2_1_5 E-NAME-01"),
+        (
+            "{member: C_A2_1, points: [1, 4]}",
+            "{member: C_A2_1, points: [1, @5]}",
+            "outputs.sections[0].points[1] E-NAME-01",
+        ),
+        ("{member: C_A2_1, points: [1, 4]}", "{member: @DY_A_1_1_r}", "outputs.sections[0].member E-HIST-04"),
+        ("layers: 1-24", "layers: @1-25", "outputs.fibres[0].layers 25 24 E-NAME-01"),
+        (
+            "Q: 2 kN/m^2, category: B, spans: x}]",
+            "Q: 2 kN/m^2, category: B, spans: x}]\n  gravity: {Q: @{A: 0.3}}",
+            "loads.gravity.Q `B` E-KEY-02",
+        ),
+        (
+            "IPE240, material: S275, ends: pinned",
+            "IPE240, material: S275, ends: @40 MN*m/rad",
+            "beams[1].ends E-BLDG-04",
+        ),
+        ("columns: [{s", "supports: {default: {rx: @5 MN*m/rad}}\ncolumns: [{s", "supports.default.rx E-BLDG-04"),
+    ],
+)
+def test_mistakes_of_analyses_are_reported_with_their_place(old: str, new: str, said: str) -> None:
+    _is_reported(ANALYSED, old, new, said)
+
+
+def test_what_analyses_do_not_have_stands_in_a_file_for_the_design_alone() -> None:
+    stiff = building(IRREGULAR)
+    assert stiff.beams[0].ends.start == 40e6 and not stiff.analyses
 
 
 def test_a_direction_without_resistance() -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import yaml
-from building_examples import IRREGULAR, SMALL, building
+from building_examples import ANALYSED, IRREGULAR, SMALL, building
 from messages import says
 from spoiled_files import ODD, spoiled
 
@@ -19,9 +19,12 @@ from edesign.file_kinds.recognise import kind_of
 from edesign.frame.building_file import load_building
 from edesign.frame.project_file import load_project
 from edesign.frame.sections.building_sections import BuildingSections
+from edesign.project.analysis.analyses import PushoverAnalysis
 from edesign.project.building import Building, parse_building
+from edesign.project.building.loads import Combination
 from edesign.project.building.names import ColumnLine
 from edesign.project.building.places import parse_column_lines, parse_frames
+from edesign.project.frame.materials import BilinearMaterial, MenegottoPintoMaterial
 from edesign.project.notation.names import member_kind, storey_of
 from edesign.space.check import check_building
 
@@ -40,6 +43,38 @@ def test_a_small_building() -> None:
     assert small.design.partial_factors.G == 1.35 and small.design.members.interaction == "annex_b"
     assert small.design_level == "DBE" and small.design.drift.limit == "ductile" and small.design.modes == "auto"
     assert small.checksum == building(SMALL).checksum
+
+
+def test_a_building_with_analyses() -> None:
+    found = building(ANALYSED)
+    steel = found.steels["S275"]
+    assert isinstance(steel, MenegottoPintoMaterial)
+    assert (steel.E, steel.fy, steel.hardening, steel.R0, steel.cR1, steel.cR2) == (
+        210e9,
+        275e6,
+        0.01,
+        20.0,
+        0.925,
+        0.15,
+    )
+    assert found.fibres.half_flange == 3
+    assert found.elements.integration_points == 4 and found.elements.geometry.braces == "linear"
+    assert found.masses is not None and found.masses.directions == "both"
+    assert [analysis.kind for analysis in found.analyses] == ["gravity", "modal", "pushover", "history"]
+    push = found.analyses[2]
+    assert isinstance(push, PushoverAnalysis) and push.directions == ("x+", "x-", "y+", "y-")
+    assert found.largest_drift is None, "corotational columns"
+    assert found.archive_path.name == "shaken.h5"
+    assert list(found.hazard_levels) == ["DBE"] and found.fitted_level("far") is None
+    changed = found.with_folders([Path("motions")]).with_values("materials.S275.law", "bilinear")
+    assert changed.steels["S275"].law == "bilinear" and changed.suite_folders
+
+
+def test_what_a_building_without_the_blocks_has() -> None:
+    found = building(SMALL)
+    assert found.steels["S275"] == BilinearMaterial.model_construct(law="bilinear", E=210e9, fy=275e6, hardening=0.0)
+    assert found.masses is not None and found.masses.directions == "horizontal"
+    assert found.loads.gravity == Combination() and not found.analyses and found.archive_path.name == "building.h5"
 
 
 def test_members_by_name_on_a_grid() -> None:
@@ -157,7 +192,7 @@ MORE_ODD: tuple[Any, ...] = (
 )
 
 
-@pytest.mark.parametrize("file", [SMALL, IRREGULAR, (THESIS / "building.yaml").read_text(encoding="utf-8")])
+@pytest.mark.parametrize("file", [SMALL, ANALYSED, IRREGULAR, (THESIS / "building.yaml").read_text(encoding="utf-8")])
 def test_no_change_of_a_file_leads_to_anything_but_a_message(file: str) -> None:
     """Buildings with keys left out, values replaced, keys renamed (seeded): a frame of numbers, or a message."""
     whole = yaml.safe_load(file)

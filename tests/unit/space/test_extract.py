@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from building_examples import IRREGULAR, SMALL, building
+from building_examples import ANALYSED, IRREGULAR, SMALL, building
 
 from edesign.errors import InputError
 from edesign.frame.building_file import load_building
@@ -21,6 +21,7 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.extract import frame_row, project_text
 from edesign.space.extract.selections import runs
 from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.masses import gravity_factor
 from edesign.study.analysis.modal import fundamental_period
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
@@ -115,6 +116,24 @@ def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> N
     assert project.loads.gravity == Combination(G=1.0, Q=1.0)
     loads = node_loads(project, Q)
     assert loads["B1"] == pytest.approx(0.3 * 50e3, rel=DIGITS) and "B2" not in loads
+
+
+def test_what_the_building_says_of_its_analyses() -> None:
+    """Law of the steel, masses that resist vertical motion, and other factors of the gravity loads than psi_2."""
+    whole = building(ANALYSED, ("spans: x}]", "spans: x}]\n  gravity: {G: 1.1, Q: 0.24}"))
+    project = extracted(whole, "X2")
+    assert project.materials["S275"] == whole.steels["S275"]
+    assert project.masses is not None and project.masses.directions == "both"
+    assert project.loads.gravity == Combination(G=1.1, Q=0.24)
+
+
+def test_gravity_loads_of_analyses() -> None:
+    """EN 1990, Eq. 6.12b and Table A1.1: psi_2 of offices 0.3, of snow 0; what the file says goes before."""
+    of_country, said = building(SMALL), building(SMALL, ("from_loads: {}", "from_loads: {Q: {B: 0.2, snow: 0.1}}"))
+    other = building(SMALL, ("spans: x}]", "spans: x}]\n  gravity: {G: 0.9, Q: {B: 0.5}}"))
+    for whole, factors in ((of_country, (1.0, 0.3, 0.0)), (said, (1.0, 0.2, 0.1))):
+        assert tuple(gravity_factor(whole, category) for category in ("permanent", "B", "snow")) == factors
+    assert tuple(gravity_factor(other, category) for category in ("permanent", "B")) == (0.9, 0.5)
 
 
 @pytest.mark.parametrize(

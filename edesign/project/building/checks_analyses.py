@@ -1,0 +1,83 @@
+"""Cross checks of the analyses of a building, and what plane frames have and buildings have not yet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.damping import RayleighDamping
+from edesign.project.analysis.outputs import FibreOutput, SectionOutput
+from edesign.project.building.building import Building
+from edesign.project.building.checks_selections import Selections
+from edesign.project.building.members import BraceRun, ColumnRun
+from edesign.project.checks.analyses import check_shared
+from edesign.project.checks.outputs import check_kept, check_member
+from edesign.project.notation.selections import NumberSelection
+from edesign.project.reading.problems import Keys, Problems
+
+
+def check_analyses(building: Building, problems: Problems, files: bool = True) -> None:
+    """Check what analyses ask of a building: laws of steels, damping, records, outputs.
+
+    Args:
+        building: its members and loads are right.
+        problems: collects what is wrong.
+        files: whether the files of the records must be there.
+    """
+    for name, steel in building.materials.items():
+        for key in steel.without_meaning:
+            problems.at_key(("materials", name, key), f"the law `{steel.law}` does not have this key [E-KEY-03]")
+    check_shared(building, problems, files)
+    _anchors(building, problems)
+    check_kept(building, problems)
+    check = Selections(building, problems)
+    for i, section in enumerate(building.outputs.sections):
+        _points(building, problems, check, ("outputs", "sections", i), section)
+    for i, fibre in enumerate(building.outputs.fibres):
+        keys: Keys = ("outputs", "fibres", i)
+        if _points(building, problems, check, keys, fibre) and isinstance(fibre.layers, NumberSelection):
+            check.numbers((*keys, "layers"), fibre.layers, "fibre", 8 * building.fibres.half_flange)
+    if building.analyses:
+        for keys, what in _plane_only(building):
+            message = f"{what} in analyses of plane frames alone; a project file has them [E-BLDG-04]"
+            problems.at_value(keys, message)
+
+
+def _anchors(building: Building, problems: Problems) -> None:
+    """Modes 1 and 2 of a building are mostly x and y at nearly one frequency, at which no two anchors can stand."""
+    damping = building.damping
+    if isinstance(damping, RayleighDamping) and damping.periods is None and "modes" not in damping.model_fields_set:
+        message = "modes 1 and 2 of a building are often those along x and y, with nearly one period"
+        problems.under(("damping",), "modes", f"this key is missing, or `periods`: {message} [E-KEY-02]")
+
+
+def _points(
+    building: Building, problems: Problems, check: Selections, keys: Keys, asked: SectionOutput | FibreOutput
+) -> bool:
+    """The member exists and has sections; those of columns are counted, beams have more of them between loads."""
+    if not check_member(building, problems, (*keys, "member"), asked.member):
+        return False
+    run = building.grid.members[asked.member]
+    if isinstance(run, BraceRun):
+        message = f"`{asked.member}` is a brace; a brace has no section points, only an axial force [E-HIST-04]"
+        problems.at_value((*keys, "member"), message)
+        return False
+    last = building.elements.integration_points
+    return not isinstance(run, ColumnRun) or check.numbers((*keys, "points"), asked.points, "point", last)
+
+
+def _plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
+    """What analyses of buildings do not have yet, with the beginning of a sentence."""
+    rigid = building.elements.rigid_ends
+    if rigid.columns.value or rigid.beams.value:
+        yield ("elements", "rigid_ends"), "rigid ends are"
+    for i, run in enumerate(building.beams):
+        if not {run.ends.start, run.ends.end} <= {"rigid", "pinned"}:
+            yield ("beams", i, "ends"), "ends with a stiffness are"
+    for name, support in building.supports.items() if isinstance(building.supports, dict) else ():
+        for direction, restraint in ({} if isinstance(support, str) else dict(support)).items():
+            if not isinstance(restraint, str):
+                yield ("supports", name, direction), "springs at supports are"
+    for i, analysis in enumerate(building.analyses):
+        if isinstance(analysis, HistoryAnalysis) and analysis.wave_passage is not None:
+            yield ("analyses", i, "wave_passage"), "waves that reach one support after the other are"
