@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
 from edesign.codes.ec8 import ElasticSpectrum, NationalParameters, VerticalSpectrum
 from edesign.codes.fema356.objectives import OBJECTIVES
@@ -18,10 +18,7 @@ from edesign.ground_motion.seismic_action.ntc2018 import NtcAction
 from edesign.ground_motion.seismic_action.user import UserAction
 from edesign.project.actions.hazard import AsceHazard, EC8Hazard, NtcHazard, UserHazard
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.project import Project
-
-if TYPE_CHECKING:
-    from edesign.project.building.building import Building
+from edesign.project.analysis_file import AnalysisFile
 
 _SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
 
@@ -42,11 +39,7 @@ def action_of(hazard: Hazard) -> SeismicAction:
     return _ACTIONS[type(hazard)](hazard)
 
 
-@overload
-def checked_hazard(project: Building) -> EC8Hazard: ...
-@overload
-def checked_hazard(project: Project) -> Hazard: ...
-def checked_hazard(project: Project | Building) -> Hazard:
+def checked_hazard(project: AnalysisFile) -> Hazard:
     """Return the hazard of a project or building after checking everything that its code has to say.
 
     Raises:

@@ -462,7 +462,9 @@ def _hazard(building: Building) -> EC8Hazard:
             f"{building.where('hazard')}: hazard: this block is missing; docs/reference/building_file.md explains it"
             " [E-KEY-02]"
         )
-    return checked_hazard(building)
+    checked_hazard(building)
+    assert building.design_hazard is not None, "check_design wants it"
+    return building.design_hazard
 
 
 def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys]) -> list[str]:

@@ -6,14 +6,14 @@ import numpy as np
 
 from edesign.exchange.sap2000.model import SpectrumFunction
 from edesign.ground_motion.hazard import elastic_spectrum
-from edesign.project.actions.hazard import BuildingHazard, Hazard
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.notation.units import STANDARD_GRAVITY
 
 _POINTS = 200  # 3.3 % apart: a line between two of them is within 0.1 % of 1 / T2, from 6 / 8 of its square
 _LONGEST = 10.0  # s, of functions of spectra without an end; no building has a longer period
 
 
-def spectrum_functions(hazard: Hazard | BuildingHazard) -> list[SpectrumFunction]:
+def spectrum_functions(hazard: Hazard) -> list[SpectrumFunction]:
     """Return the horizontal elastic spectrum of each level, as periods and accelerations in g."""
     found = []
     for level in hazard.levels:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
@@ -279,18 +279,3 @@ class UserHazard(Hazard):
 AnyHazard = Annotated[EC8Hazard | NtcHazard | AsceHazard | UserHazard, OneOf("code")]
 OTHER_CODES = ("ntc-2018", "asce7-16", "asce7-22", "user")
 """Codes of the seismic action that the checks of a steel building by EN 1998-1 do not know."""
-
-
-def _building_code(value: Any) -> Any:
-    """Buildings are checked by EN 1993-1-1 and EN 1998-1."""
-    if isinstance(value, Mapping) and value.get("code") in OTHER_CODES:
-        message = (
-            f"a building is checked by EN 1993-1-1 and EN 1998-1, whose behaviour factors, importance classes and "
-            f"limits of drift belong to the action of `ec8-2004`, not of `{value['code']}`; a project file takes it"
-            " [E-HAZ-03]"
-        )
-        raise refuse(message, "code")
-    return value
-
-
-BuildingHazard = Annotated[EC8Hazard, BeforeValidator(_building_code)]

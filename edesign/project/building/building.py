@@ -10,7 +10,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, PrivateAttr
 
-from edesign.project.actions.hazard import BuildingHazard
+from edesign.project.actions.hazard import AnyHazard, EC8Hazard
 from edesign.project.analysis.analyses import BuildingAnalysis
 from edesign.project.analysis.damping import Damping
 from edesign.project.analysis.integration import Integration
@@ -113,7 +113,7 @@ class Building(spacing.Storeys, AnalysisFile):
         damping: inherent damping of the building; histories need it.
         integration: time integration; histories need it.
         validity: errors and drifts beyond which a result does not count.
-        hazard: the seismic action by EN 1998-1, without `behaviour_factor`.
+        hazard: the seismic action, without `behaviour_factor`; a design needs that of EN 1998-1.
         records: ground motions by name.
         design: what is checked, and how the seismic action is combined.
         analyses: what is analysed beside the design, in this order; names differ.
@@ -144,7 +144,7 @@ class Building(spacing.Storeys, AnalysisFile):
     damping: Damping | None = None
     integration: Integration | None = None
     validity: Validity = Validity()
-    hazard: BuildingHazard | None = None
+    hazard: AnyHazard | None = None
     records: dict[Identifier, Record] = {}
     design: Design | None = None
     analyses: tuple[BuildingAnalysis, ...] = ()
@@ -170,6 +170,11 @@ class Building(spacing.Storeys, AnalysisFile):
         if self.design is None or self.hazard is None:
             return ""
         return self.design.level or next(iter(self.hazard.levels))
+
+    @property
+    def design_hazard(self) -> EC8Hazard | None:
+        """The action by EN 1998-1, which designs are for; None: the file has none, or one of another code."""
+        return self.hazard if isinstance(self.hazard, EC8Hazard) else None
 
     @cached_property
     def layout(self) -> Layout:

@@ -19,13 +19,19 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
     """
     check_hazard(building.hazard, building, problems, files)
     hazard, design = building.hazard, building.design
-    if hazard is not None and hazard.behaviour_factor is not None:
+    if getattr(hazard, "behaviour_factor", None) is not None:
         message = "a building has a behaviour factor in each direction; give `q` under design.systems [E-BLDG-01]"
         problems.at_key(("hazard", "behaviour_factor"), message)
     if design is None:
         return
     if hazard is None:
         problems.at_key(("design",), "a design needs the seismic action, and the file has no `hazard` [E-KEY-02]")
+    elif building.design_hazard is None:
+        message = (
+            "a design is checked by EN 1993-1-1 and EN 1998-1, whose behaviour factors, importance classes and limits "
+            f"of drift belong to the action of `ec8-2004`, not of `{hazard.code}`; analyses take it [E-HAZ-03]"
+        )
+        problems.at_value(("hazard", "code"), message)
     elif not hazard.levels:
         problems.under(
             ("hazard",), "levels", "this key is missing; the design is for one level of the hazard [E-KEY-02]"

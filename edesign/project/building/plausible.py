@@ -173,8 +173,9 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
     """The values that have bounds, with their places; zero loads have none."""
     for along in ("x", "y"):
         yield from _lengths(("plan", along), getattr(building.plan, along), "width", WIDTH)
-    if building.hazard is not None and building.hazard.a_gR is not None:
-        yield ("hazard", "a_gR"), building.hazard.a_gR, GROUND
+    hazard = building.design_hazard
+    if hazard is not None and hazard.a_gR is not None:
+        yield ("hazard", "a_gR"), hazard.a_gR, GROUND
     yield from _factors(building)
     yield from _lengths(("storeys",), building.storeys, "height", HEIGHT)
     for name, steel in building.materials.items():

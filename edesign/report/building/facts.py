@@ -99,7 +99,7 @@ def _modes(design: Design, results: BuildingResults) -> str:
 
 def _whose(building: Building) -> str:
     """Whose national values count."""
-    hazard = building.hazard
+    hazard = building.design_hazard
     if hazard is None:
         return "recommended"
     country = national_of(hazard).country

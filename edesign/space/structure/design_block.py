@@ -37,7 +37,7 @@ def design_of(building: Building) -> Design:
     Raises:
         InputError: the file has none.
     """
-    design, hazard = building.design, building.hazard
+    design, hazard = building.design, building.design_hazard
     if design is None:
         raise InputError(
             f"{building.where('design')}: design: this block is missing; docs/reference/building_file.md explains it"

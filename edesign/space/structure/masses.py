@@ -19,13 +19,16 @@ from edesign.space.structure.load_cases import on_nodes
 def psi_2(building: Building, category: str) -> float:
     """Return psi_2 of a category of loads: that of `masses.from_loads`, otherwise that of the country.
 
+    Without an action by EN 1998-1, which names the country, the recommended one counts.
+
     Source: EN 1990, Table A1.1.
     """
     masses = building.masses
     given = masses.from_loads.psi_2(category) if masses is not None and masses.from_loads is not None else None
     if given is not None:
         return given
-    national = national_parameters() if building.hazard is None else national_of(building.hazard)
+    hazard = building.design_hazard
+    national = national_parameters() if hazard is None else national_of(hazard)
     return national.psi[category].psi_2
 
 

@@ -93,7 +93,11 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
             "masses.given[1] masses.given[0] E-NAME-02",
         ),
         # hazard and design
-        ("code: ec8-2004", "code: @ntc-2018", "hazard.code E-HAZ-03"),
+        (
+            "{code: ec8-2004, a_gR: 0.24 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}",
+            "{code: @asce7-16, S_DS: 1 g, S_D1: 0.6 g, T_L: 8 s, levels: {DBE: {earthquake: DE}}}",
+            "hazard.code `ec8-2004` `asce7-16` E-HAZ-03",
+        ),
         ("code: ec8-2004", "code: @ec8-2005", "hazard.code E-VALUE-03"),
         ("a_gR: 0.24 g,", "country: @annex.yaml, zone: 1,", "hazard.country E-FILE-01"),
         ("levels: {DBE", "@behaviour_factor: 4, levels: {DBE", "hazard.behaviour_factor `q` E-BLDG-01"),

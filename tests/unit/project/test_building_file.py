@@ -12,6 +12,7 @@ import yaml
 from building_examples import ANALYSED, IRREGULAR, SMALL, building
 from messages import says
 from spoiled_files import ODD, spoiled
+from unit.project.test_other_hazards import ASCE, EACH, NTC, USER
 
 from edesign.errors import InputError
 from edesign.file_kinds.kinds import BUILDING
@@ -27,6 +28,8 @@ from edesign.project.building.places import parse_column_lines, parse_frames
 from edesign.project.frame.materials import BilinearMaterial, MenegottoPintoMaterial
 from edesign.project.notation.names import member_kind, storey_of
 from edesign.space.check import check_building
+from edesign.space.elastic_design import elastic_design
+from edesign.space.structure.masses import gravity_factor
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
 
@@ -75,6 +78,18 @@ def test_what_a_building_without_the_blocks_has() -> None:
     assert found.steels["S275"] == BilinearMaterial.model_construct(law="bilinear", E=210e9, fy=275e6, hardening=0.0)
     assert found.masses is not None and found.masses.directions == "horizontal"
     assert found.loads.gravity == Combination() and not found.analyses and found.archive_path.name == "building.h5"
+
+
+@pytest.mark.parametrize("hazard", [NTC.replace("  behaviour_factor: 3.9\n", ""), ASCE, USER, EACH])
+def test_analyses_take_the_action_of_any_code(hazard: str) -> None:
+    """A design does not, and psi_2 is the recommended one of EN 1990, Table A1.1: 0.3 of offices."""
+    found = building(SMALL[: SMALL.index("hazard:")] + hazard)
+    assert len(found.hazard_levels) >= 2 and found.design_hazard is None
+    assert check_building(found)["masses"] == check_building(building(SMALL))["masses"]
+    assert gravity_factor(found, "B") == 0.3
+    with pytest.raises(InputError) as caught:
+        elastic_design(found)
+    assert says(str(caught.value), "design E-KEY-02")
 
 
 def test_members_by_name_on_a_grid() -> None:

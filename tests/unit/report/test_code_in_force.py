@@ -14,7 +14,7 @@ from edesign.ground_motion.hazard import rules_in_force
 from edesign.project import parse_project
 
 PACKAGE = Path(__file__).parents[3] / "edesign"
-OF_BUILDINGS = ("report/building/",)  # buildings take the action of EN 1998-1 alone, `_building_code` refuses others
+OF_BUILDINGS = ("report/building/",)  # their designs take the action of EN 1998-1 alone
 METHODS = {
     # a method that is one code's own is named with it, whatever the action is
     "report/design/isolation_tables.py": "equivalent linear",  # the analysis of isolated bases, EN 1998-1, 10.9
