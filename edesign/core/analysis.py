@@ -249,15 +249,22 @@ class Analysis:
 
     def damper_directions(self) -> scipy.sparse.csr_matrix:
         """Return the deformation of each damper by displacements of the equations, (n_dampers, n_equations)."""
+        return self.along(self.model.damper_terms)
+
+    def along(self, sums: Sequence[Sequence[tuple[float, int, int]]]) -> scipy.sparse.csr_matrix:
+        """Return sums of degrees by displacements of the equations, (n, n_equations); supports do not move.
+
+        Args:
+            sums: (coefficient, node, degree) of what is added up in each, diaphragms included.
+        """
         rows, columns, values = [], [], []
-        for damper, terms in enumerate(self.model.damper_terms):
-            for coefficient, node, degree in terms:
+        for row, terms in enumerate(sums):
+            for coefficient, node, degree in self.model.on_masters(terms):
                 if self.equations[node, degree] >= 0:
-                    rows.append(damper)
+                    rows.append(row)
                     columns.append(self.equations[node, degree])
                     values.append(coefficient)
-        shape = (len(self.model.damper_terms), self.n_equations)
-        return scipy.sparse.csr_matrix((values, (rows, columns)), shape=shape)
+        return scipy.sparse.csr_matrix((values, (rows, columns)), shape=(len(sums), self.n_equations))
 
     def install_dampers(self) -> None:
         """Let the dampers act from now on; their deformation counts from the present state."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -46,6 +46,15 @@ class Modes:
     def effective_mass_ratio_x(self) -> np.ndarray:
         """Effective modal masses over the total mass that moves along x, (n,)."""
         return self.effective_mass_ratio[:, 0]
+
+    def moved(self, displacement: Sequence[tuple[float, int, int]]) -> np.ndarray:
+        """Return a sum of degrees in each mode, (n,).
+
+        Args:
+            displacement: (coefficient, node, degree) of what is added up.
+        """
+        terms = [coefficient * self.shapes[:, node, degree] for coefficient, node, degree in displacement]
+        return np.asarray(np.add.reduce(terms, axis=0))
 
 
 def natural_modes(

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from edesign.core import Modes
 from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
@@ -16,7 +17,9 @@ from edesign.study.analysis.structure import frame_alone
 NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horizontally
 
 
-def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers: bool = True) -> dict[str, float]:
+def lateral_loads(
+    project: Project, frame: FrameModel, pattern: Pattern, dampers: bool = True, direction: int = 0
+) -> dict[str, float]:
     """Return the horizontal loads of a pattern on the nodes with mass, by name; their sum is 1 N.
 
     Args:
@@ -25,6 +28,7 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
             (mass times horizontal displacement in the first mode under gravity), or another mode, the storey shears of
             several modes, or shares of the floors.
         dampers: whether it has its dampers, of which buckling-restrained braces count in modes.
+        direction: index of that in which they act.
 
     Raises:
         AnalysisError: no node has a mass, a floor with a share has none, or the loads have no resultant.
@@ -43,12 +47,15 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
         weights = {name: mass * frame.places[name][-1] for name, mass in frame.masses.items()}
     elif isinstance(pattern, GivenPattern) and pattern.mode is None:
         floors = (
-            pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1, dampers)
+            pattern.floors
+            if pattern.floors is not None
+            else _of_modes(project, frame, pattern.modes or 1, dampers, direction)
         )
         weights = _spread(frame, floors, pattern.name)
     else:
         mode = pattern.mode if isinstance(pattern, GivenPattern) and pattern.mode is not None else 1
-        shape = _shapes(project, mode, dampers)[mode - 1]
+        modes = _modes(project, mode, dampers)
+        shape = modes.shapes[mode - 1, :, frame.directions[direction].degree]
         weights = {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()}
     total = sum(weights.values())
     if abs(total) <= NO_RESULTANT * sum(abs(weight) for weight in weights.values()):
@@ -74,24 +81,22 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     return np.array([sum(values.get(name, 0.0) for name in floor.nodes) for floor in frame.floors])
 
 
-def _shapes(project: Project, count: int, dampers: bool) -> np.ndarray:
-    """Horizontal displacements of the nodes in the first modes under gravity, (count, nodes)."""
+def _modes(project: Project, count: int, dampers: bool) -> Modes:
+    """The first modes under gravity."""
     structure = frame_alone(project, dampers)  # a second model, which has no lateral loads yet
     structure.apply_gravity()
-    return structure.modes(count).shapes[:, :, 0]
+    return structure.modes(count)
 
 
-def _of_modes(project: Project, frame: FrameModel, count: int, dampers: bool) -> np.ndarray:
+def _of_modes(project: Project, frame: FrameModel, count: int, dampers: bool, direction: int) -> np.ndarray:
     """Forces of the floors whose storey shears are those of modes, combined by the root of the sum of squares."""
-    structure = frame_alone(project, dampers)
-    structure.apply_gravity()
-    modes = structure.modes(count)
+    modes, degree = _modes(project, count, dampers), frame.directions[direction].degree
     S_e = elastic_spectrum(checked_hazard(project)).acceleration(modes.period)
     inertia = [
         by_floor(frame, {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()})
-        for shape in modes.shapes[:, :, 0]
+        for shape in modes.shapes[:, :, degree]
     ]
-    forces = (modes.participation_x * S_e)[:, None] * np.array(inertia)
+    forces = (modes.participation[:, degree] * S_e)[:, None] * np.array(inertia)
     shears = np.sqrt(np.sum(np.cumsum(forces[:, ::-1], axis=1)[:, ::-1] ** 2, axis=0))
     return shears - np.append(shears[1:], 0.0)
 

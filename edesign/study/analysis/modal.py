@@ -13,7 +13,8 @@ from edesign.study.analysis.damper_stiffness import damped_modes, store_damper_s
 from edesign.study.analysis.footings import interaction, store_footings, store_interaction
 from edesign.study.analysis.isolation_estimate import store_isolation_estimate
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
-from edesign.study.results.recording import coordinate
+from edesign.study.results.coordinates import direction_coordinate
+from edesign.study.results.recording import coordinate, directed
 
 _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one
 
@@ -40,7 +41,7 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
         store_damper_stiffness(group, structure, damped)
     else:
         modes = structure.modes(spec.modes)
-    _store_modes(group, structure, modes)
+    store_modes(group, structure, modes)
     store_footings(group, structure.frame)
     only_braces = all(device.restrained for device in structure.frame.devices) and not structure.frame.attached
     if structure.frame.footings and only_braces:
@@ -76,7 +77,7 @@ def mode_count(project: Project) -> int:
     return int(np.count_nonzero(frame_alone(project).analysis.masses()))
 
 
-def _store_modes(group: Group, structure: Structure, modes: Modes) -> None:
+def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     """Add periods, frequencies, effective masses, and shapes of floors and nodes to a group.
 
     Args:
@@ -84,37 +85,48 @@ def _store_modes(group: Group, structure: Structure, modes: Modes) -> None:
         modes: as the core returns them.
     """
     frame = structure.frame
-    nodes = [[node for ((_, node, _),) in floor.movers[0]] for floor in frame.floors]
-    floors = np.array([modes.shapes[:, there, 0].mean(axis=1) for there in nodes]).T
-    scale = _scale(floors, modes.shapes)
+    movers = [movers for floor in frame.floors for movers in floor.movers]
+    floors = np.array([np.mean([modes.moved(one) for one in alike], axis=0) for alike in movers]).T
+    scale = _scale(floors, modes.shapes[:, :, : frame.model.dimension])
     shapes = modes.shapes / scale[:, None, None]
     coordinate(group, "mode", np.arange(1, modes.omega.size + 1), "1", "number of the mode")
     coordinate(group, "floor", [floor.number for floor in frame.floors], "1", "floor, the highest is the roof")
+    direction_coordinate(group, frame)
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     group.add("period", ("mode",), modes.period, "s", "natural period")
     group.add("frequency", ("mode",), 1.0 / modes.period, "Hz", "natural frequency")
     group.add("circular_frequency", ("mode",), modes.omega, "rad/s", "natural circular frequency")
-    ratios = modes.effective_mass_ratio_x
-    label = "effective modal mass for horizontal ground motion / mass that moves horizontally"
-    group.add("effective_mass_ratio_x", ("mode",), ratios, "1", label)
-    group.add("cumulative_mass_ratio_x", ("mode",), np.cumsum(ratios), "1", f"sum up to this mode of: {label}")
-    factors = modes.participation_x * scale
-    group.add("participation_factor_x", ("mode",), factors, "1", "participation factor for horizontal ground motion")
+    for direction in frame.directions:
+        axis, at = direction.name or "x", direction.degree
+        motion = f"ground motion along {direction.name}" if direction.name else "horizontal ground motion"
+        ratios = modes.effective_mass_ratio[:, at]
+        label = f"effective modal mass for {motion} / mass that moves horizontally"
+        group.add(f"effective_mass_ratio_{axis}", ("mode",), ratios, "1", label)
+        label = f"sum up to this mode of: {label}"
+        group.add(f"cumulative_mass_ratio_{axis}", ("mode",), np.cumsum(ratios), "1", label)
+        factors = modes.participation[:, at] * scale
+        group.add(f"participation_factor_{axis}", ("mode",), factors, "1", f"participation factor for {motion}")
     label = "horizontal displacement of the floor in the mode, mean over its nodes"
-    group.add("floor_shape", ("mode", "floor"), floors / scale[:, None], "1", label)
+    dims, shape = directed(frame, "floor")
+    group.add("floor_shape", ("mode", *dims), (floors / scale[:, None]).reshape(-1, *shape), "1", label)
     if frame.isolated is not None:
         base = modes.shapes[:, frame.nodes[frame.isolated.isolators[0].column_base], 0] / scale
         group.add("base_shape", ("mode",), base, "1", "horizontal displacement of the isolated base in the mode")
     where = list(frame.nodes.values())
+    if frame.model.dimension == 3:
+        coordinate(group, "degree", list(frame.model.degrees), "", "displacement along an axis or turn about it")
+        label = "displacement in the mode, of turns in rad a m of the scale"
+        group.add("node_shape", ("mode", "node", "degree"), shapes[:, where], "1", label)
+        return
     group.add("node_shape_x", ("mode", "node"), shapes[:, where, 0], "1", "horizontal displacement in the mode")
     group.add("node_shape_y", ("mode", "node"), shapes[:, where, 1], "1", "vertical displacement in the mode")
 
 
 def _scale(floors: np.ndarray, shapes: np.ndarray) -> np.ndarray:
-    """What each mode is divided by, (n,); `floors` is (n, floors), `shapes` (n, nodes, 3)."""
+    """What each mode is divided by, (n,), by displacements of floors and of nodes, (n, any) each."""
     found = []
     for floor, shape in zip(floors, shapes, strict=True):
-        translations = shape[:, :2].ravel()
+        translations = shape.ravel()
         largest = translations[np.argmax(np.abs(translations))]
         across = floor[np.argmax(np.abs(floor))]
         found.append(across if abs(across) > _NEGLIGIBLE * abs(largest) else largest)

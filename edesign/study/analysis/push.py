@@ -75,6 +75,7 @@ def push(
     target: float,
     progress: Progress | None = None,
     stop: Stop | None = None,
+    direction: int = 0,
 ) -> Push:
     """Push a frame until the first node of the roof from the left has a displacement, in equal steps.
 
@@ -84,6 +85,7 @@ def push(
         target: displacement of the node, that under gravity included, m.
         progress: called now and then with (steps done, steps).
         stop: asked now and then; True ends the push.
+        direction: index of that in which the frame is pushed.
 
     Returns:
         The response with its capacity curve.
@@ -93,9 +95,10 @@ def push(
         CoreError: the frame is a mechanism.
     """
     frame = make_frame(project, spec.dampers)
-    lateral = frame.model.pattern()
+    lateral, degree = frame.model.pattern(), frame.directions[direction].degree
     for name, load in loads.items():
-        frame.model.nodal_load(lateral, frame.nodes[name], load, 0.0, 0.0)
+        along = (load, 0.0) if degree == 0 else (0.0, load)
+        frame.model.nodal_load(lateral, frame.nodes[name], *along)
     structure = make_structure(project, frame)
     structure.apply_gravity()
     structure.install_dampers()
@@ -127,7 +130,7 @@ def push(
     response = structure.analysis.pushover(
         lateral,
         frame.control,
-        "ux",
+        frame.model.degrees[degree],
         target,
         spec.steps,
         channels([*recorded, drifts, *couples.quantities, *events.quantities]),

@@ -21,7 +21,7 @@ class LinearModes:
         masses: (n, m) displacements of the masses, generalised mass 1.
         floors: (n, floors) horizontal displacement of each floor.
         dampers: (n, devices) deformation of each damper with its brace.
-        participation: (n,) for ground motion along x, sqrt(kg).
+        participation: (n,) for ground motion in the direction of the frame, sqrt(kg).
     """
 
     omega: np.ndarray
@@ -45,7 +45,7 @@ class CondensedFrame:
 
     Attributes:
         mass: (m,) kg.
-        influence: (m,) 1 where a mass moves along x.
+        influence: (m,) 1 where a mass moves in the direction of the frame.
         floor_of: (m,) index of the floor of each mass, -1: none.
         A: (m, m), B: (d, m), C: (d, d), m/N.
         floor_A: (f, m), floor_B: (f, d), m/N.
@@ -69,7 +69,7 @@ class CondensedFrame:
         """Return the horizontal forces of the floors, (..., f) N, from those on the masses.
 
         Args:
-            forces: forces along x on the masses, (..., m) N.
+            forces: forces on the masses in the direction of the frame, (..., m) N.
         """
         here = (self.influence > 0.0) & (self.floor_of >= 0)
         rows = [np.bincount(self.floor_of[here], row[here], self.floor_A.shape[0]) for row in np.atleast_2d(forces)]
@@ -144,11 +144,12 @@ class CondensedFrame:
         return 0.5 * (flexibility + flexibility.T), self.floor_A - self.floor_B @ forces, dampers
 
 
-def condense(structure: Structure) -> CondensedFrame:
+def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
     """Reduce a structure in its present state, with its dampers' places but without their stiffness.
 
     Args:
         structure: the frame and its analysis, under gravity or not.
+        direction: index of that of the ground motion and of the floors; masses of all directions are in the result.
 
     Returns:
         The flexibilities between masses, floors and dampers.
@@ -162,14 +163,15 @@ def condense(structure: Structure) -> CondensedFrame:
     if heavy.size == 0:
         raise AnalysisError("the frame has no masses [E-MODAL-02]")
     n = mass.size
-    across = analysis.equations[:, 0]
+    across = analysis.equations[:, frame.directions[direction].degree]
     floor_rows = np.zeros((len(frame.floors), n))
     floor_at = np.full(n, -1)
     for row, floor in enumerate(frame.floors):
-        equations = [e for ((_, node, _),) in floor.movers[0] if (e := across[node]) >= 0]
-        for equation in equations:
-            floor_rows[row, equation] += 1.0 / len(equations)
-            floor_at[equation] = row
+        movers = analysis.along(floor.movers[direction]).toarray()
+        moving = movers[movers.any(axis=1)]
+        for mover in moving:
+            floor_rows[row] += mover / len(moving)
+            floor_at[mover != 0.0] = row
     influence = np.zeros(n)
     influence[across[across >= 0]] = 1.0
     directions = analysis.damper_directions().toarray()[[device.number for device in frame.devices]]

@@ -15,6 +15,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     Args:
         group: of an analysis.
     """
+    direction_coordinate(group, frame)
     storeys = [storey.number for storey in frame.storeys]
     coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
     coordinate(group, "storey", storeys, "1", "storey below the floor of the same number")
@@ -52,6 +53,16 @@ def coordinates(group: Group, frame: FrameModel) -> None:
         "floor_level", ("floor",), [floor.level for floor in frame.floors], "m", "level of the floor above the base"
     )
     group.add("storey_height", ("storey",), [storey.height for storey in frame.storeys], "m", "height of the storey")
+
+
+def direction_coordinate(group: Group, frame: FrameModel) -> None:
+    """Add the directions in which floors move to a group; a plane frame has one without a name.
+
+    Args:
+        group: of an analysis.
+    """
+    if frame.directions[0].name:
+        coordinate(group, "direction", [direction.name for direction in frame.directions], "", "horizontal direction")
 
 
 RESTRAINED = (
