@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from edesign.frame.frame_model import Direction, Floor, Member, Storey, Sum, Terms
+from edesign.frame.frame_model import Direction, DriftLine, Floor, Member, Storey, Sum, Terms
 from edesign.frame.loads import floor_loads
 from edesign.project.frame.frame import Frame
 from edesign.project.notation import names
@@ -12,6 +12,8 @@ from edesign.project.project import Project
 
 ACROSS = Direction("", degree=0)
 """In which floors of a plane frame move."""
+UP = 1
+"""Its degree along the vertical."""
 
 
 def frame_floors(project: Project, nodes: Mapping[str, int]) -> tuple[Floor, ...]:
@@ -48,23 +50,22 @@ def frame_storeys(frame: Frame, nodes: Mapping[str, int], members: Mapping[str, 
         upper_end = 3 if way == "r" else 0
         shears[storey - 1] += ((1.0, "global_force", element, upper_end),)
     return tuple(
-        Storey(i, height, (tuple(_drift(nodes, *pair, height) for pair in _verticals(frame, i)),), (shear,))
+        Storey(i, height, (tuple(_drift(nodes, *at, height) for at in _verticals(frame, i)),), (shear,))
         for i, (height, shear) in enumerate(zip(frame.storey_heights, shears, strict=True), start=1)
     )
 
 
-def _verticals(frame: Frame, storey: int) -> list[tuple[str, str]]:
-    """Upper and lower node of each line that has a column in the storey, from the left.
+def _verticals(frame: Frame, storey: int) -> list[tuple[str, str, str]]:
+    """Name, upper and lower node of each line that has a column in the storey, from the left.
 
     Without any column they are those of the lines with nodes above and below, and else the leading nodes.
     """
-    pairs = [(names.node_name(line, storey), names.node_name(line, storey - 1)) for line in frame.lines]
-    columns = [(line, storey) in frame.column_at for line in frame.lines]
-    chosen = [pair for pair, column in zip(pairs, columns, strict=True) if column]
+    lines = [(line, names.node_name(line, storey), names.node_name(line, storey - 1)) for line in frame.lines]
+    chosen = [at for at in lines if (at[0], storey) in frame.column_at]
     if not chosen:
-        chosen = [pair for pair in pairs if pair[0] in frame.nodes and pair[1] in frame.nodes]
+        chosen = [at for at in lines if at[1] in frame.nodes and at[2] in frame.nodes]
     if not chosen:
-        chosen = [(_on_lines(frame, storey)[0], next(iter(_on_lines(frame, storey - 1)), ""))]
+        chosen = [("", _on_lines(frame, storey)[0], next(iter(_on_lines(frame, storey - 1)), ""))]
     return chosen
 
 
@@ -73,6 +74,7 @@ def _on_lines(frame: Frame, floor: int) -> list[str]:
     return [name for line in frame.lines if (name := names.node_name(line, floor)) in frame.nodes]
 
 
-def _drift(nodes: Mapping[str, int], upper: str, lower: str, height: float) -> Sum:
+def _drift(nodes: Mapping[str, int], line: str, upper: str, lower: str, height: float) -> DriftLine:
     above: Sum = ((1.0 / height, nodes[upper], ACROSS.degree),)
-    return (*above, (-1.0 / height, nodes[lower], ACROSS.degree)) if lower in nodes else above
+    ratio = (*above, (-1.0 / height, nodes[lower], ACROSS.degree)) if lower in nodes else above
+    return DriftLine(line, ratio)

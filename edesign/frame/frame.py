@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from edesign.core import Analysis, Model
 from edesign.frame.devices import Attached, DeviceLaw, add_attachment, add_devices
-from edesign.frame.floors import ACROSS, frame_floors, frame_storeys
+from edesign.frame.floors import ACROSS, UP, frame_floors, frame_storeys
 from edesign.frame.footings import FootingSprings, project_footings
 from edesign.frame.frame_members import add_members
 from edesign.frame.frame_model import FrameModel, Member, Sinking
@@ -128,6 +128,7 @@ def build_frame(
         frame_storeys(frame, nodes, members),
         floors[-1].movers[0][0][0][1],
         (ACROSS,),
+        UP,
         tuple(still_beams(project)),
         masses,
         supports,
@@ -203,7 +204,7 @@ def _supports(
     footings: Mapping[str, FootingSprings],
     isolation: Isolation | None,
     fixed_base: bool,
-) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, Grounds], dict[str, BuiltFooting]]:
+) -> tuple[dict[str, tuple[bool, ...]], dict[str, Grounds], dict[str, BuiltFooting]]:
     """Support the column bases; returns the restrained degrees, the ground nodes of support springs, and the footings.
 
     Isolators support an isolated base, or with `fixed_base` fixed supports in their place.
@@ -211,7 +212,8 @@ def _supports(
     unreleased = _unreleased_nodes(frame)
     turning = isolation is not None and isolation.base.beams is not None
     at_base = {names.node_name(line, 0): line for line in frame.lines}
-    supports, grounds, built = {}, {}, {}
+    supports: dict[str, tuple[bool, ...]] = {}
+    grounds, built = {}, {}
     for name, node in nodes.items():
         line = at_base.get(name)
         if line is None:

@@ -33,19 +33,26 @@ class Bending:
     """A plane in which members bend, by components of what the core records of an element.
 
     Attributes:
+        axis: local axis about which they bend, "y" or "z" (EN 1993-1-1, 1.7); "" of a plane frame.
         shear, moment: of `end_force` at the start and the end.
         plastic: of `plastic_rotation` at both.
         chord: of `deformation`: rotations of both ends against the chord.
     """
 
+    axis: str
     shear: tuple[int, int]
     moment: tuple[int, int]
     plastic: tuple[int, int]
     chord: tuple[int, int]
 
 
-IN_PLANE = (Bending(shear=(1, 4), moment=(2, 5), plastic=(0, 1), chord=(1, 2)),)
+IN_PLANE = (Bending("", shear=(1, 4), moment=(2, 5), plastic=(0, 1), chord=(1, 2)),)
 """How members of a plane frame bend."""
+IN_SPACE = (
+    Bending("y", shear=(2, 8), moment=(4, 10), plastic=(2, 3), chord=(3, 4)),
+    Bending("z", shear=(1, 7), moment=(5, 11), plastic=(0, 1), chord=(1, 2)),
+)
+"""How members in space bend."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +67,11 @@ class Member:
         length: between its nodes, m.
         bending: the planes in which it bends.
         axial: components of `end_force` along it, at its start and end.
-        fibres: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
-        outer: numbers of the fibres that yield first.
+        torque: those about it; None of a plane frame and of braces.
+        frames: plane frames of a building that it stands in.
+        fibres: depths of its layers of fibres above the centroid, bottom to top, m; in space (n, 2) places along local
+            y and z; None for braces, elastic members.
+        outer: numbers of the fibres of which one yields first.
         points: its sections along `element`.
         parts: its elements from the start: most members are one.
         stretches: where these stand on it.
@@ -83,6 +93,8 @@ class Member:
     length: float
     bending: tuple[Bending, ...] = IN_PLANE
     axial: tuple[int, int] = (0, 3)
+    torque: tuple[int, int] | None = None
+    frames: tuple[str, ...] = ()
     fibres: np.ndarray | None = None
     outer: tuple[int, ...] = ()
     points: int = 0
@@ -135,9 +147,11 @@ class Floor:
     Attributes:
         level: above the base, m.
         movers: by direction the displacements that count alike in the mean of the floor, the leading one first; of a
-            plane frame those of the nodes on column lines.
+            plane frame those of the nodes on column lines, of a rigid floor of a building that of its centre of mass.
         nodes: names of all nodes at its level.
         gravity: loads of the gravity combination on it, N downwards.
+        turn: its turn about the vertical; () of a plane frame, and of a floor that is not rigid.
+        points: by the name of a place of a building its displacements by direction.
     """
 
     number: int
@@ -145,6 +159,23 @@ class Floor:
     movers: tuple[tuple[Sum, ...], ...]
     nodes: tuple[str, ...]
     gravity: float
+    turn: Sum = ()
+    points: Mapping[str, tuple[Sum, ...]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class DriftLine:
+    """A column line on which a storey drifts.
+
+    Attributes:
+        line: its name.
+        ratio: drift ratio of the storey on it.
+        frames: plane frames of a building along the direction that it stands in.
+    """
+
+    line: str
+    ratio: Sum
+    frames: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -153,13 +184,13 @@ class Storey:
 
     Attributes:
         height: m.
-        drifts: by direction its drift ratio on each column line.
+        drifts: by direction the column lines on which it drifts.
         shear: by direction the force on the upper ends of its columns and braces.
     """
 
     number: int
     height: float
-    drifts: tuple[tuple[Sum, ...], ...]
+    drifts: tuple[tuple[DriftLine, ...], ...]
     shear: tuple[Terms, ...]
 
 
@@ -194,9 +225,10 @@ class FrameModel:
         floors, storeys: from the lowest.
         control: node of the roof whose displacement pushes control.
         directions: in which floors and storeys move.
+        up: degree of the core along the vertical.
         still: names of the loaded beams that vertical ground motion does not bend.
         masses: kg that resist horizontal motion, by node.
-        supports: restrained degrees of freedom (ux, uy, rz) of each supported node, by name.
+        supports: whether each degree of the core is restrained, of each supported node by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
         panels: its panel zones by the node of their joint.
@@ -205,8 +237,8 @@ class FrameModel:
         leaning: its leaning column, whose nodes and struts are none of the above.
         footings: by the supported nodes that stand on them.
         isolated: its isolated base, whose devices are among its dampers; None: it stands on its supports.
-        on_bases: loads of the gravity combination on the column bases of an isolated base, N downwards, by the name of
-            the node.
+        on_bases: loads of the gravity combination on column bases themselves, those of an isolated base and of a
+            building, N downwards, by the name of the node.
     """
 
     grid: Grid
@@ -220,9 +252,10 @@ class FrameModel:
     storeys: tuple[Storey, ...]
     control: int
     directions: tuple[Direction, ...]
+    up: int
     still: tuple[str, ...]
     masses: dict[str, float]
-    supports: dict[str, tuple[bool, bool, bool]]
+    supports: dict[str, tuple[bool, ...]]
     devices: tuple[Device, ...] = ()
     attached: dict[str, int] = field(default_factory=dict)
     grounds: dict[str, Grounds] = field(default_factory=dict)
@@ -263,19 +296,16 @@ class FrameModel:
 
         A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base, and what
         loads it at a support goes there at once.
-
-        Args:
-            degree: 0 ux, 1 uy, 2 rz.
         """
         if degree == 0 and self.isolated is not None:
             return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support))
-        ground = self.grounds.get(support, (None, None, None))[degree]
+        ground = self.grounds[support][degree] if support in self.grounds else None
         if ground is not None:
             return ((1.0, "reaction", ground, degree),)
         node = self.nodes[support]
-        pushed = [node] if degree == 2 else [node, *self.moving_with.get(node, ())]
+        pushed = [node] if degree > self.up else [node, *self.moving_with.get(node, ())]
         terms = tuple((1.0, "reaction", at, degree) for at in pushed)
-        load = self.on_bases.get(support, 0.0) if degree == 1 else 0.0
+        load = self.on_bases.get(support, 0.0) if degree == self.up else 0.0
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
 
     def of_kind(self, kind: MemberKind) -> list[Member]:

@@ -92,8 +92,23 @@ def strut(project: Project, section: str, material: str, length: float) -> Strut
     """
     steel = project.materials[material]
     area, axes = _section(project, section, steel)
-    if not axes:
-        return None
+    return _strut(area, axes, steel, length) if axes else None
+
+
+def catalogue_strut(section: str, steel: Material, length: float) -> Strut:
+    """Return a member of a rolled or hollow section as a strut; source and rules as of `strut`.
+
+    Args:
+        steel: its law.
+        length: L_cr about both axes, m.
+
+    Raises:
+        InputError: there is no such section.
+    """
+    return _strut(*_of_catalogue(section, steel), steel, length)
+
+
+def _strut(area: float, axes: list[AxisData], steel: Material, length: float) -> Strut:
     critical = [(critical_force(steel.E, inertia, length), curve) for inertia, curve in axes]
     if isinstance(steel, ElasticMaterial):
         return Strut(length, math.inf, min(force for force, _ in critical), math.inf)
@@ -159,13 +174,17 @@ def _section(project: Project, name: str, steel: Material) -> tuple[float, list[
     if not isinstance(shape, CrossSection):
         return shape.area, [] if shape.inertia is None else [(shape.inertia, solid_curve())]
     if own is None:
-        steel_shape = steel_section(name)
-        curves = _catalogue_curves(steel_shape, 0.0 if isinstance(steel, ElasticMaterial) else steel.fy)
-        return steel_shape.A, list(zip((steel_shape.I_y, steel_shape.I_z), curves, strict=True))
+        return _of_catalogue(name, steel)
     weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)
     if isinstance(own, PlateSection):
         return shape.area, [(shape.inertia, welded_i_curve(own.flange, "y")), (weak, welded_i_curve(own.flange, "z"))]
     return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
+
+
+def _of_catalogue(name: str, steel: Material) -> tuple[float, list[AxisData]]:
+    shape = steel_section(name)
+    curves = _catalogue_curves(shape, 0.0 if isinstance(steel, ElasticMaterial) else steel.fy)
+    return shape.A, list(zip((shape.I_y, shape.I_z), curves, strict=True))
 
 
 def _catalogue_curves(section: SteelSection, fy: float) -> list[Curve]:

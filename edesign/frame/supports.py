@@ -15,25 +15,25 @@ if TYPE_CHECKING:
 
 SpringValues = YieldingTranslation | YieldingRotation
 Direction = str | float | SpringValues
-Grounds = tuple[int | None, int | None, int | None]
+Grounds = tuple[int | None, ...]
 _WORDS = ("horizontal", "vertical", "rotation")
 
 
 def support_springs(
-    model: Model, name: str, node: int, place: tuple[float, float], directions: Sequence[Direction]
+    model: Model, name: str, node: int, place: Sequence[float], directions: Sequence[Direction]
 ) -> Grounds:
     """Add the springs that support a node.
 
     Args:
         name: of the supported node.
-        place: x and y of the node, m.
-        directions: what restrains ux, uy, rz; "fixed" and "free" get no spring.
+        place: of the node, m.
+        directions: what restrains each degree; "fixed" and "free" get no spring.
 
     Returns:
         For each degree the node of the ground that its spring stands on; None without one.
     """
     ground = model.node(f"{name}.ground", *place)
-    model.fix(ground, True, True, True)
+    model.fix(ground, **dict.fromkeys(model.degrees, True))
     grounds: list[int | None] = []
     for degree, direction in enumerate(directions):
         if isinstance(direction, str):
@@ -41,7 +41,7 @@ def support_springs(
             continue
         _spring(model, name, ground, node, degree, _law(direction))
         grounds.append(ground)
-    return grounds[0], grounds[1], grounds[2]
+    return tuple(grounds)
 
 
 @dataclass(frozen=True)
@@ -94,9 +94,11 @@ def add_footing(
 
 
 def _spring(model: Model, name: str, ground: int, node: int, degree: int, law: SpringLaw) -> int:
-    terms = [0.0] * 6
-    terms[degree], terms[3 + degree] = -1.0, 1.0
-    return model.spring(f"{name}.{_WORDS[degree]}", ground, node, terms, law)
+    degrees = len(model.degrees)
+    terms = [0.0] * (2 * degrees)
+    terms[degree], terms[degrees + degree] = -1.0, 1.0
+    word = _WORDS[degree] if model.dimension == 2 else model.degrees[degree]
+    return model.spring(f"{name}.{word}", ground, node, terms, law)
 
 
 def vertical_spring(name: str) -> str:

@@ -125,7 +125,7 @@ class CoreSections:
     def _material(self, run: Run) -> int:
         key = (run.material, self._stays_elastic(run))
         if key not in self._materials:
-            self._materials[key] = self._model.material(_law(self._project.materials[run.material], key[1]))
+            self._materials[key] = self._model.material(core_law(self._project.materials[run.material], key[1]))
         return self._materials[key]
 
     def _fibre_material(self, run: BraceRun, buckling: BraceBuckling) -> int:
@@ -137,7 +137,7 @@ class CoreSections:
             from edesign import core
 
             fatigue = core.Fatigue(buckling.fracture.strain, buckling.fracture.exponent)
-            self._breaking[key] = self._model.material(_law(self._project.materials[run.material], False), fatigue)
+            self._breaking[key] = self._model.material(core_law(self._project.materials[run.material], False), fatigue)
         return self._breaking[key]
 
 
@@ -145,8 +145,8 @@ def _axis(run: Run) -> SectionAxis:
     return "strong" if isinstance(run, BraceRun) else run.axis
 
 
-def _law(material: Material, elastic: bool) -> Steel:
-    """The core's description of a material, or of its elastic part."""
+def core_law(material: Material, elastic: bool = False) -> Steel:
+    """Return the core's description of a material, or of its elastic part."""
     from edesign import core
 
     if elastic or isinstance(material, ElasticMaterial):

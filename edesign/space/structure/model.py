@@ -41,7 +41,7 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool
     return SpaceModel(
         coordinates=frame.coordinates,
         node_floor=_diaphragm_numbers(frame),
-        masters=_masters(frame),
+        masters=masters(frame),
         fixed=frame.fixed,
         springs=frame.springs,
         members=SpaceMembers(
@@ -96,8 +96,12 @@ def _diaphragm_numbers(frame: SpaceFrame) -> np.ndarray:
     return np.where(frame.node_floor == NO_DIAPHRAGM, NO_DIAPHRAGM, numbers)
 
 
-def _masters(frame: SpaceFrame) -> np.ndarray:
-    """Return the centre of mass of each rigid floor, or of its nodes if it has no mass, (n_diaphragms, 2) m."""
+def masters(frame: SpaceFrame) -> np.ndarray:
+    """Return the centre of mass of each rigid floor, or of its nodes if it has no mass, (n_diaphragms, 2) m.
+
+    Args:
+        frame: of the building.
+    """
     found = []
     for floor in diaphragm_floors(frame):
         of_floor = frame.node_floor == floor

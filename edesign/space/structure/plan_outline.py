@@ -35,6 +35,19 @@ def recess_areas(bays: Iterable[tuple[int, int]], x: Sequence[float], y: Sequenc
     return found, sum((x[i] - x[i - 1]) * (y[j] - y[j - 1]) for i, j in covered)
 
 
+def corners(bays: Iterable[tuple[int, int]]) -> list[Vertex]:
+    """Return where the outline of a floor turns, in order from below at the left.
+
+    Args:
+        bays: that the floor covers, from 1 along x and along y; they hang together.
+    """
+    vertices = _outline(set(bays))
+    around = zip([vertices[-1], *vertices[:-1]], vertices, [*vertices[1:], vertices[0]], strict=True)
+    return [
+        at for before, at, after in around if len({before[0], at[0], after[0]}) > 1 < len({before[1], at[1], after[1]})
+    ]
+
+
 def _outline(bays: set[tuple[int, int]]) -> list[Vertex]:
     """Return the corners along the outer edge of some bays, counter-clockwise, from the lowest of those on the left."""
     sides: set[tuple[Vertex, Vertex]] = set()

@@ -24,14 +24,14 @@ def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
     Args:
         history: whether values over time are kept.
     """
-    cells = tuple(_mean(lines) for storey in frame.storeys for lines in storey.drifts)
+    cells = tuple(_mean([at.ratio for at in lines]) for storey in frame.storeys for lines in storey.drifts)
     name = "drift ratio of the storey, mean over its column lines"
     return Quantity("storey_drift", *directed(frame, "storey"), cells, "1", name, history, ("final",))
 
 
 def line_drifts(frame: FrameModel) -> Quantity:
     """Return the drift ratio of each storey on every column line, one after the other; it is not archived."""
-    cells = tuple(recorded(ratio) for storey in frame.storeys for lines in storey.drifts for ratio in lines)
+    cells = tuple(recorded(at.ratio) for storey in frame.storeys for lines in storey.drifts for at in lines)
     return Quantity("line_drift", ("line_drift",), (len(cells),), cells, "1", "drift ratio on a column line", keep=())
 
 

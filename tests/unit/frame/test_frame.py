@@ -29,7 +29,7 @@ def test_nodes_and_members_of_the_grid() -> None:
     assert frame.floors[1].movers[0] == tuple(((1.0, frame.nodes[name], 0),) for name in ("A2", "B2", "C2"))
     assert frame.floors[0].nodes == ("A1", "B1", "C1") and frame.control == frame.nodes["A2"]
     upper, lower = frame.nodes["B2"], frame.nodes["B1"]
-    assert frame.storeys[1].drifts[0][1] == ((1.0 / 3.0, upper, 0), (-1.0 / 3.0, lower, 0))
+    assert frame.storeys[1].drifts[0][1].ratio == ((1.0 / 3.0, upper, 0), (-1.0 / 3.0, lower, 0))
     assert [at for _, kind, at, _ in frame.storeys[1].shear[0]] == [m.element for m in frame.of_kind("column")[3:]]
 
 

@@ -1,0 +1,88 @@
+"""A building as a model of the numerical core, for modes, pushes and histories."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.core import Model
+from edesign.frame.frame_model import FrameModel, Sinking
+from edesign.project.building.building import Building
+from edesign.project.building.layout import DIRECTIONS as PLAN
+from edesign.space.file_places import telling_member
+from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys
+from edesign.space.nonlinear.gravity import gravity_loads
+from edesign.space.nonlinear.masses import add_masses, still_beams
+from edesign.space.nonlinear.members import BuildingMembers
+from edesign.space.nonlinear.supports import add_supports
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
+
+
+def build_building(building: Building, model: Model | None = None) -> FrameModel:
+    """Build the model of a building with its masses and gravity loads.
+
+    Nodes, members, loads and masses are those of the elastic design. Columns and beams have fibres in two directions
+    and elastic torsion without warping, or are elastic if their steel is; they do not deform in shear. Braces are
+    bars; those that do not count in compression have half of their area, as in the design.
+
+    Args:
+        building: from `load_building`.
+        model: an empty model in space to build in; a new one by default.
+
+    Returns:
+        The model, with the numbers of its parts in the core.
+
+    Raises:
+        InputError: an end of a beam is a spring, a section is not known, loads upwards would give a negative mass, or
+            the core refuses a member.
+    """
+    whole = with_steel_by_thickness(building)
+    with telling_member(building):
+        return _build(whole, model or Model(dimension=3))
+
+
+def _build(building: Building, model: Model) -> FrameModel:
+    frame = space_frame(building)
+    loads = gravity_loads(building, frame)
+    nodes = {
+        name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
+    }
+    masters, masses = add_masses(building, frame, model)
+    supports, grounds = add_supports(frame, model)
+    members = BuildingMembers(building, frame, model, loads)
+    gravity = model.pattern()
+    for node, (fx, fy, fz, mx, my, mz) in enumerate(loads.on_nodes.tolist()):
+        model.nodal_load(gravity, node, fx, fy, mz, fz=fz, mx=mx, my=my)
+    of_members = [members.by_name[member.name].element for member in frame.members]
+    for element, uniform in zip(of_members, loads.uniform, strict=True):
+        if uniform.any():
+            model.uniform_load(gravity, element, *uniform.tolist())
+    for number, points in loads.points.items():
+        for position, force in points:
+            model.point_load(gravity, of_members[number], position, *force.tolist())
+    floors = building_floors(building, frame, loads, nodes, masters)
+    places = dict(zip(model.node_names, model.node_places, strict=True))
+    named = {**nodes, **{model.node_names[master]: master for master in masters.values()}}
+    return FrameModel(
+        grid=building.grid,
+        model=model,
+        gravity=gravity,
+        sinking=Sinking(
+            float(np.abs(loads.of_levels).sum()),
+            members.work_inside,
+            0.5 * float(np.mean([width for along in PLAN for width in building.widths(along)])),
+        ),
+        nodes=named,
+        places={name: places[name] for name in named},
+        members=members.by_name,
+        floors=floors,
+        storeys=building_storeys(building, nodes, members.by_name),
+        control=floors[-1].movers[0][0][0][1],
+        directions=DIRECTIONS,
+        up=UP,
+        still=still_beams(building, frame, loads),
+        masses=masses,
+        supports=supports,
+        grounds=grounds,
+        on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports},
+    )

@@ -1,0 +1,89 @@
+"""Floors and storeys of a building: what moves as one, what drifts, and what holds it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.frame.frame_model import Direction, DriftLine, Floor, Member, Storey, Sum, Terms
+from edesign.project.building.building import Building
+from edesign.project.building.names import ColumnLine, column_name, frame_name, node_name
+from edesign.space.nonlinear.gravity import GravityLoads
+from edesign.space.nonlinear.masses import master_name
+from edesign.space.structure.frame import AXES, SpaceFrame
+from edesign.space.structure.plan_outline import corners
+
+DIRECTIONS = tuple(Direction(axis, degree) for degree, axis in enumerate(AXES))
+"""In which floors of a building move."""
+UP, TURN = 2, 5
+"""Degrees of the core along the vertical and about it."""
+_UPPER_END = 6  # columns and braces end above; forces of their ends come after those of their starts
+
+
+def building_floors(
+    building: Building, frame: SpaceFrame, gravity: GravityLoads, nodes: Mapping[str, int], masters: Mapping[int, int]
+) -> tuple[Floor, ...]:
+    """Return the floors above the base; named places are the column lines at the corners of their outlines.
+
+    A floor that is not rigid moves as its masses do in the mean.
+
+    Args:
+        building: from `load_building`.
+        nodes: ids by name.
+        masters: ids by rigid floor.
+    """
+    found = []
+    for floor, level in enumerate(building.levels[1:], start=1):
+        there = np.flatnonzero(frame.level_of_nodes == floor)
+        names = [frame.node_names[node] for node in there]
+        points: dict[str, tuple[Sum, ...]] = {}
+        for line in (ColumnLine(*corner) for corner in corners(building.layout.floors[floor])):
+            if (name := node_name(line, floor)) in nodes:
+                points[str(line)] = tuple(((1.0, nodes[name], axis.degree),) for axis in DIRECTIONS)
+        if floor in masters:
+            master = masters[floor]
+            movers: tuple[tuple[Sum, ...], ...] = tuple((((1.0, master, axis.degree),),) for axis in DIRECTIONS)
+            turn: Sum = ((1.0, master, TURN),)
+            names.append(master_name(floor))
+        else:
+            mass = frame.node_mass[there] if frame.node_mass[there].any() else np.ones(there.size)
+            shares = list(zip((mass / mass.sum()).tolist(), there.tolist(), strict=True))
+            movers = tuple(
+                (tuple((share, node, axis.degree) for share, node in shares if share > 0.0),) for axis in DIRECTIONS
+            )
+            turn = ()
+        found.append(Floor(floor, level, movers, tuple(names), float(gravity.of_levels[floor]), turn, points))
+    return tuple(found)
+
+
+def building_storeys(building: Building, nodes: Mapping[str, int], members: Mapping[str, Member]) -> tuple[Storey, ...]:
+    """Return the storeys; they drift on the lines of their columns, and columns and braces carry their shear.
+
+    Args:
+        building: from `load_building`.
+        nodes: ids by name.
+    """
+    layout = building.layout
+    braces = [(place.storey, name) for place in layout.brace_at for name in (place.name("r"), place.name("f"))]
+    found = []
+    for storey, height in enumerate(building.storey_heights, start=1):
+        lines = [line for line, at in layout.column_at if at == storey]
+        holding = [members[column_name(line, storey)].element for line in lines]
+        holding += [members[name].element for at, name in braces if at == storey and name in members]
+        if not lines:
+            lines = [line for line in layout.node_lines[storey] if line in layout.node_lines[storey - 1]]
+        shear: list[Terms] = [
+            tuple((1.0, "global_force", element, _UPPER_END + axis.degree) for element in holding)
+            for axis in DIRECTIONS
+        ]
+        drifts = tuple(tuple(_drift(nodes, line, storey, height, axis) for line in lines) for axis in DIRECTIONS)
+        found.append(Storey(storey, height, drifts, tuple(shear)))
+    return tuple(found)
+
+
+def _drift(nodes: Mapping[str, int], line: ColumnLine, storey: int, height: float, direction: Direction) -> DriftLine:
+    above, below = (nodes[node_name(line, floor)] for floor in (storey, storey - 1))
+    ratio = ((1.0 / height, above, direction.degree), (-1.0 / height, below, direction.degree))
+    frames = (frame_name("x", line.j),) if direction.name == "x" else (frame_name("y", line.i),)
+    return DriftLine(str(line), ratio, frames)

@@ -1,0 +1,167 @@
+"""The members of a building in the core's model: fibres in two directions, or elastic ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from edesign.core import Model
+from edesign.errors import InputError
+from edesign.frame.frame_model import IN_SPACE, Member
+from edesign.frame.loads import MemberLoads, Stretches
+from edesign.frame.sections.core_sections import core_law
+from edesign.frame.sections.space_section import space_section
+from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.struts import Bar, catalogue_strut
+from edesign.project.actions.beam_loads import points_of_member
+from edesign.project.building.building import Building
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.notation.names import MemberKind
+from edesign.space.file_places import keys_of_member
+from edesign.space.nonlinear.gravity import GravityLoads
+from edesign.space.structure.frame import RIGID, SpaceFrame
+from edesign.space.structure.frame import Member as Placed
+from edesign.space.structure.model import TENSION_ONLY_SHARE
+
+
+@dataclass(frozen=True)
+class _Section:
+    """A section in the core: its number, and the places of its fibres, (n, 2) m; None: it is elastic."""
+
+    number: int
+    fibres: np.ndarray | None = None
+
+    @cached_property
+    def outer(self) -> tuple[int, ...]:
+        """Fibres at the corners of the polygon around all: whatever the axis of bending, one of them yields first."""
+        if self.fibres is None:
+            return ()
+        from scipy.spatial import ConvexHull
+
+        return tuple(sorted(int(i) for i in ConvexHull(self.fibres).vertices))
+
+
+class BuildingMembers:
+    """The members of a building, added to a model of the core.
+
+    Args:
+        building: whose members are of steels by their thickness.
+        frame: its nodes and members.
+        model: of the core, which has the nodes of the frame in their order.
+        gravity: loads on the members, at which these are integrated piece by piece.
+
+    Raises:
+        InputError: an end is a spring, or a section does not exist.
+    """
+
+    def __init__(self, building: Building, frame: SpaceFrame, model: Model, gravity: GravityLoads) -> None:
+        self._building, self._frame, self._model, self._gravity = building, frame, model, gravity
+        self._laws, of_kind = building.steels, building.elements.geometry
+        self._geometry = {"column": of_kind.columns, "beam": of_kind.beams, "brace": of_kind.braces}
+        pairs, self._of_members = frame.sections
+        materials = {
+            name: model.material(core_law(self._laws[name])) for name in dict.fromkeys(name for _, name in pairs)
+        }
+        self._materials = [materials[name] for _, name in pairs]
+        self._sections: dict[int, _Section] = {}
+        self.by_name = {member.name: self._add(i, member) for i, member in enumerate(frame.members)}
+
+    @property
+    def work_inside(self) -> float:
+        """Work of the gravity loads on elastic members as if they were simply supported, J."""
+        found = 0.0
+        for number, member in enumerate(self._frame.members):
+            if member.axial_only or self.by_name[member.name].fibres is not None:
+                continue
+            shape, E, length = steel_section(member.section), self._laws[member.material].E, self._frame.length[number]
+            for axis, inertia in ((1, shape.I_z), (2, shape.I_y)):
+                points = [(position, float(force[axis])) for position, force in self._gravity.points.get(number, ())]
+                loads = MemberLoads(float(self._gravity.uniform[number, axis]), points)
+                found += loads.squared_moment(float(length)) / (2.0 * E * inertia)
+        return found
+
+    def _add(self, number: int, placed: Placed) -> Member:
+        nodes = placed.start, placed.end
+        if placed.axial_only:
+            area = steel_section(placed.section).A * (1.0 if placed.compression else TENSION_ONLY_SHARE)
+            material = self._materials[self._of_members[number]]
+            element = self._model.truss(placed.name, *nodes, material, area, self._geometry[placed.kind])
+            return self._member(number, placed, element, axial=(0, 6))
+        soft = [value for value in placed.ends if value not in (0.0, RIGID)]
+        if soft:
+            keys = (*keys_of_member(self._building, placed.name), "ends")
+            raise InputError(
+                f"{self._building.where(*keys)}: {placed.name}: ends with a stiffness are in analyses of plane frames "
+                "alone; a project file has them [E-BLDG-04]"
+            )
+        section = self._section(number, placed)
+        inside = dict.fromkeys(at for at, _ in self._gravity.points.get(number, ()) if 0.0 < at < 1.0)
+        breaks = tuple(inside) if section.fibres is not None else ()
+        element = self._model.beam_column(
+            placed.name,
+            *nodes,
+            section.number,
+            self._building.elements.integration_points,
+            self._geometry[placed.kind],
+            [value == 0.0 for value in placed.ends],
+            breaks,
+            placed.web,
+        )
+        return self._member(
+            number,
+            placed,
+            element,
+            bending=IN_SPACE,
+            axial=(0, 6),
+            torque=(3, 9),
+            fibres=section.fibres,
+            outer=section.outer,
+            points=points_of_member(self._building.elements, breaks),
+        )
+
+    def _member(self, number: int, placed: Placed, element: int, **facts: Any) -> Member:
+        length = float(self._frame.length[number])
+        kind: MemberKind = placed.kind
+        return Member(
+            name=placed.name,
+            kind=kind,
+            element=element,
+            start=self._frame.node_names[placed.start],
+            end=self._frame.node_names[placed.end],
+            section=placed.section,
+            material=placed.material,
+            steel=self._laws[placed.material],
+            length=length,
+            parts=(element,),
+            stretches=Stretches((0.0, 0.0), (length,)),
+            frames=placed.frame,
+            bar=self._bar(placed, length),
+            **facts,
+        )
+
+    def _bar(self, placed: Placed, length: float) -> Bar | None:
+        if placed.kind == "beam":
+            return None
+        steel = self._laws[placed.material]
+        strut = catalogue_strut(placed.section, steel, length) if placed.compression else None
+        return Bar(placed.name, placed.kind, placed.section, strut, placed.compression)
+
+    def _section(self, number: int, placed: Placed) -> _Section:
+        of = int(self._of_members[number])
+        if of not in self._sections:
+            self._sections[of] = self._make(placed.section, placed.material, self._materials[of])
+        return self._sections[of]
+
+    def _make(self, name: str, material: str, number: int) -> _Section:
+        steel, law = self._building.materials[material], self._laws[material]
+        G = steel.E / (2.0 * (1.0 + steel.nu))
+        if isinstance(law, ElasticMaterial):
+            shape = steel_section(name)
+            stiffness = (law.E * shape.A, law.E * shape.I_z, law.E * shape.I_y, G * shape.I_t)
+            return _Section(self._model.elastic_section(*stiffness))
+        fibres = space_section(name, self._building.fibres.half_flange)
+        section = self._model.fibre_section(fibres.y, fibres.area, number, fibres.z, G * fibres.I_t)
+        return _Section(section, np.unique(np.stack([fibres.y, fibres.z], axis=1), axis=0))
