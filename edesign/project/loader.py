@@ -14,7 +14,6 @@ from edesign.project.checks.hazard import check_hazard
 from edesign.project.checks.hinges import check_hinges
 from edesign.project.checks.isolation import check_isolation
 from edesign.project.checks.outputs import check_outputs
-from edesign.project.dampers.dampers import BraceSection
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import Catalogue
 from edesign.project.project import Project
@@ -24,7 +23,7 @@ from edesign.project.reading.problems import Problems, ProjectError
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 _WHAT = "project file"
-S = TypeVar("S", ColumnRun, BeamRun, BraceRun, BraceSection)
+S = TypeVar("S", ColumnRun, BeamRun, BraceRun)
 
 
 def load_project(path: Path | str, profiles: Catalogue | None = None) -> Project:
@@ -95,20 +94,17 @@ def _cross_checks(
 def _with_catalogue_names(project: Project, catalogue: Catalogue | None) -> Project:
     """The project with the catalogue's own names of sections, however they are written; own sections go before."""
 
-    def named(part: S) -> S:
-        written = part.section
+    def section(written: str) -> str:
         known = None if catalogue is None or written in project.sections else catalogue.canonical(written)
-        return part if known in (None, written) else part.model_copy(update={"section": known})
+        return known or written
+
+    def named(part: S) -> S:
+        other = section(part.section)
+        return part if other == part.section else part.model_copy(update={"section": other})
 
     frame = project.frame
     members = {kind: tuple(map(named, getattr(frame, kind))) for kind in ("columns", "beams", "braces")}
     changed: dict[str, object] = {"frame": frame.model_copy(update=members)}
     if project.dampers is not None:
-        devices = tuple(
-            device.model_copy(update={"brace": named(device.brace)})
-            if isinstance(device.brace, BraceSection)
-            else device
-            for device in project.dampers.devices
-        )
-        changed["dampers"] = project.dampers.model_copy(update={"devices": devices})
+        changed["dampers"] = project.dampers.with_sections(section)
     return project.model_copy(update=changed)

@@ -174,6 +174,7 @@ class ElasticAnalysis:
         self._material = {run.group: run.material for run in building.columns}
         self._material |= {run.group: run.material for run in building.beams}
         self._material |= {run.group: run.material for run in building.braces}
+        building = building.model_copy(update={"dampers": None})  # beams that they would meet are whole, too
         self._made = building = with_steel_by_thickness(building)
         self._design = design_of(building)
         hazard = _hazard(building)
@@ -399,7 +400,13 @@ class ElasticAnalysis:
             panels=tuple(panel for of_axis in of_panels.values() for panel in of_axis),
             foundations=found,
             criteria=tuple(criteria),
-            notes=tuple([*_notes(response, of_storeys), *sway_notes(sway), *found.uplift, *self._limits(frame)]),
+            notes=(
+                *_notes(response, of_storeys),
+                *sway_notes(sway),
+                *found.uplift,
+                *self._limits(frame),
+                *_without_dampers(self.building),
+            ),
         )
 
     def _with_local_actions(
@@ -465,6 +472,12 @@ def _hazard(building: Building) -> EC8Hazard:
     checked_hazard(building)
     assert building.design_hazard is not None, "check_design wants it"
     return building.design_hazard
+
+
+def _without_dampers(building: Building) -> list[str]:
+    """What the elastic design leaves out."""
+    there = building.dampers is not None and not building.dampers.none
+    return ["the elastic design is that of the building without its dampers"] if there else []
 
 
 def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys]) -> list[str]:

@@ -59,6 +59,22 @@ outputs:
 ANALYSED = ANALYSED.replace("{from_loads: {}}", "{from_loads: {}, directions: both}")
 """The same building with analyses."""
 
+DAMPED = (
+    SMALL
+    + """\
+dampers:
+  laws: {oil: {type: linear_viscous, parameters: {c: 100 kN*s/m}}}
+  devices:
+    - {kind: chevron_braces, along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]}
+    - {kind: rising, along: y, frames: [A, C], bays: 2, storeys: 1, law: oil,
+       brace: {section: shs 120x8, material: S275}}
+    - {kind: nodes, nodes: [A1.0, B2.1], law: oil}
+  attachments:
+    - {kind: tuned_mass, floor: 2, mass: 2 t, frequency: 1 Hz, damping: 5 %, direction: x, at: A1}
+"""
+)
+"""The same building with dampers."""
+
 IRREGULAR = """\
 edesign_building: 1
 title: Hall with a tower

@@ -25,7 +25,7 @@ from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
 from edesign.project.building.steel import Steel
 from edesign.project.building.supports import Springs, Support, springs_of
-from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.document import Document
 from edesign.project.frame import spacing
 from edesign.project.frame.elements import Elements
@@ -110,6 +110,7 @@ class Building(spacing.Storeys, AnalysisFile):
         loads: permanent loads G and variable loads Q, downwards.
         masses: masses of the nodes, from the loads or given.
         elements: how members are modelled in analyses: integration points, geometry.
+        dampers: dampers and tuned masses of the building; its elastic design is without them.
         damping: inherent damping of the building; histories need it.
         integration: time integration; histories need it.
         validity: errors and drifts beyond which a result does not count.
@@ -141,6 +142,7 @@ class Building(spacing.Storeys, AnalysisFile):
     loads: Loads = Loads()
     masses: Masses | None = None
     elements: Elements = Elements()
+    dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None
     validity: Validity = Validity()
@@ -151,6 +153,7 @@ class Building(spacing.Storeys, AnalysisFile):
     outputs: Outputs = Outputs()
 
     _path: Path = PrivateAttr(default=Path("building.yaml"))
+    _stood: tuple[DamperRun, ...] = PrivateAttr(default=())
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Return a copy whose derived values are computed anew.
@@ -191,9 +194,20 @@ class Building(spacing.Storeys, AnalysisFile):
         """The law of each steel in analyses, by its name."""
         return {name: steel.material for name, steel in self.materials.items()}
 
+    @property
+    def in_place_of_chevrons(self) -> tuple[DamperRun, ...]:
+        """The dampers that stand in place of a chevron's braces, or did so; they meet the middle of the beam above."""
+        devices = self.dampers.devices if self.dampers is not None else ()
+        return self._stood + tuple(d for d in devices if isinstance(d, DamperRun) and d.kind == "chevron_braces")
+
     def with_dampers(self, dampers: Dampers | None) -> Self:
-        """Return the building with other dampers."""
-        return self.model_copy(update={"dampers": dampers})
+        """Return the building with other dampers; those in place of a chevron's braces meet the beams above.
+
+        Without any the beams stay as they are, so that members keep their names.
+        """
+        found = self.model_copy(update={"dampers": dampers})
+        found._stood = self.in_place_of_chevrons if dampers is None else ()
+        return found
 
     def widths(self, along: Direction) -> tuple[float, ...]:
         """Return the widths of the bays along x or y, m."""

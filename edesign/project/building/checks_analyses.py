@@ -40,7 +40,7 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
     if building.analyses:
         for keys, what in _plane_only(building):
             message = f"{what} in analyses of plane frames alone; a project file has them [E-BLDG-04]"
-            problems.at_value(keys, message)
+            problems.at_key(keys, message)
 
 
 def _anchors(building: Building, problems: Problems) -> None:
@@ -78,6 +78,11 @@ def _plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
         for direction, restraint in ({} if isinstance(support, str) else dict(support)).items():
             if not isinstance(restraint, str):
                 yield ("supports", name, direction), "springs at supports are"
+    dampers = building.dampers
+    if dampers is not None and dampers.isolation is not None:
+        yield ("dampers", "isolation"), "isolators are"
+    elif dampers is not None and not dampers.none and any(analysis.dampers for analysis in building.analyses):
+        yield ("dampers",), "dampers are"
     for i, analysis in enumerate(building.analyses):
         if isinstance(analysis, HistoryAnalysis) and analysis.wave_passage is not None:
             yield ("analyses", i, "wave_passage"), "waves that reach one support after the other are"

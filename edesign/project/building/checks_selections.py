@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.members import BeamPlaces, ColumnPlaces
-from edesign.project.building.names import Direction, line_label, node_name
-from edesign.project.building.places import ColumnLineSelection, FrameSelection, Panels
+from edesign.project.building.names import line_label, node_name
+from edesign.project.building.places import ColumnLineSelection, Panels
 from edesign.project.checks.selections import GridSelections
+from edesign.project.notation.frames import Direction, FrameSelection
 from edesign.project.notation.names import line_name
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.reading.problems import Keys, Problems

@@ -9,9 +9,19 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
-from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, Direction, column_name, node_name
+from edesign.project.building.names import (
+    BeamPlace,
+    BracePlace,
+    ColumnLine,
+    Direction,
+    column_name,
+    frame_name,
+    node_name,
+)
 from edesign.project.building.places import panels_in, parse_column_lines
 from edesign.project.frame.spacing import Storeys
+from edesign.project.notation.frames import ALL_FRAMES
+from edesign.project.notation.grid import BayPlace, InBays
 
 if TYPE_CHECKING:
     from edesign.project.building.building import Building
@@ -95,8 +105,12 @@ class Layout(Storeys):
 
     @cached_property
     def halved_beams(self) -> frozenset[BeamPlace]:
-        """The beams that chevrons or V braces meet in the middle."""
-        return frozenset(met_beam(place, run) for place, run in self.brace_at.items() if run.kind in CHEVRONS)
+        """The beams that chevrons or V braces meet in the middle, or dampers in place of chevrons."""
+        met = {met_beam(place, run) for place, run in self.brace_at.items() if run.kind in CHEVRONS}
+        for damper in self._building.in_place_of_chevrons:
+            beams = (BeamPlace(*place) for place in self.brace_places(damper))
+            met |= {beam for beam in beams if beam in self.beam_at}
+        return frozenset(met)
 
     @cached_property
     def node_lines(self) -> dict[int, tuple[ColumnLine, ...]]:
@@ -184,13 +198,21 @@ class Layout(Storeys):
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
                     yield BeamPlace(along, frame, bay, floor)
 
-    def brace_places(self, chosen: BraceRun) -> Iterator[BracePlace]:
-        """Yield the places of a run of braces."""
+    def brace_places(self, chosen: InBays) -> Iterator[BracePlace]:
+        """Yield the places of braces, or of dampers in the place of some; none of what has no direction."""
         along = chosen.along
+        if along is None:
+            return
+        frames = (chosen.frames or ALL_FRAMES).numbers(self._building.n_frames(along))
         for storey in chosen.storeys.numbers(1, self.n_storeys):
-            for frame in chosen.frames.numbers(self._building.n_frames(along)):
+            for frame in frames:
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
                     yield BracePlace(along, frame, bay, storey)
+
+    def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
+        """Yield the places of what stands in bays, storey by storey, by the names of their frames."""
+        for place in self.brace_places(chosen):
+            yield BayPlace(frame_name(place.along, place.frame), place.bay, place.storey)
 
 
 def corners(panel: Panel) -> tuple[ColumnLine, ...]:

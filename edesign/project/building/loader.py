@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_analyses
+from edesign.project.building.checks_dampers import check_dampers
 from edesign.project.building.checks_design import check_design
 from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
@@ -73,6 +74,7 @@ def parse_building(
             check_loads(building, problems)
             check_given_masses(building, problems)
             check_design(building, problems, files)
+            check_dampers(building, problems, profiles)
             check_analyses(building, problems, files)
     if building is None or problems.found:
         raise BuildingError(path, problems.found)
@@ -82,12 +84,16 @@ def parse_building(
 def _completed(building: Building, profiles: Catalogue | None) -> Building:
     """The building with the catalogue's names of sections, if there is a catalogue, and with all groups named."""
 
-    def named(run: R, group: str) -> R:
-        known = None if profiles is None else profiles.canonical(run.section)
-        return run.model_copy(update={"section": known or run.section, "group": run.group or group})
+    def section(written: str) -> str:
+        return (None if profiles is None else profiles.canonical(written)) or written
 
+    def named(run: R, group: str) -> R:
+        return run.model_copy(update={"section": section(run.section), "group": run.group or group})
+
+    dampers = building.dampers
     return building.model_copy(
         update={
+            "dampers": dampers if dampers is None else dampers.with_sections(section),
             "columns": tuple(named(run, f"C{i}") for i, run in enumerate(building.columns, 1)),
             "beams": tuple(named(run, f"B{run.along.upper()}{i}") for i, run in enumerate(building.beams, 1)),
             "braces": tuple(named(run, f"D{i}") for i, run in enumerate(building.braces, 1)),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from edesign.project.building.names import Direction
-from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, ColumnLines, Frames
+from edesign.project.building.places import ALL_COLUMN_LINES, ColumnLines
+from edesign.project.notation.frames import ALL_FRAMES, Direction, Frames
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName

@@ -5,11 +5,10 @@ Lines across x have letters, lines across y have numbers: column line B3 is the 
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
+from edesign.project.notation.frames import Direction
 from edesign.project.notation.names import line_name
-
-Direction = Literal["x", "y"]
 
 
 class ColumnLine(NamedTuple):

@@ -1,4 +1,4 @@
-"""Selections in a building: column lines (`A2`, `A-C`, `A1-C2`), frames (`2`, `A-C`, `X2`) and bays in plan."""
+"""Selections in a building: column lines (`A2`, `A-C`, `A1-C2`) and bays in plan."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from edesign.project.building.names import ColumnLine, Direction
+from edesign.project.building.names import ColumnLine
+from edesign.project.notation.frames import Span, line_number, span_of, within
 from edesign.project.notation.names import line_index
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, items_of, selection
 from edesign.project.notation.written import Written
@@ -16,12 +17,6 @@ from edesign.project.reading.problems import as_seen
 
 _END = r"([A-Z]{0,2})([0-9]{0,3})"
 _LINES = re.compile(rf"\s*{_END}\s*(?:-\s*{_END}\s*)?")
-_FRAME = re.compile(
-    r"\s*(?:([XY])(?=[A-Z0-9]))?([A-Z]{1,2}|[0-9]{1,3})\s*(?:-\s*([XY](?=[A-Z0-9]))?([A-Z]{1,2}|[0-9]{1,3})\s*)?"
-)
-
-Span = tuple[int, int]
-"""First and last, counted from 0."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +40,7 @@ class ColumnLineSelection:
         return not self.items
 
     def __contains__(self, line: ColumnLine) -> bool:
-        return self.is_all or any(_within(line.i, item.x) and _within(line.j, item.y) for item in self.items)
+        return self.is_all or any(within(line.i, item.x) and within(line.j, item.y) for item in self.items)
 
     def lines(self, n_x: int, n_y: int) -> Iterator[ColumnLine]:
         """Yield the selected ones of the column lines of a plan, each once.
@@ -55,31 +50,6 @@ class ColumnLineSelection:
             n_y: number of lines along y.
         """
         return (line for i in range(n_x) for j in range(n_y) if (line := ColumnLine(i, j)) in self)
-
-
-@dataclass(frozen=True)
-class FrameItem:
-    """Frames of one direction; `text` as written."""
-
-    text: str
-    along: Direction
-    span: Span
-
-
-@dataclass(frozen=True)
-class FrameSelection:
-    """Frames given by their grid lines; without items all of a direction."""
-
-    items: tuple[FrameItem, ...] = ()
-
-    @property
-    def is_all(self) -> bool:
-        """Whether every frame of the direction is selected."""
-        return not self.items
-
-    def numbers(self, count: int) -> tuple[int, ...]:
-        """Return the selected ones of the frames 0 to count - 1 of a direction."""
-        return tuple(n for n in range(count) if self.is_all or any(_within(n, item.span) for item in self.items))
 
 
 class Panels(Model):
@@ -118,15 +88,6 @@ def parse_column_lines(value: Any) -> ColumnLineSelection:
     return ColumnLineSelection(tuple(_column_lines(item, at) for item, at in items_of(value, "A1-C2")))
 
 
-def parse_frames(value: Any) -> FrameSelection:
-    """Read a selection of frames; errors as `parse_column_lines`."""
-    if isinstance(value, FrameSelection):
-        return value
-    if value == "all":
-        return FrameSelection()
-    return FrameSelection(tuple(_frames(item, at) for item, at in items_of(value, "A-C")))
-
-
 def _panels(value: Any) -> Any:
     """`all` and a single block of bays are lists of one."""
     if value == "all":
@@ -147,35 +108,17 @@ ColumnLines = Annotated[
         ),
     ),
 ]
-Frames = Annotated[
-    FrameSelection,
-    Written(
-        parse_frames,
-        selection(
-            "selection of frames",
-            r"[XY]?(?:[A-Z]{1,2}|[0-9]{1,3})(?:\s*-\s*[XY]?(?:[A-Z]{1,2}|[0-9]{1,3}))?",
-            ("all",),
-            "`all`, `2`, `A`, `A-C` or `[X1, X4]`",
-            True,
-        ),
-    ),
-]
 Bays = Annotated[
     tuple[Panels, ...], Written(_panels, lambda inner: {"anyOf": [{"const": "all"}, inner()["items"], inner()]})
 ]
 
 ALL_COLUMN_LINES = ColumnLineSelection()
-ALL_FRAMES = FrameSelection()
 ALL_BAYS = (Panels(),)
 
 
 def panels_in(bays: tuple[Panels, ...], n_x: int, n_y: int) -> frozenset[tuple[int, int]]:
     """Return the bays (along x, along y) of a plan that a selection takes."""
     return frozenset(place for block in bays for place in block.numbers(n_x, n_y))
-
-
-def _within(number: int, span: Span | None) -> bool:
-    return span is None or span[0] <= number <= span[1]
 
 
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
@@ -187,37 +130,10 @@ def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
     letter, number, last_letter, last_number = match.groups()
     if last_letter is not None and (bool(letter), bool(number)) != (bool(last_letter), bool(last_number)):
         raise refuse(f"`{item}`: both ends of a range are written alike, as `A1-C2`, `A-C` or `1-2` [E-VALUE-01]", *at)
-    x = _span(item, line_index(letter), line_index(last_letter or letter), at) if letter else None
-    y = _span(item, _number(number, item, at), _number(last_number or number, item, at), at) if number else None
+    x = span_of(item, line_index(letter), line_index(last_letter or letter), at) if letter else None
+    y = (
+        span_of(item, line_number(number, item, at), line_number(last_number or number, item, at), at)
+        if number
+        else None
+    )
     return ColumnLineItem(str(item).strip(), x, y)
-
-
-def _frames(item: Any, at: tuple[int, ...]) -> FrameItem:
-    match = None if isinstance(item, (bool, float, list, tuple, dict)) else _FRAME.fullmatch(str(item))
-    if not match:
-        raise refuse(
-            f"{as_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]` [E-VALUE-01]", *at
-        )
-    said, first, said_last, last = match.groups()
-    last = last or first
-    if first.isdigit() != last.isdigit():
-        raise refuse(f"`{item}`: both ends of a range are written alike, as `A-C` or `1-2` [E-VALUE-01]", *at)
-    along: Direction = "x" if first.isdigit() else "y"
-    if any(letter not in (None, along.upper()) for letter in (said, said_last)):
-        raise refuse(
-            f"`{item}`: frames along x have numbers (`X2`), frames along y have letters (`YA`) [E-VALUE-01]", *at
-        )
-    numbers = [_number(end, item, at) if along == "x" else line_index(end) for end in (first, last)]
-    return FrameItem(str(item).strip(), along, _span(item, numbers[0], numbers[1], at))
-
-
-def _number(text: str, item: Any, at: tuple[int, ...]) -> int:
-    if int(text) < 1:
-        raise refuse(f"`{item}`: lines across y are numbered from 1 [E-VALUE-01]", *at)
-    return int(text) - 1
-
-
-def _span(item: Any, first: int, last: int, at: tuple[int, ...]) -> Span:
-    if first > last:
-        raise refuse(f"the range `{item}` runs backwards [E-VALUE-04]", *at)
-    return first, last

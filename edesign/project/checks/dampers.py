@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from edesign.project.analysis.analyses import ModalAnalysis
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
@@ -30,6 +31,23 @@ def check_dampers(project: Project, problems: Problems) -> None:
         project: the project, which has no schema problems.
         problems: the problems of the file, to which those found are added.
     """
+    check_devices(project, problems, lambda keys, run: _places(project, problems, keys, run))
+    for part in ("devices", "attachments"):
+        for i, item in enumerate(getattr(project.dampers, part, ())):
+            for key in ("along", "frames", "direction", "at"):
+                if getattr(item, key, None) is not None:
+                    message = "a plane frame has one direction; this is of a building [E-KEY-03]"
+                    problems.at_key(("dampers", part, i, key), message)
+
+
+def check_devices(project: AnalysisFile, problems: Problems, stand: Callable[[Keys, DamperRun], Sequence[int]]) -> None:
+    """Check dampers and attachments of a plane frame or a building, but for where dampers stand in bays.
+
+    Args:
+        project: the file, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+        stand: checks the places of dampers at keys, and returns their storeys; none where they are wrong.
+    """
     for i, analysis in enumerate(project.analyses):
         if isinstance(analysis, ModalAnalysis):
             _amplitude(project, problems, ("analyses", i), analysis)
@@ -42,15 +60,19 @@ def check_dampers(project: Project, problems: Problems) -> None:
     for name, law in project.dampers.laws.items():
         check_law(problems, ("dampers", "laws", name), law)
     for i, device in enumerate(project.dampers.devices):
-        _device(project, problems, ("dampers", "devices", i), device)
+        keys: Keys = ("dampers", "devices", i)
+        _device(project, problems, keys, device)
+        storeys = stand(keys, device) if isinstance(device, DamperRun) else (0,)
+        if storeys:
+            _lists(problems, keys, device, len(storeys))
     for i, item in enumerate(project.dampers.attachments):
-        last = project.frame.n_storeys
+        last = project.grid.n_storeys
         if item.floor > last:
             message = f"there is no floor {item.floor}; floors are numbered 1 to {last} [E-NAME-01]"
             problems.at_value(("dampers", "attachments", i, "floor"), message)
 
 
-def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: ModalAnalysis) -> None:
+def _amplitude(project: AnalysisFile, problems: Problems, keys: Keys, analysis: ModalAnalysis) -> None:
     """An amplitude of the dampers is one that they can have."""
     given = [key for key in ("damper_strain", "damper_deformation") if getattr(analysis, key) is not None]
     if len(given) == 2:
@@ -87,7 +109,7 @@ def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
             problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out [E-KEY-03]")
 
 
-def _device(project: Project, problems: Problems, keys: Keys, device: Device) -> None:
+def _device(project: AnalysisFile, problems: Problems, keys: Keys, device: Device) -> None:
     assert project.dampers is not None
     laws = project.dampers.laws
     if device.law not in laws:
@@ -98,13 +120,11 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
         if device.kind == "storey":
             message = "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
             problems.at_value((*keys, "brace"), message)
-        if device.brace.material not in project.materials:
-            message = unknown_name("material", device.brace.material, project.materials)
+        if device.brace.material not in project.steels:
+            message = unknown_name("material", device.brace.material, project.steels)
             problems.at_value((*keys, "brace", "material"), message)
     if isinstance(device, DamperBetween):
         _nodes(project, problems, keys, device)
-    else:
-        _places(project, problems, keys, device)
 
 
 def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, laws: Mapping[str, DamperLaw]) -> None:
@@ -134,26 +154,25 @@ def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, l
         problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
 
 
-def _nodes(project: Project, problems: Problems, keys: Keys, device: DamperBetween) -> None:
-    known = project.frame.nodes
+def _nodes(project: AnalysisFile, problems: Problems, keys: Keys, device: DamperBetween) -> None:
+    known = project.grid.nodes
     for i, name in enumerate(device.nodes):
         if name not in known:
             every = list(known)
             hint = f"{did_you_mean(name, known)} (nodes are named by line and floor: `{every[0]}` to `{every[-1]}`)"
-            message = f"there is no node `{name}` in this frame{hint} [E-NAME-01]"
+            message = f"there is no node `{name}` in this {project.structure}{hint} [E-NAME-01]"
             problems.at_value((*keys, "nodes", i), message)
     if device.nodes[0] == device.nodes[1]:
         problems.at_value((*keys, "nodes"), f"a damper from `{device.nodes[0]}` to itself [E-DAMPER-05]")
-    _lists(problems, keys, device, 1)
 
 
-def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun) -> None:
+def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun) -> tuple[int, ...]:
     check = Selections(project.frame, problems)
     inside = check.bays(keys, device.bays)
-    if check.storeys(keys, device.storeys) and inside:
-        storeys = device.storeys.numbers(1, project.frame.n_storeys)
-        _lists(problems, keys, device, len(storeys))
-        check_beams_met((*keys, "kind"), device, project, problems)
+    if not (check.storeys(keys, device.storeys) and inside):
+        return ()
+    check_beams_met((*keys, "kind"), device, project, problems)
+    return device.storeys.numbers(1, project.frame.n_storeys)
 
 
 def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, problems: Problems) -> None:

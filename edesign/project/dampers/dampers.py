@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Annotated, Any, Literal
+from collections.abc import Callable, Iterable
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field
 
 from edesign.project.dampers.isolation import Isolation
+from edesign.project.notation.frames import Direction, Frames
 from edesign.project.notation.selections import Numbers
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
@@ -192,11 +193,15 @@ class DamperRun(_Sized):
     Attributes:
         kind: how they stand: `chevron` between a brace and the beam above, `chevron_braces` in place of two braces,
             along a diagonal, or between floors.
+        along: of a building, the direction of the frames that they stand in.
+        frames: of a building, the frames of this direction, such as `2`, `A-C`.
         bays: bays, counted from 1.
         storeys: storeys, counted from 1.
     """
 
     kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
+    along: Direction | None = None
+    frames: Frames | None = None
     bays: Numbers
     storeys: Numbers
 
@@ -206,7 +211,7 @@ class DamperBetween(_Sized):
 
     Attributes:
         kind: along the line between two nodes.
-        nodes: names of the two nodes, such as `[A0, B1]`.
+        nodes: names of the two nodes, such as `[A0, B1]`, of a building `[A1.0, B1.1]`.
     """
 
     kind: Literal["nodes"]
@@ -225,6 +230,8 @@ class TunedMass(Model):
         mass: mass of the damper.
         frequency: own frequency of the damper.
         damping: damping of the damper, ratio of critical.
+        direction: of a building, the direction that it moves in.
+        at: of a building, the column line that it stands on, such as `A1`; without the key the centre of mass.
     """
 
     kind: Literal["tuned_mass"]
@@ -232,6 +239,8 @@ class TunedMass(Model):
     mass: PositiveMass
     frequency: PositiveFrequency
     damping: Factor
+    direction: Direction | None = None
+    at: str | None = None
 
 
 class TunedLiquid(Model):
@@ -241,10 +250,12 @@ class TunedLiquid(Model):
         kind: tuned liquid damper.
         floor: floor on which the tanks stand, from 1 to the roof.
         number: number of tanks.
-        length: inner length of a tank along the frame.
+        length: inner length of a tank along the frame, or along the direction.
         width: inner width of a tank.
         depth: depth of the water.
         damping: damping of the sloshing, ratio of critical.
+        direction: of a building, the direction that the water moves in.
+        at: of a building, the column line that they stand on, such as `A1`; without the key the centre of mass.
     """
 
     kind: Literal["tuned_liquid"]
@@ -254,6 +265,8 @@ class TunedLiquid(Model):
     width: PositiveLength
     depth: PositiveLength
     damping: PositiveRatio
+    direction: Direction | None = None
+    at: str | None = None
 
 
 Attachment = Annotated[TunedMass | TunedLiquid, OneOf("kind")]
@@ -273,6 +286,17 @@ class Dampers(Model):
     devices: tuple[Device, ...] = ()
     attachments: tuple[Attachment, ...] = ()
     isolation: Isolation | None = None
+
+    def with_sections(self, named: Callable[[str], str]) -> Self:
+        """Return the dampers with other names of the sections of their braces, which `named` makes of those written."""
+        found = []
+        for device in self.devices:
+            brace = device.brace
+            if isinstance(brace, BraceSection):
+                other = brace.model_copy(update={"section": named(brace.section)})
+                device = device.model_copy(update={"brace": other})
+            found.append(device)
+        return self.model_copy(update={"devices": tuple(found)})
 
     @property
     def none(self) -> bool:

@@ -7,9 +7,10 @@ from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.frame import Frame
 from edesign.project.notation import names
+from edesign.project.notation.grid import Grid
 
 
-def devices_by_name(frame: Frame, dampers: Dampers | None) -> dict[str, tuple[Device, int]]:
+def devices_by_name(grid: Grid, dampers: Dampers | None) -> dict[str, tuple[Device, int]]:
     """Return every damper above the base with its description and its storey, 0 of one between nodes.
 
     Args:
@@ -20,14 +21,13 @@ def devices_by_name(frame: Frame, dampers: Dampers | None) -> dict[str, tuple[De
         if isinstance(device, DamperBetween):
             found[names.free_name(names.damper_between_name(*device.nodes), found)] = device, 0
             continue
-        for storey in device.storeys.numbers(1, frame.n_storeys):
-            for bay in device.bays.numbers(1, frame.n_bays):
-                for name in names.damper_names(device.kind, bay, storey):
-                    found[names.free_name(name, found)] = device, storey
+        for place in grid.bay_places(device):
+            for name in names.damper_names(device.kind, place.bay, place.storey, place.frame):
+                found[names.free_name(name, found)] = device, place.storey
     return found
 
 
-def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
+def names_of_dampers(grid: Grid, dampers: Dampers | None) -> tuple[str, ...]:
     """Return the names of the dampers and isolators of a project, those of an isolated base first.
 
     Args:
@@ -40,10 +40,10 @@ def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
             (names.isolator_name, isolation.isolators),
             (names.base_device_name, isolation.beside),
         ):
-            for line in (line for item in items for line in item.lines.names(frame.lines)):
-                if names.node_name(line, 0) in frame.nodes:
+            for line in (line for item in items for line in item.lines.names(grid.lines)):
+                if grid.node_name(line, 0) in grid.nodes:
                     base.append(names.free_name(named(line), base))
-    return (*base, *devices_by_name(frame, dampers))
+    return (*base, *devices_by_name(grid, dampers))
 
 
 def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:

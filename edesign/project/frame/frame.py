@@ -17,6 +17,7 @@ from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnP
 from edesign.project.frame.spacing import EqualBays, EqualStoreys, Lengths, Storeys, widths
 from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
+from edesign.project.notation.grid import BayPlace, InBays
 from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
 from edesign.project.reading.base import Model
 from edesign.project.reading.one_of import OneOf
@@ -269,6 +270,12 @@ class Frame(Storeys, Model):
     def line_place(self, line: str) -> tuple[float]:
         """Return the place of a line as a tuple of its x alone, m."""
         return (self.x[names.line_index(line)],)
+
+    def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
+        """Yield the places of what stands in bays, storey by storey."""
+        for storey in chosen.storeys.numbers(1, self.n_storeys):
+            for bay in chosen.bays.numbers(1, self.n_bays):
+                yield BayPlace("", bay, storey)
 
     def node_name(self, line: str, floor: int) -> str:
         """Return the name of the node on a line at a floor, whether it exists or not; floor 0 is the base."""

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Protocol
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple, Protocol
+
+from edesign.project.notation.frames import Direction, FrameSelection
+from edesign.project.notation.selections import NumberSelection
 
 
 class Run(Protocol):
@@ -16,6 +19,34 @@ class Run(Protocol):
     @property
     def material(self) -> str:
         """Name of the material."""
+
+
+class InBays(Protocol):
+    """What stands in bays and storeys, of a building in frames of one direction."""
+
+    @property
+    def along(self) -> Direction | None:
+        """Direction of the frames; None in a plane frame."""
+
+    @property
+    def frames(self) -> FrameSelection | None:
+        """Frames of this direction; None in a plane frame."""
+
+    @property
+    def bays(self) -> NumberSelection:
+        """Bays, counted from 1."""
+
+    @property
+    def storeys(self) -> NumberSelection:
+        """Storeys, counted from 1."""
+
+
+class BayPlace(NamedTuple):
+    """A bay in a storey; `frame` is the name of the plane frame of a building, "" of a project."""
+
+    frame: str
+    bay: int
+    storey: int
 
 
 class Grid(Protocol):
@@ -55,6 +86,9 @@ class Grid(Protocol):
     @property
     def ends(self) -> Mapping[str, tuple[str, str]]:
         """Names of the start and end node of every member, by its name."""
+
+    def bay_places(self, chosen: InBays) -> Iterator[BayPlace]:
+        """Yield the places of what stands in bays, storey by storey."""
 
     def node_name(self, line: str, floor: int) -> str:
         """Return the name of the node on a column line at a floor; floor 0 is the base."""

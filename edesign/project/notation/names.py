@@ -78,8 +78,8 @@ def beam_half_names(bay: int, floor: int) -> tuple[str, str]:
     return f"{name}_1", f"{name}_2"
 
 
-def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
-    """Return the names of the dampers of a kind in a bay and storey, such as V_2_5.
+def damper_names(kind: str, bay: int, storey: int, frame: str = "") -> tuple[str, ...]:
+    """Return the names of the dampers of a kind in a bay and storey, such as V_2_5, of a building VX_1_2_5.
 
     In place of the braces of a chevron are two: V_2_5_r, which rises from left to right, and V_2_5_f.
 
@@ -89,11 +89,11 @@ def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
         kind: chevron, chevron_braces, rising, falling or storey.
         bay: number of the bay, from 1.
         storey: number of the storey, from 1.
+        frame: name of the plane frame of a building, such as X1; "" of a project.
     """
-    if kind == "chevron_braces":
-        return f"V_{bay}_{storey}_r", f"V_{bay}_{storey}_f"
-    letter = {"chevron": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
-    return (f"{letter}_{bay}_{storey}",)
+    letter = {"chevron": "V", "chevron_braces": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
+    name = f"{letter}{frame[:1]}_{frame[1:]}_{bay}_{storey}" if frame else f"{letter}_{bay}_{storey}"
+    return (f"{name}_r", f"{name}_f") if kind == "chevron_braces" else (name,)
 
 
 MemberKind = Literal["column", "beam", "brace"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from building_examples import ANALYSED, IRREGULAR, SMALL, building
+from building_examples import ANALYSED, DAMPED, IRREGULAR, SMALL, building
 from messages import says
 
 from edesign.project.building import BuildingError
@@ -146,7 +146,7 @@ SHAKEN = "kind: history, record: far"
         ("half_flange: 3", "@flange_width: 16", "fibres.flange_width E-KEY-01"),
         (
             "integration_points: 4, ",
-            "integration_points: 4, rigid_ends: @{beams: 50 %}, ",
+            "integration_points: 4, @rigid_ends: {beams: 50 %}, ",
             "elements.rigid_ends E-BLDG-04",
         ),
         ("integration_points: 4", "integration_points: @1", "elements.integration_points E-VALUE-02"),
@@ -161,7 +161,7 @@ SHAKEN = "kind: history, record: far"
         ("level: DBE", "level: @MCE", "analyses[3].level `DBE` E-NAME-01"),
         ("name: shaken", "name: @modes", "analyses[3].name analyses[1] E-NAME-02"),
         ("pga: 0.3 g", "pga: 0.3 g, @scale: 2", "analyses[3].scale E-KEY-03"),
-        ("vertical: {ratio: 0.7}", "wave_passage: @{velocity: 500 m/s}", "analyses[3].wave_passage E-BLDG-04"),
+        ("vertical: {ratio: 0.7}", "@wave_passage: {velocity: 500 m/s}", "analyses[3].wave_passage E-BLDG-04"),
         (", directions: both", "", "analyses[3].vertical E-VERT-01"),
         ("directions: both", "directions: @all", "masses.directions `both` E-VALUE-03"),
         ("direction: all", "direction: @right", "analyses[2].direction `x+` `y-` `all` E-VALUE-03"),
@@ -184,14 +184,46 @@ SHAKEN = "kind: history, record: far"
         ),
         (
             "IPE240, material: S275, ends: pinned",
-            "IPE240, material: S275, ends: @40 MN*m/rad",
+            "IPE240, material: S275, @ends: 40 MN*m/rad",
             "beams[1].ends E-BLDG-04",
         ),
-        ("columns: [{s", "supports: {default: {rx: @5 MN*m/rad}}\ncolumns: [{s", "supports.default.rx E-BLDG-04"),
+        ("columns: [{s", "supports: {default: {@rx: 5 MN*m/rad}}\ncolumns: [{s", "supports.default.rx E-BLDG-04"),
     ],
 )
 def test_mistakes_of_analyses_are_reported_with_their_place(old: str, new: str, said: str) -> None:
     _is_reported(ANALYSED, old, new, said)
+
+
+CHEVRONS = "along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [  # as above, of a building with dampers
+        (CHEVRONS, CHEVRONS.replace("along: x, ", ""), "dampers.devices[0].along E-KEY-02"),
+        (CHEVRONS, CHEVRONS.replace("frames: 2, ", ""), "dampers.devices[0].frames E-KEY-02"),
+        (CHEVRONS, CHEVRONS.replace("frames: 2", "frames: @A"), "dampers.devices[0].frames `A` 1 to 3 E-NAME-01"),
+        (CHEVRONS, CHEVRONS.replace("bays: 1", "bays: @3"), "dampers.devices[0].bays 1 2 E-NAME-01"),
+        (CHEVRONS, CHEVRONS.replace("all", "@1-3"), "dampers.devices[0].storeys E-NAME-01"),
+        (CHEVRONS, CHEVRONS.replace("oil", "@oli"), "dampers.devices[0].law `oil` E-NAME-01"),
+        (CHEVRONS, CHEVRONS.replace("[2, 1]", "@[2, 1, 1]"), "dampers.devices[0].scale 3 2 E-VALUE-04"),
+        ("shs 120x8", "@shs 120x80", "dampers.devices[1].brace.section E-NAME-01"),
+        ("x8, material: S275}}", "x8, material: @S235}}", "dampers.devices[1].brace.material `S275` E-NAME-01"),
+        ("[A1.0, B2.1]", "[A1.0, @B21]", "dampers.devices[2].nodes[1] `B2.1` building E-NAME-01"),
+        ("floor: 2", "floor: @3", "dampers.attachments[0].floor E-NAME-01"),
+        (", direction: x", "", "dampers.attachments[0].direction E-KEY-02"),
+        ("direction: x", "direction: @z", "dampers.attachments[0].direction `y` E-VALUE-03"),
+        ("at: A1", "at: @D1", "dampers.attachments[0].at `A1` E-NAME-01"),
+        ("dampers:", "analyses: [{name: g, kind: gravity}]\n@dampers:", "dampers E-BLDG-04"),
+        (
+            "dampers:",
+            "missing: {beams: [{along: x, frames: 2, bays: 1, floors: 2}]}\ndampers:",
+            "dampers.devices[0].kind BX_2_1_2 E-DAMPER-05",
+        ),
+    ],
+)
+def test_mistakes_of_dampers_are_reported_with_their_place(old: str, new: str, said: str) -> None:
+    _is_reported(DAMPED, old, new, said)
 
 
 def test_what_analyses_do_not_have_stands_in_a_file_for_the_design_alone() -> None:

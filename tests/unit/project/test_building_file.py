@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import yaml
-from building_examples import ANALYSED, IRREGULAR, SMALL, building
+from building_examples import ANALYSED, DAMPED, IRREGULAR, SMALL, building
 from messages import says
 from spoiled_files import ODD, spoiled
 from unit.project.test_other_hazards import ASCE, EACH, NTC, USER
@@ -24,8 +24,11 @@ from edesign.project.analysis.analyses import PushoverAnalysis
 from edesign.project.building import Building, parse_building
 from edesign.project.building.loads import Combination
 from edesign.project.building.names import ColumnLine
-from edesign.project.building.places import parse_column_lines, parse_frames
+from edesign.project.building.places import parse_column_lines
+from edesign.project.dampers.dampers import BraceSection
+from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.frame.materials import BilinearMaterial, MenegottoPintoMaterial
+from edesign.project.notation.frames import parse_frames
 from edesign.project.notation.names import member_kind, storey_of
 from edesign.space.check import check_building
 from edesign.space.elastic_design import elastic_design
@@ -78,6 +81,23 @@ def test_what_a_building_without_the_blocks_has() -> None:
     assert found.steels["S275"] == BilinearMaterial.model_construct(law="bilinear", E=210e9, fy=275e6, hardening=0.0)
     assert found.masses is not None and found.masses.directions == "horizontal"
     assert found.loads.gravity == Combination() and not found.analyses and found.archive_path.name == "building.h5"
+
+
+def test_a_building_with_dampers() -> None:
+    """Dampers in place of a chevron's braces halve the beams above them, with the dampers and without."""
+    found = building(DAMPED)
+    dampers = found.dampers
+    assert dampers is not None
+    names = list(devices_by_name(found.grid, dampers))
+    assert names[:4] == ["VX_2_1_1_r", "VX_2_1_1_f", "VX_2_1_2_r", "VX_2_1_2_f"]
+    assert names[4:] == ["RY_A_2_1", "RY_C_2_1", "N_A1.0_B2.1"]
+    brace = dampers.devices[1].brace
+    assert isinstance(brace, BraceSection) and brace.section == "SHS120x8"
+    halves = {"BX_2_1_1_1", "BX_2_1_1_2", "BX_2_1_2_1", "BX_2_1_2_2"}
+    for one in (found, found.with_dampers(dampers), found.with_dampers(None), found.with_dampers(None).afresh()):
+        assert halves <= set(one.grid.members) and one.grid.nodes["BX_2_1_2"] == (3.0, 5.0, 7.0)
+    other = found.with_dampers(dampers.model_copy(update={"devices": dampers.devices[1:]}))
+    assert not halves & set(other.grid.members) and "BX_2_1_1" in other.grid.members
 
 
 @pytest.mark.parametrize("hazard", [NTC.replace("  behaviour_factor: 3.9\n", ""), ASCE, USER, EACH])
@@ -207,7 +227,9 @@ MORE_ODD: tuple[Any, ...] = (
 )
 
 
-@pytest.mark.parametrize("file", [SMALL, ANALYSED, IRREGULAR, (THESIS / "building.yaml").read_text(encoding="utf-8")])
+@pytest.mark.parametrize(
+    "file", [SMALL, ANALYSED, DAMPED, IRREGULAR, (THESIS / "building.yaml").read_text(encoding="utf-8")]
+)
 def test_no_change_of_a_file_leads_to_anything_but_a_message(file: str) -> None:
     """Buildings with keys left out, values replaced, keys renamed (seeded): a frame of numbers, or a message."""
     whole = yaml.safe_load(file)

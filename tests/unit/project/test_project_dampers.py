@@ -214,6 +214,9 @@ WRONG = {
     "floor zero": ("floor: 2", "floor: «0", "attachments[0].floor", "E-VALUE-02"),
     "weight for mass": ("mass: 2 t", "mass: «2 kN", "attachments[0].mass", "force `29.5 t` E-UNIT-02"),
     "depth of nothing": ("depth: 0.3 m", "depth: «0 m", "attachments[1].depth", "E-VALUE-02"),
+    # keys of buildings
+    "direction of a frame": ("kind: storey, ", "kind: storey, «along: x, ", "devices[3].along", "E-KEY-03"),
+    "direction of a mass": ("floor: 2", "«direction: x, floor: 2", "attachments[0].direction", "E-KEY-03"),
     # the block
     "misspelt list": ("devices:\n", "«device:\n", "device", "`devices` E-KEY-01"),
 }

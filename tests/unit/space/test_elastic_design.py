@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from building_examples import NO_TORSION, PINNED, braced_frames, design_of, moment_frames, number_of
+from building_examples import DAMPED, NO_TORSION, PINNED, SMALL, braced_frames, design_of, moment_frames, number_of
 
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
@@ -150,6 +150,14 @@ def test_columns_are_checked_with_amplified_effects() -> None:
     column = next(n for n, member in enumerate(low.frame.members) if member.kind == "column")
     governing = low.members.rows[int(low.members.combination[column].max()) - 1]
     assert governing.set == "seismic"
+
+
+def test_the_design_is_that_without_dampers() -> None:
+    """Beams that dampers would meet in the middle are whole in it."""
+    bare, damped = design_of(SMALL), design_of(DAMPED)
+    assert damped.criteria == bare.criteria and np.array_equal(damped.modes.period, bare.modes.period)
+    assert [member.name for member in damped.frame.members] == [member.name for member in bare.frame.members]
+    assert set(damped.notes) - set(bare.notes) == {"the elastic design is that of the building without its dampers"}
 
 
 def test_squares_of_directions() -> None:
