@@ -13,13 +13,13 @@ from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located
 from edesign.ground_motion.response_spectrum import response_spectra
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
 from edesign.project.notation.names import isolator_name, storey_of
-from edesign.project.project import Project
 
 
-def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -> Located | None:
+def located_quantity(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> Located | None:
     """Compute the quantity of a criterion in one analysis, and say where it occurs.
 
     Args:
@@ -51,7 +51,7 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
     return Located(value, number, "" if place == "storey" else str(label))
 
 
-def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
+def lacking(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> str:
     """Return why the quantity of a criterion does not apply to a completed analysis, "" where it does.
 
     Args:
@@ -84,7 +84,7 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
     return asked.quantity if asked.traits.kept is not None and f"{asked.quantity}_max" not in group.variables else ""
 
 
-def _chosen(group: Group, asked: QuantityCriterion, project: Project) -> list[int]:
+def _chosen(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> list[int]:
     """Indices of the places that a criterion chooses."""
     place = QUANTITIES[asked.quantity].place
     labels = group.coords[place].values.tolist() if place in group.coords else []

@@ -13,6 +13,7 @@ from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import usage
 from edesign.assess.quantities import lacking, located_quantity, missing_history
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import (
     Criterion,
     HingeCriterion,
@@ -25,7 +26,6 @@ from edesign.project.criteria.criterion_quantities import QUANTITIES, SELECTIONS
 from edesign.project.criteria.measures import short_name
 from edesign.project.notation.names import storey_of
 from edesign.project.notation.selections import NumberSelection
-from edesign.project.project import Project
 
 KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
 UNITS = {
@@ -77,7 +77,7 @@ class Requirement:
     bends: Callable[[str], bool] = lambda beam: False
 
 
-def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: AnalysisFile) -> Requirement:
     """Make a criterion ready for judging histories.
 
     Args:
@@ -99,7 +99,7 @@ def _chosen(name: str, storeys: tuple[int, ...] | None, members: tuple[str, ...]
     return (storeys is None or storey_of(name) in storeys) and (not members or name in members)
 
 
-def _of_measure(criterion: MeasureCriterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+def _of_measure(criterion: MeasureCriterion, members: Mapping[str, FrameMember], project: AnalysisFile) -> Requirement:
     place = partial(
         _worst,
         measures=[criterion.measure],
@@ -120,7 +120,7 @@ def _of_measure(criterion: MeasureCriterion, members: Mapping[str, FrameMember],
     )
 
 
-def _of_hinges(criterion: HingeCriterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+def _of_hinges(criterion: HingeCriterion, members: Mapping[str, FrameMember], project: AnalysisFile) -> Requirement:
     measures = [f"{kind}_plastic_rotation_rad" for kind in KINDS[criterion.of]]
     storeys, names = _numbers(criterion.storeys, project), criterion.members or None
     place = partial(_worst, measures=measures, storeys=storeys, members=names)
@@ -130,7 +130,9 @@ def _of_hinges(criterion: HingeCriterion, members: Mapping[str, FrameMember], pr
     return Requirement(criterion.name, words, criterion.statistic, place, criterion.rotation, None, "rad")
 
 
-def _of_quantity(criterion: QuantityCriterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+def _of_quantity(
+    criterion: QuantityCriterion, members: Mapping[str, FrameMember], project: AnalysisFile
+) -> Requirement:
     quantity = QUANTITIES[criterion.quantity]
     words = f"{criterion.quantity.replace('_', ' ')}{_of_what(criterion)} {_range(criterion)}"
     for key in SELECTIONS[quantity.place]:
@@ -163,7 +165,7 @@ def _of_what(criterion: QuantityCriterion) -> str:
 
 
 def _of_performance(
-    criterion: PerformanceCriterion, members: Mapping[str, FrameMember], project: Project
+    criterion: PerformanceCriterion, members: Mapping[str, FrameMember], project: AnalysisFile
 ) -> Requirement:
     storeys, level, by, of = _numbers(criterion.storeys, project), criterion.performance, criterion.by, criterion.of
 
@@ -177,7 +179,7 @@ def _of_performance(
     return Requirement(criterion.name, words, criterion.statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
 
 
-MAKERS: dict[type, Callable[[Any, Mapping[str, FrameMember], Project], Requirement]] = {
+MAKERS: dict[type, Callable[[Any, Mapping[str, FrameMember], AnalysisFile], Requirement]] = {
     MeasureCriterion: _of_measure,
     QuantityCriterion: _of_quantity,
     HingeCriterion: _of_hinges,
@@ -215,7 +217,7 @@ def _worst(
     return max(there, key=lambda place: place.value, default=None)
 
 
-def _numbers(chosen: NumberSelection, project: Project) -> tuple[int, ...] | None:
+def _numbers(chosen: NumberSelection, project: AnalysisFile) -> tuple[int, ...] | None:
     return None if chosen.is_all else chosen.numbers(1, project.grid.n_storeys)
 
 

@@ -20,7 +20,7 @@ from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import METHODS, Method
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.damper_stiffness import small_amplitude
 from edesign.study.analysis.dampers import goes_with_speed
 from edesign.study.analysis.lateral_patterns import by_floor, floor_masses, lateral_loads
@@ -57,7 +57,7 @@ class Basis:
         mass: of the frame, kg.
     """
 
-    def __init__(self, project: Project, spec: PushoverAnalysis | TargetAnalysis) -> None:
+    def __init__(self, project: AnalysisFile, spec: PushoverAnalysis | TargetAnalysis) -> None:
         frame = make_frame(project, spec.dampers)
         self._project, self._dampers = project, spec.dampers
         self.loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
@@ -95,7 +95,7 @@ class Capacity:
         push: to its end.
     """
 
-    project: Project
+    project: AnalysisFile
     spec: PushoverAnalysis | TargetAnalysis
     basis: Basis
     push: Push
@@ -158,7 +158,7 @@ class Capacity:
             raise AnalysisError(f"{METHODS[method]}: {problem}") from problem
 
 
-def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, level: str) -> Spectrum:
+def level_spectrum(project: AnalysisFile, spec: PushoverAnalysis | TargetAnalysis, level: str) -> Spectrum:
     """Return the elastic spectrum from which target displacements of a hazard level are found.
 
     Args:
@@ -169,7 +169,7 @@ def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, le
 
 
 def capacity(
-    project: Project,
+    project: AnalysisFile,
     spec: PushoverAnalysis | TargetAnalysis,
     progress: Progress | None = None,
     stop: Stop | None = None,
@@ -281,7 +281,7 @@ def _asce41(capacity: Capacity, spectrum: Spectrum) -> Target:
     return Target(found.d_t, values, _lines(found), (found.ratio, limit.mu_max))
 
 
-def _rarest_at_one_second(project: Project) -> float:
+def _rarest_at_one_second(project: AnalysisFile) -> float:
     """S_X1 of the rarest level, which stands for the BSE-2N: the largest ordinate at 1 s, m/s2.
 
     It is that of 5 % damping; a table has only its own. One that ends before 1 s gives its last ordinate, no less.

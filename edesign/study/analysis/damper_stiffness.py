@@ -13,7 +13,7 @@ from edesign.damper.temperature import LINEAR_LAWS
 from edesign.errors import InputError
 from edesign.frame.devices import Device
 from edesign.project.analysis.analyses import ModalAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import listed
 from edesign.study.analysis.structure import Structure
 from edesign.study.results.recording import coordinate
@@ -44,7 +44,7 @@ class DampedModes:
     left_out: tuple[Device, ...]
 
 
-def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) -> DampedModes:
+def damped_modes(project: AnalysisFile, structure: Structure, spec: ModalAnalysis) -> DampedModes:
     """Return the natural modes of a frame with dampers at the amplitudes that are given for them.
 
     Args:
@@ -105,7 +105,7 @@ def store_damper_stiffness(group: Group, structure: Structure, found: DampedMode
         store_warnings(group, [AnalysisWarning("damper_amplitude", text, 1.0)])
 
 
-def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float | None:
+def _amplitude(project: AnalysisFile, spec: ModalAnalysis, device: Device) -> float | None:
     if spec.damper_deformation is not None:
         return spec.damper_deformation
     if spec.damper_strain is not None:
@@ -135,7 +135,7 @@ def small_amplitude(device: Device) -> float:
     return _SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else _SMALL_DEFORMATION
 
 
-def _where(project: Project, spec: ModalAnalysis) -> str:
+def _where(project: AnalysisFile, spec: ModalAnalysis) -> str:
     """The place of an analysis in the project file; its name if it comes from elsewhere."""
     i = next((i for i, item in enumerate(project.analyses) if item.name == spec.name), None)
     return f"{project.path}: {spec.name}" if i is None else f"{project.where('analyses', i)}: analyses[{i}]"

@@ -14,16 +14,16 @@ from edesign.damper.laws import law
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.frame.devices import Attached, Device, DeviceLaw
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import LawDescription, TunedMass
 from edesign.project.notation.names import tuned_mass_name
-from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
 from edesign.study.results.warnings import AnalysisWarning, Kind
 
 WATER = 1000.0  # kg/m3
 
 
-def device_laws(project: Project) -> dict[str, DeviceLaw]:
+def device_laws(project: AnalysisFile) -> dict[str, DeviceLaw]:
     """Return the laws of a project's dampers at their temperatures, by name.
 
     Raises:
@@ -34,18 +34,18 @@ def device_laws(project: Project) -> dict[str, DeviceLaw]:
     return {name: _device_law(project, name)[0] for name in project.dampers.laws}
 
 
-def laws_that_stand(project: Project) -> list[str]:
+def laws_that_stand(project: AnalysisFile) -> list[str]:
     """Return the names of the laws whose dampers stand in the frame; a project may have others, for its designs."""
     return [] if project.dampers is None else list(dict.fromkeys(run.law for run in project.dampers.devices))
 
 
-def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
+def with_restrained_braces(project: AnalysisFile, names: Iterable[str]) -> bool:
     """Return whether one of several laws is that of a buckling-restrained brace; errors as `device_laws`."""
     laws = device_laws(project)
     return any(laws[name].restrained is not None for name in names)
 
 
-def without_dampers_in_modes(project: Project) -> bool:
+def without_dampers_in_modes(project: AnalysisFile) -> bool:
     """Return whether dampers stand that the fundamental period leaves out: all but buckling-restrained braces."""
     laws = device_laws(project)
     return any(laws[name].restrained is None for name in laws_that_stand(project))
@@ -64,7 +64,7 @@ def goes_with_speed(device: Device) -> bool:
     )
 
 
-def law_warnings(project: Project) -> list[str]:
+def law_warnings(project: AnalysisFile) -> list[str]:
     """Return one sentence for each warning about the laws, e.g. a temperature outside the range of their tests."""
     if project.dampers is None:
         return []
@@ -73,7 +73,7 @@ def law_warnings(project: Project) -> list[str]:
     ]
 
 
-def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]]:
+def _device_law(project: AnalysisFile, name: str) -> tuple[DeviceLaw, tuple[str, ...]]:
     assert project.dampers is not None
     spec = project.dampers.laws[name]
     described: LawDescription = spec
@@ -161,7 +161,7 @@ def core_strain_warnings(group: Group, devices: Sequence[Device]) -> list[Analys
     return [AnalysisWarning("core_strain", text, float(ratios[most]))]
 
 
-def attachments(project: Project) -> list[Attached]:
+def attachments(project: AnalysisFile) -> list[Attached]:
     """Return the tuned masses of a project, and its tuned liquid dampers as equivalent tuned masses."""
     found = []
     for i, item in enumerate(project.dampers.attachments if project.dampers is not None else ()):

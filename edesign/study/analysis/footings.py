@@ -12,11 +12,10 @@ from edesign.archive.dataset import Group
 from edesign.core import Modes, damped_eigenvalue
 from edesign.errors import AnalysisError
 from edesign.frame.footings import DIRECTIONS
-from edesign.frame.frame import build_frame
 from edesign.frame.frame_model import FrameModel
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.dampers import device_laws
-from edesign.study.analysis.structure import Structure, make_structure
+from edesign.study.analysis.structure import Structure, build, make_structure
 from edesign.study.results.recording import Quantity, Terms, coordinate
 
 _WORDS = ("horizontally", "vertically", "in rocking")
@@ -92,7 +91,7 @@ class Interaction:
     closed_damping: float | None = None
 
 
-def interaction(project: Project, structure: Structure, modes: Modes, gravity: bool) -> Interaction:
+def interaction(project: AnalysisFile, structure: Structure, modes: Modes, gravity: bool) -> Interaction:
     """Return the effect of the footings on the first mode of a frame without dampers, but for restrained braces.
 
     Args:
@@ -106,7 +105,7 @@ def interaction(project: Project, structure: Structure, modes: Modes, gravity: b
         12-917-21, Eq. 2-10, and ASCE/SEI 7-16, 19.3, with the exponent 2 of dashpots that are taken at the period.
     """
     laws = device_laws(project) if structure.frame.devices else {}
-    fixed = make_structure(project, build_frame(project, laws=laws, footings={}))
+    fixed = make_structure(project, build(project, laws=laws, footings={}))
     if gravity:
         fixed.apply_gravity()
     on_fixed = fixed.modes(1)

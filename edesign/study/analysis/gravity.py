@@ -8,7 +8,7 @@ from edesign.archive.dataset import Group
 from edesign.core import Response
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import GravityAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.structure import make_structure
 from edesign.study.results.braces import brace_quantities, fracture_warnings
@@ -24,7 +24,7 @@ from edesign.study.results.validity import judged, rotation_limits, rotation_nam
 from edesign.study.results.warnings import store_warnings
 
 
-def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
+def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
     """Apply the gravity combination to a frame in equal steps.
 
     Returns:
@@ -73,7 +73,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     return group
 
 
-def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
+def _sunk(project: AnalysisFile, frame: FrameModel, response: Response) -> str:
     """Say how far the loads sank if that is meaningless, "" if not.
 
     The work of loads W that grow in proportion, on a frame that stays elastic, is W d/2 with the mean d of their

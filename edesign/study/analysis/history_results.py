@@ -12,7 +12,7 @@ from edesign.assess.energy import BEFORE
 from edesign.core import ENERGIES, Channel, Response
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.outputs import HistoryKind
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.collapse import collapse_reason, drift_limits
 from edesign.study.analysis.dampers import core_strain_warnings, strain_warnings
@@ -68,7 +68,7 @@ class HistoryResults:
 
     def __init__(
         self,
-        project: Project,
+        project: AnalysisFile,
         frame: FrameModel,
         collapse_drift: float | None = None,
         histories: Collection[HistoryKind] | None = None,

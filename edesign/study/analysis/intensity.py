@@ -11,8 +11,8 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.analysis.analyses import ModalAnalysis
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.project.project import Project
 from edesign.project.reading.problems import keys_text
 from edesign.project.study.incremental import (
     Incremental,
@@ -41,7 +41,7 @@ def intensity_text(study: Incremental, intensity: float) -> str:
     return f"{intensity / STANDARD_GRAVITY:.6g}g"
 
 
-def record_intensity(project: Project, study: Incremental, record: Record, period: float | None) -> float:
+def record_intensity(project: AnalysisFile, study: Incremental, record: Record, period: float | None) -> float:
     """Return the intensity measure of a record as it is applied with the factor 1, m/s2 or a factor.
 
     Args:
@@ -69,7 +69,7 @@ def record_intensity(project: Project, study: Incremental, record: Record, perio
     return found
 
 
-def level_intensity(project: Project, study: Incremental, period: float | None, level: str | None) -> float | None:
+def level_intensity(project: AnalysisFile, study: Incremental, period: float | None, level: str | None) -> float | None:
     """Return the intensity measure of a hazard level; None without a level.
 
     Args:
@@ -114,7 +114,7 @@ def check_hazard_curves(study: Study) -> None:
                 raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {error}") from error
 
 
-def _intensities(project: Project, item: Incremental, level: str, periods: np.ndarray) -> np.ndarray:
+def _intensities(project: AnalysisFile, item: Incremental, level: str, periods: np.ndarray) -> np.ndarray:
     """Intensities of a level at periods; nan where there is a choice of periods and the spectrum does not reach."""
     if isinstance(item, LevelFactorStudy):
         return np.array([level_intensity(project, item, None, level)])
@@ -141,7 +141,7 @@ def _not_rising(
     return f"{said}; the longer a return period, the larger must be the intensity [E-IDA-02]"
 
 
-def first_period(project: Project, dampers: bool, damper_strain: float | None = None) -> float:
+def first_period(project: AnalysisFile, dampers: bool, damper_strain: float | None = None) -> float:
     """Return T1 of a variant under gravity with the storage stiffness of its dampers, s.
 
     Args:
@@ -161,7 +161,7 @@ def first_period(project: Project, dampers: bool, damper_strain: float | None = 
 
 
 def _spectral_acceleration(
-    project: Project, study: SpectralAccelerationStudy, record: Record, period: float | None
+    project: AnalysisFile, study: SpectralAccelerationStudy, record: Record, period: float | None
 ) -> float:
     """Return the pseudo acceleration at 5 % damping of a record as it is applied with the factor 1, m/s2."""
     period = period if study.period is None else study.period

@@ -15,8 +15,8 @@ from edesign.damper.harmonic import effective_stiffness
 from edesign.errors import InputError
 from edesign.frame.devices import Device
 from edesign.ground_motion.hazard import action_of
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.project.project import Project
 from edesign.study.analysis.structure import Structure, make_structure
 from edesign.study.results.recording import coordinate
 
@@ -32,7 +32,7 @@ _COLUMNS = (
 )
 
 
-def store_isolation_estimate(group: Group, project: Project, structure: Structure) -> None:
+def store_isolation_estimate(group: Group, project: AnalysisFile, structure: Structure) -> None:
     """Add the equivalent linear estimate of an isolated base to a modal analysis; nothing without base or hazard.
 
     Args:

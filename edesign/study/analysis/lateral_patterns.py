@@ -11,14 +11,14 @@ from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.structure import frame_alone
 
 NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horizontally
 
 
 def lateral_loads(
-    project: Project, frame: FrameModel, pattern: Pattern, dampers: bool = True, direction: int = 0
+    project: AnalysisFile, frame: FrameModel, pattern: Pattern, dampers: bool = True, direction: int = 0
 ) -> dict[str, float]:
     """Return the horizontal loads of a pattern on the nodes with mass, by name; their sum is 1 N.
 
@@ -81,14 +81,14 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     return np.array([sum(values.get(name, 0.0) for name in floor.nodes) for floor in frame.floors])
 
 
-def _modes(project: Project, count: int, dampers: bool) -> Modes:
+def _modes(project: AnalysisFile, count: int, dampers: bool) -> Modes:
     """The first modes under gravity."""
     structure = frame_alone(project, dampers)  # a second model, which has no lateral loads yet
     structure.apply_gravity()
     return structure.modes(count)
 
 
-def _of_modes(project: Project, frame: FrameModel, count: int, dampers: bool, direction: int) -> np.ndarray:
+def _of_modes(project: AnalysisFile, frame: FrameModel, count: int, dampers: bool, direction: int) -> np.ndarray:
     """Forces of the floors whose storey shears are those of modes, combined by the root of the sum of squares."""
     modes, degree = _modes(project, count, dampers), frame.directions[direction].degree
     S_e = elastic_spectrum(checked_hazard(project)).acceleration(modes.period)

@@ -12,7 +12,7 @@ from edesign.core import Response
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import pattern_name
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.capacity_events import EventChannels
 from edesign.study.analysis.dampers import core_strain_warnings
@@ -69,7 +69,7 @@ class Push:
 
 
 def push(
-    project: Project,
+    project: AnalysisFile,
     spec: PushoverAnalysis | TargetAnalysis,
     loads: Mapping[str, float],
     target: float,

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from edesign.archive.dataset import Group
 from edesign.project.analysis.analyses import PushoverAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.capacity import capacity
 from edesign.study.analysis.capacity_events import store_capacity_events
 from edesign.study.analysis.push import Progress, Stop
 
 
 def run_pushover(
-    project: Project, spec: PushoverAnalysis, progress: Progress | None = None, stop: Stop | None = None
+    project: AnalysisFile, spec: PushoverAnalysis, progress: Progress | None = None, stop: Stop | None = None
 ) -> Group:
     """Push a frame to its roof drift, or without one as far as its target displacements ask.
 

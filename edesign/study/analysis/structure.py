@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -14,8 +15,11 @@ from edesign.frame.devices import Device, DeviceLaw
 from edesign.frame.frame import build_frame
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.isolation import goes_with_weight, isolator_under
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
 from edesign.project.notation import names
 from edesign.project.project import Project
+from edesign.space.nonlinear.build import build_building
 from edesign.study.analysis.dampers import attachments, device_laws
 
 DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
@@ -117,7 +121,23 @@ class Structure:
         return response
 
 
-def frame_alone(project: Project, dampers: bool = True, fixed_base: bool = False) -> Structure:
+def build(project: AnalysisFile, **more: Any) -> FrameModel:
+    """Build the model of a plane frame or of a building: the one place in studies that asks which of them it is.
+
+    Args:
+        more: arguments of `build_frame`.
+
+    Raises:
+        InputError, CoreError: as `build_frame` and `build_building`.
+    """
+    if isinstance(project, Building):
+        assert project.dampers is None or project.dampers.none, "the check of its file refuses them"
+        return build_building(project)
+    assert isinstance(project, Project)
+    return build_frame(project, **more)
+
+
+def frame_alone(project: AnalysisFile, dampers: bool = True, fixed_base: bool = False) -> Structure:
     """Build the frame without tuned masses and dampers, whose modes determine damping, lateral forces and periods.
 
     Args:
@@ -133,15 +153,15 @@ def frame_alone(project: Project, dampers: bool = True, fixed_base: bool = False
     base = {item.law for item in (*isolation.isolators, *isolation.beside)} if isolation is not None else set()
     kept = {name: law for name, law in laws.items() if law.restrained is not None or name in base}
     weights = None if isolation is None else _weights_on_isolators(project, kept)
-    return make_structure(project, build_frame(project, laws=kept if fixed_base else kept or None, weights=weights))
+    return make_structure(project, build(project, laws=kept if fixed_base else kept or None, weights=weights))
 
 
-def elastic_frame(project: Project, dampers: bool = True) -> Structure:
+def elastic_frame(project: AnalysisFile, dampers: bool = True) -> Structure:
     """Build the frame and all dampers, without tuned masses; arguments and errors as `frame_alone`."""
-    return make_structure(project, build_frame(project, laws=device_laws(project) if dampers else None))
+    return make_structure(project, build(project, laws=device_laws(project) if dampers else None))
 
 
-def tolerance(project: Project) -> float:
+def tolerance(project: AnalysisFile) -> float:
     """Return the dimensionless tolerance of equilibrium of a project."""
     return project.integration.tolerance if project.integration is not None else DEFAULT_TOLERANCE
 
@@ -165,7 +185,7 @@ def device_stiffness(device: Device, amplitude: float, frequency: float) -> comp
     return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
 
 
-def make_frame(project: Project, dampers: bool = False, outside: Collection[str] = ()) -> FrameModel:
+def make_frame(project: AnalysisFile, dampers: bool = False, outside: Collection[str] = ()) -> FrameModel:
     """Build a project's frame, with its dampers, isolators and tuned masses or without.
 
     Args:
@@ -176,13 +196,13 @@ def make_frame(project: Project, dampers: bool = False, outside: Collection[str]
         InputError: the frame cannot be built, or a damper is wrong.
     """
     if not dampers or project.dampers is None:
-        return build_frame(project)
+        return build(project)
     laws = device_laws(project)
     weights = {} if project.isolation is None else _weights_on_isolators(project, laws)
-    return build_frame(project, laws=laws, attachments=attachments(project), outside=outside, weights=weights)
+    return build(project, laws=laws, attachments=attachments(project), outside=outside, weights=weights)
 
 
-def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
+def _weights_on_isolators(project: AnalysisFile, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
     """Return the weight under the gravity combination on each isolator whose forces depend on it.
 
     The base is fixed horizontally for it.
@@ -199,7 +219,7 @@ def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> di
         AnalysisError: no equilibrium was found.
     """
     isolation = project.isolation
-    assert isolation is not None
+    assert isolation is not None and isinstance(project, Project), "a building has no isolators"
     bases = [
         names.node_name(line, 0)
         for line in project.frame.lines
@@ -208,13 +228,13 @@ def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> di
     ]
     if not bases:
         return {}
-    frame = build_frame(project, laws=laws)
+    frame = build(project, laws=laws)
     structure = make_structure(project, frame)
     channels = [Channel(base, frame.reaction(base, 1)) for base in bases if base in frame.supports]
     return dict(structure.apply_gravity(channels).final)
 
 
-def make_structure(project: Project, frame: FrameModel | None = None, dampers: bool = False) -> Structure:
+def make_structure(project: AnalysisFile, frame: FrameModel | None = None, dampers: bool = False) -> Structure:
     """Build a project's frame and the analysis of it.
 
     Args:

@@ -14,7 +14,7 @@ from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.analyses import TargetAnalysis
 from edesign.project.analysis.damping import first_ratio
 from edesign.project.analysis.pushover import METHODS
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.capacity import Capacity, Target, capacity, level_spectrum
 from edesign.study.analysis.dampers import goes_with_speed
 from edesign.study.analysis.push import Progress, Stop, push
@@ -25,7 +25,7 @@ ROUNDING = 1e-9  # of a displacement
 
 
 def run_target(
-    project: Project, spec: TargetAnalysis, progress: Progress | None = None, stop: Stop | None = None
+    project: AnalysisFile, spec: TargetAnalysis, progress: Progress | None = None, stop: Stop | None = None
 ) -> Group:
     """Find the capacity curve and the target displacement of a frame, and push the frame to it.
 
@@ -67,7 +67,7 @@ def run_target(
     return group
 
 
-def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
+def _warnings(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
     warnings = []
     reached, wanted = found.curve.end, RANGE * target.d_t
     if spec.method == "n2" and reached < wanted * (1.0 - ROUNDING):
@@ -95,7 +95,9 @@ def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: T
     return [*warnings, *_damping_warnings(project, spec, found, target)]
 
 
-def _damping_warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
+def _damping_warnings(
+    project: AnalysisFile, spec: TargetAnalysis, found: Capacity, target: Target
+) -> list[AnalysisWarning]:
     """The damping of velocity-dependent dampers is for the spectrum, the work of others is in the capacity curve.
 
     Source: FEMA 356, 9.3.5.1.

@@ -7,13 +7,13 @@ import math
 from edesign.errors import AnalysisError
 from edesign.frame.damping import modes_needed, proportional_factors
 from edesign.project.analysis.damping import MassDamping, RayleighDamping, StiffnessDamping
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.words import percent
 from edesign.study.analysis.dampers import attachments
 from edesign.study.analysis.structure import frame_alone
 
 
-def tuned_mass_advice(project: Project) -> list[str]:
+def tuned_mass_advice(project: AnalysisFile) -> list[str]:
     """Say how much damping of tuned masses is not their own: C = a0 M + a1 K acts on their mass and their spring.
 
     Source: a0 / (2 omega) + a1 omega / 2; Chopra, Dynamics of Structures, Eq. (11.4.8).

@@ -10,9 +10,9 @@ import numpy as np
 from edesign.core import Response
 from edesign.frame.devices import UX, UY, Device
 from edesign.frame.frame_model import FrameModel
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.project import Project
 from edesign.study.results.dampers import storey_damper_forces
 from edesign.study.results.recording import Quantity, Terms
 from edesign.study.results.storeys import storey_shears
@@ -28,7 +28,7 @@ NO_COUPLE = (
 _ROUNDING = 1e-9  # of the height of the frame
 
 
-def couple_advice(project: Project, designs: Mapping[str, Design] = MappingProxyType({})) -> list[str]:
+def couple_advice(project: AnalysisFile, designs: Mapping[str, Design] = MappingProxyType({})) -> list[str]:
     """Say which dampers of a project stand between floors, or will by designs of a study."""
     kinds: dict[str, set[str]] = {}
     for i, run in enumerate(project.dampers.devices if project.dampers is not None else ()):

@@ -20,8 +20,8 @@ from edesign.damper.law_file import WHAT
 from edesign.damper.testing.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
 from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import ElastomerDesign, FileProperties
-from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.results.kinds import STUDY
 
@@ -41,7 +41,7 @@ def code_checksum() -> str:
     return checksum.hexdigest()
 
 
-def input_checksum(project: Project, records: Mapping[str, str]) -> str:
+def input_checksum(project: AnalysisFile, records: Mapping[str, str]) -> str:
     """Return the SHA-256 of all files that a run reads.
 
     Args:
@@ -51,7 +51,7 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
     return _of_parts(project.checksum, *_other_inputs(project, records))
 
 
-def _other_inputs(project: Project, records: Mapping[str, str]) -> list[str]:
+def _other_inputs(project: AnalysisFile, records: Mapping[str, str]) -> list[str]:
     """What a run reads beside the text of the project."""
     parts = [f"{name} {records[name]}" for name in sorted(records)]
     parts += [_checksum(file, content) for file, content in _law_files(project).values()]
@@ -89,7 +89,7 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
     return group
 
 
-def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
+def _law_files(project: AnalysisFile) -> dict[str, tuple[str, bytes]]:
     """Name and content of the files of laws, by law."""
     laws = project.dampers.laws if project.dampers is not None else {}
     return {
@@ -115,19 +115,19 @@ def add_hazard_files(group: Group, hazard: Hazard | None) -> None:
         _add_file(group, name, "hazard file", *file)
 
 
-def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:
+def root_group(project: AnalysisFile, planned: list[str], records: Mapping[str, str]) -> Group:
     """Return the root of an archive: texts of the project and its law files, checksums, versions, planned analyses.
 
     Args:
-        project: from `load_project`.
+        project: a project or a building, which the names of its text, file and checksum say.
         records: SHA-256 of the samples of each record that is used, by name.
     """
     group = Group(
         attributes={
             "title": project.title,
             "document": dict(project.document.said),
-            "project_file": project.path.name,
-            "project_checksum": project.checksum,
+            f"{project.kind}_file": project.path.name,
+            f"{project.kind}_checksum": project.checksum,
             "input_checksum": input_checksum(project, records),
             "analysis_checksum": _of_parts(project.analysis_checksum, *_other_inputs(project, records)),
             "record_checksums": dict(records),
@@ -136,7 +136,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
             "status": "running",
         }
     )
-    group.add("project_text", (), project.text, "", "text of the project file")
+    group.add(f"{project.kind}_text", (), project.text, "", f"text of the {project.kind} file")
     for name, file in _law_files(project).items():
         _add_file(group, f"law_text_{name}", "law file", *file)
     add_hazard_files(group, project.hazard)

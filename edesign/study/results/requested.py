@@ -6,14 +6,14 @@ from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.frame.frame_model import Bending, FrameModel, Member
 from edesign.project.analysis.outputs import FibreOutput
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.selections import NumberSelection
-from edesign.project.project import Project
 from edesign.study.results.braces import recorded_braces
 from edesign.study.results.members import member_forces, plastic_rotation
 from edesign.study.results.recording import Quantity, Terms, coordinate
 
 
-def requested_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+def requested_quantities(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quantity]:
     """Return the quantities of `outputs.members`, `sections` and `fibres`, and add their coordinates to the group.
 
     Args:
@@ -75,7 +75,7 @@ def _chord_rotation(frame: FrameModel, member: Member, end: int, bending: Bendin
     return ((1.0, "displacement", nodes[end], 2), *turned)
 
 
-def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+def _sections(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quantity]:
     places = {}  # by label, so that what is asked for twice is kept once
     for i, asked in enumerate(project.outputs.sections):
         member = _fibre_member(project, frame, asked.member, ("outputs", "sections", i))
@@ -103,7 +103,7 @@ def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantit
     ]
 
 
-def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+def _fibres(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quantity]:
     places = {}  # by label, so that what is asked for twice is kept once
     for i, asked in enumerate(project.outputs.fibres):
         keys = ("outputs", "fibres", i)
@@ -132,7 +132,7 @@ def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]
     ]
 
 
-def _layers(project: Project, asked: FibreOutput, last: int, keys: tuple[str | int, ...]) -> tuple[int, ...]:
+def _layers(project: AnalysisFile, asked: FibreOutput, last: int, keys: tuple[str | int, ...]) -> tuple[int, ...]:
     if not isinstance(asked.layers, NumberSelection):
         return (last,) if asked.layers == "top" else (1,)
     highest = max((b for _, b in asked.layers.ranges), default=1)
@@ -144,13 +144,13 @@ def _layers(project: Project, asked: FibreOutput, last: int, keys: tuple[str | i
     return asked.layers.numbers(1, last)
 
 
-def _member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
+def _member(project: AnalysisFile, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
     if name not in frame.members:
         raise InputError(f"{project.where(*keys)}: there is no member `{name}` in this frame [E-NAME-01]")
     return frame.members[name]
 
 
-def _fibre_member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
+def _fibre_member(project: AnalysisFile, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
     member = _member(project, frame, name, keys)
     if member.fibres is None:
         raise InputError(

@@ -12,7 +12,7 @@ from dataclasses import replace
 from edesign.core import Response
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.validity import Validity
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.words import percent
 from edesign.study.results.recording import Quantity
 from edesign.study.results.storeys import line_drift_storeys
@@ -46,7 +46,7 @@ def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantit
     return found
 
 
-def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, float]:
+def rotation_limits(project: AnalysisFile, names: Mapping[str, str]) -> dict[str, float]:
     """Return the limit of each channel of `rotation_names`.
 
     Args:
@@ -60,7 +60,7 @@ def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, flo
 
 
 def judged(
-    response: Response, project: Project, names: Mapping[str, str], along: str = "time"
+    response: Response, project: AnalysisFile, names: Mapping[str, str], along: str = "time"
 ) -> tuple[Response, list[AnalysisWarning] | None]:
     """Return a response, failed if it is not valid, and the warnings about its energy balance.
 
@@ -84,7 +84,7 @@ def judged(
     return response, _energy_warnings(response, project.validity)
 
 
-def _run_away(response: Response, project: Project, names: Mapping[str, str], along: str) -> str:
+def _run_away(response: Response, project: AnalysisFile, names: Mapping[str, str], along: str) -> str:
     """Say why a result does not count, "" if it does."""
     validity = project.validity
     passed, largest = response.passed, project.largest_drift
