@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from building_examples import DAMPED
 from unit.exchange.sap2000_texts import FRAME, with_table
 
 from edesign.cli.main import main
@@ -78,3 +79,9 @@ def test_dampers_that_sap2000_lacks(folder: Path, capsys: pytest.CaptureFixture[
     assert "E-SAP-28" in capsys.readouterr().err
     assert main(["translate", project, "x.s2k", "--without-dampers"]) == 0
     assert "left out: dampers, isolators and tuned masses" in capsys.readouterr().out
+
+
+def test_a_building_is_translated_without_its_dampers(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "damped.yaml").write_text(DAMPED, encoding="utf-8")
+    assert main(["translate", "damped.yaml", "damped.s2k"]) == 0
+    assert "its dampers and tuned masses" in capsys.readouterr().out
