@@ -42,8 +42,6 @@ What to know of OpenSees when comparing:
 
 from __future__ import annotations
 
-import time
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -51,6 +49,7 @@ import openseespy.opensees as ops
 from numpy.typing import NDArray
 
 from benchmarks.peers.frame_data import MENEGOTTO_PINTO, ISection, PeerFrame
+from benchmarks.peers.opensees_steps import SolverOptions, Stepper, equations, rayleigh_factors
 
 Array = NDArray[np.float64]
 
@@ -77,23 +76,6 @@ class ModelOptions:
     beam_geometry: str = "Linear"
     element_iterations: int = 10
     element_tolerance: float = 1e-12
-
-
-@dataclass(frozen=True)
-class SolverOptions:
-    """Equation solver, convergence test and numberer, by the names OpenSees gives them.
-
-    system: BandGeneral | UmfPack | SparseGeneral | ProfileSPD | BandSPD | SparseSYM (the last three need a positive
-    definite tangent); test: NormDispIncr | EnergyIncr | NormUnbalance...; tolerance: in the unit of the test
-    (m and rad, J, N and Nm); max_iterations: of one attempt; algorithm: name and arguments, tried first in histories.
-    """
-
-    system: str = "BandGeneral"
-    test: str = "NormDispIncr"
-    tolerance: float = 1e-6
-    max_iterations: int = 25
-    numberer: str = "RCM"
-    algorithm: tuple[str | float, ...] = ("Newton",)
 
 
 def _nothing() -> Array:
@@ -197,7 +179,7 @@ def apply_gravity(frame: PeerFrame, solver: SolverOptions, steps: int = 10) -> N
     first = frame.n_storeys * frame.n_lines + 1
     for tag in range(first, frame.n_members + 1):
         ops.eleLoad("-ele", tag, "-type", "-beamUniform", -frame.gravity)
-    _equations(solver)
+    equations(solver)
     ops.algorithm("Newton")
     ops.integrator("LoadControl", 1.0 / steps)
     ops.analysis("Static")
@@ -205,13 +187,6 @@ def apply_gravity(frame: PeerFrame, solver: SolverOptions, steps: int = 10) -> N
         raise RuntimeError(f"{frame.title}: gravity did not converge")
     ops.loadConst("-time", 0.0)
     ops.wipeAnalysis()
-
-
-def _equations(solver: SolverOptions) -> None:
-    ops.constraints("Plain")
-    ops.numberer(solver.numberer)
-    ops.system(solver.system)
-    ops.test(solver.test, solver.tolerance, solver.max_iterations)
 
 
 def _omega(n: int) -> Array:
@@ -259,7 +234,7 @@ def pushover(
     for floor in range(1, frame.n_storeys + 1):
         for line in range(frame.n_lines):
             ops.load(node_tag(frame, line, floor), float(loads[floor - 1, line]), 0.0, 0.0)
-    _equations(solver)
+    equations(solver)
     ops.algorithm("Newton")
     roof = node_tag(frame, frame.n_lines // 2, frame.n_storeys)
     start = ops.nodeDisp(roof, 1)
@@ -301,12 +276,6 @@ def _base_reaction(frame: PeerFrame, *what: str) -> float:
     return float(sum(ops.nodeReaction(node_tag(frame, line, 0), 1) for line in range(frame.n_lines)))
 
 
-def rayleigh_factors(omega: Sequence[float] | Array, ratio: float) -> tuple[float, float]:
-    """Mass and stiffness factor (1/s, s) that give `ratio` at the circular frequencies omega[0], omega[1] (rad/s)."""
-    w1, w2 = float(omega[0]), float(omega[1])
-    return 2.0 * ratio * w1 * w2 / (w1 + w2), 2.0 * ratio / (w1 + w2)
-
-
 def prepare_history(
     frame: PeerFrame,
     ground_acceleration: Array,
@@ -334,53 +303,10 @@ def prepare_history(
     ops.rayleigh(a0, a1, 0.0, 0.0)
     ops.timeSeries("Path", QUAKE_SERIES, "-dt", dt, "-values", *(float(a) for a in ground_acceleration))
     ops.pattern("UniformExcitation", QUAKE_PATTERN, 1, "-accel", QUAKE_SERIES)
-    _equations(solver)
+    equations(solver)
     ops.algorithm(*solver.algorithm)
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
-
-
-class _Stepper:
-    """Advances the domain and keeps count; the fallbacks are Newton, KrylovNewton, two half steps, down to dt/256."""
-
-    def __init__(self, dt: float, algorithm: tuple[str | float, ...] = ("Newton",), smallest: int = 256) -> None:
-        self.dt, self.algorithm, self.smallest = dt, algorithm, smallest
-        self.algorithms: tuple[tuple[str | float, ...], ...] = (("Newton",), ("KrylovNewton",))
-        self.iterations = self.fallbacks = 0
-        self.smallest_step = dt
-        self.cpu_s = 0.0
-
-    def run(self, n: int, dt: float) -> bool:
-        start = time.process_time()
-        status = ops.analyze(n, dt)
-        self.cpu_s += time.process_time() - start
-        return bool(status == 0)
-
-    def one(self, dt: float, parts: int = 1, failed: tuple[str | float, ...] | None = None) -> bool:
-        """One step of dt by the fallbacks; `failed`: one that has already failed at this dt."""
-        for algorithm in self.algorithms:
-            if algorithm == failed:
-                continue
-            ops.algorithm(*algorithm)
-            if self.run(1, dt):
-                self.smallest_step = min(self.smallest_step, dt)
-                self.iterations += ops.testIter()
-                return True
-        return parts < self.smallest and all(self.one(0.5 * dt, 2 * parts) for _ in range(2))
-
-    def rescue(self) -> bool:
-        """One step of the record after the first algorithm has failed."""
-        self.fallbacks += 1
-        done = self.one(self.dt, failed=self.algorithm)
-        ops.algorithm(*self.algorithm)
-        return done
-
-    def step(self) -> bool:
-        """One step of the record."""
-        if self.run(1, self.dt):
-            self.iterations += ops.testIter()
-            return True
-        return self.rescue()
 
 
 def history(
@@ -401,7 +327,7 @@ def history(
     """
     prepare_history(frame, ground_acceleration, dt, options, solver, damping, damping_after_gravity)
     total = _n_steps(ground_acceleration, dt, free_vibration, steps)
-    stepper = _Stepper(dt, (solver or SolverOptions()).algorithm)
+    stepper = Stepper(dt, (solver or SolverOptions()).algorithm)
     result = HistoryResult()
     nodes = [[node_tag(frame, line, floor) for line in range(frame.n_lines)] for floor in range(frame.n_storeys + 1)]
     heights = np.array(frame.storey_heights)[:, None]
@@ -453,7 +379,7 @@ def benchmark_history(
     """
     prepare_history(frame, ground_acceleration, dt, options, solver, damping)
     total = _n_steps(ground_acceleration, dt, free_vibration, steps)
-    stepper = _Stepper(dt, (solver or SolverOptions()).algorithm)
+    stepper = Stepper(dt, (solver or SolverOptions()).algorithm)
     result = HistoryResult()
     while result.steps < total:
         if stepper.run(total - result.steps, dt):
@@ -475,7 +401,7 @@ def _n_steps(ground_acceleration: Array, dt: float, free_vibration: float, steps
     return total if steps is None else min(steps, total)
 
 
-def _account(result: HistoryResult, stepper: _Stepper) -> None:
+def _account(result: HistoryResult, stepper: Stepper) -> None:
     result.iterations, result.fallbacks = stepper.iterations, stepper.fallbacks
     result.smallest_step, result.cpu_s = stepper.smallest_step, stepper.cpu_s
     ops.wipe()
