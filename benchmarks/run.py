@@ -2,7 +2,8 @@
 
 Neither side samples anything inside the loop. OpenSees is given its fastest solver and test for each frame (chosen here
 by trial, unless --quick) and its fibres merged into the same 24 layers; edesign runs at its default tolerance. Only the
-integration loop is timed, CPU time of the one thread that computes.
+integration loop is timed, CPU time of the one thread that computes. Of the building in three dimensions peaks are
+compared as well (benchmarks/building_histories.py).
 
 Usage: python -m benchmarks.run [--quick] [--repeats N]
 """
@@ -13,11 +14,9 @@ import argparse
 import math
 import os
 import resource
-import statistics
 import subprocess
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -26,27 +25,12 @@ import numpy as np  # noqa: E402
 from benchmarks.peers import edesign_frame  # noqa: E402
 from benchmarks.peers.frame_data import MENEGOTTO_PINTO, PeerFrame, tall_frame, thesis_frame  # noqa: E402
 from benchmarks.records import el_centro  # noqa: E402
+from benchmarks.timing import describe, timed  # noqa: E402
 from edesign.core import MenegottoPinto, Response, Steel  # noqa: E402
 
 SOLVERS = ("BandGeneral", "SparseSYM", "UmfPack")
 TESTS = (("NormDispIncr", 1e-6), ("EnergyIncr", 1e-8))
 PGA = 0.414  # g
-
-
-@dataclass
-class Timing:
-    """Milliseconds of CPU a step, median of the repeats, and how many there were."""
-
-    milliseconds: float
-    spread: float
-    repeats: int
-
-
-def timed(run: Callable[[], float], repeats: int) -> Timing:
-    """Median and relative spread of `repeats` runs, each returning CPU seconds a step."""
-    values = [run() for _ in range(repeats)]
-    middle = statistics.median(values)
-    return Timing(1e3 * middle, (max(values) - min(values)) / middle, repeats)
 
 
 def core_run(
@@ -65,18 +49,6 @@ def core_run(
     if keep is not None:
         keep.append(response)
     return response.statistics["cpu_s"] / response.statistics["steps"]
-
-
-def describe(response: Response) -> str:
-    """What the steps of a history cost."""
-    s = response.statistics
-    return (
-        f"{s['iterations'] / s['steps']:.2f} iterations and "
-        f"{s['refactorisations'] / s['steps']:.3f} refactorisations a step, "
-        f"{s['element_iterations'] / s['iterations']:.1f} element iterations an iteration, "
-        f"{100 * s['elastic_updates'] / s['state_updates']:.0f} % of the element states by the elastic shortcut, "
-        f"{s['fallbacks']:.0f} fallbacks"
-    )
 
 
 def curved_law(frame: PeerFrame) -> Steel:
@@ -156,11 +128,15 @@ def growth(repeats: int, seconds: float, pga: float) -> None:
 
 
 def memory() -> None:
-    """Peak memory of a whole process that analyses the thesis frame."""
-    code = "from benchmarks.run import core_run, thesis_frame; core_run(thesis_frame(4), None)"
-    subprocess.run([sys.executable, "-c", code], check=True)
-    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / (1024 if sys.platform != "darwin" else 1024**2)
-    print(f"\nPeak memory of a process with the thesis frame's history: {peak:.0f} MB")
+    """Peak memory of whole processes that analyse one structure, the larger one last."""
+    codes = {
+        "thesis frame": "from benchmarks.run import core_run, thesis_frame; core_run(thesis_frame(4), None)",
+        "thesis building": "from benchmarks.building_histories import thesis_history; thesis_history()",
+    }
+    for name, code in codes.items():
+        subprocess.run([sys.executable, "-c", code], check=True)
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / (1024 if sys.platform != "darwin" else 1024**2)
+        print(f"\nPeak memory of a process with the history of the {name}: {peak:.0f} MB")
 
 
 def main() -> None:
@@ -178,6 +154,9 @@ def main() -> None:
     pushovers(hardening)
     side_by_side(thesis_frame(3), None if not arguments.quick else 15.0, repeats, arguments.quick)
     side_by_side(tall_frame(40, 8), 15.0 if not arguments.quick else 3.0, repeats, arguments.quick)
+    from benchmarks import building_histories  # not before: the memory of plane frames is measured without it
+
+    building_histories.run("thesis", building_histories.PGA, 3.0 if arguments.quick else 20.0, repeats)
     growth(repeats, 15.0, PGA)
     growth(1, 15.0, 1.2)  # far beyond the bar: yielding everywhere, at every size
 
