@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -42,6 +42,26 @@ class SetClauses:
     use: str
     zero_period: str = ""
     stationary: str = ""
+
+
+@dataclass(frozen=True)
+class PairRule:
+    """What a code compares of pairs of horizontal components that act on a model in space.
+
+    Attributes:
+        compared: the components along each direction of the building, for T_1 of that direction, or the largest
+            ordinate of each pair over all directions.
+        clauses: of the rule.
+        text: the rule for people.
+        orientation: clause by which neither direction may have the stronger components; empty without such a rule.
+        tolerance: by which the mean spectrum along a direction may differ from that of all components.
+    """
+
+    compared: Literal["each direction", "maximum direction"] = "each direction"
+    clauses: str = ""
+    text: str = "the components along each direction are a set of their own, for T_1 of that direction"
+    orientation: str = ""
+    tolerance: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -88,6 +108,7 @@ class SetRules:
         least_ratio_matched: of sets whose motions were fitted in shape; None: as `least_ratio`.
         fewer: what holds with fewer motions than `number_for_mean`.
         note: what is said of the mean spectrum: assumptions on a plane frame.
+        pairs: what is compared of pairs on a model in space.
     """
 
     code: str
@@ -102,6 +123,7 @@ class SetRules:
     least_ratio_matched: float | None = None
     fewer: str = "the most unfavourable response counts"
     note: str = ""
+    pairs: PairRule = PairRule()
 
     @property
     def has_zero_period(self) -> bool:

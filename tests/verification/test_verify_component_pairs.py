@@ -25,7 +25,7 @@ STEP = 0.01
 T = np.geomspace(0.1, 1.5, 20)
 TARGET = ElasticSpectrum(2.0, national_parameters().horizontal(1, "B"))
 OPTIONS = MatchOptions(method="scale", periods=(0.1, 1.5))
-SPECTRA: tuple[CombinedSpectrum, ...] = ("geometric_mean", "rotd50", "rotd100")
+SPECTRA: tuple[CombinedSpectrum, ...] = ("geometric_mean", "srss", "rotd50", "rotd100")
 
 
 def motion(seed: int) -> np.ndarray:
@@ -56,6 +56,7 @@ def test_combined_spectra_are_those_of_all_directions() -> None:
     every = rotated(first, second)
     expected = {
         "geometric_mean": np.sqrt(spectrum(first) * spectrum(second)),
+        "srss": np.sqrt(spectrum(first) ** 2 + spectrum(second) ** 2),
         "rotd50": np.median(every, axis=0),
         "rotd100": every.max(axis=0),
     }
@@ -77,12 +78,38 @@ def test_of_one_motion_in_a_direction_in_closed_form() -> None:
     )
 
 
+def test_of_circular_motion_all_directions_are_alike() -> None:
+    """A harmonic that turns: steady oscillators follow with A omega0^2 / |omega0^2 - omega^2 + 2 i zeta omega0 omega|.
+
+    The swell of D = 240 s changes slowly beside what the oscillator in resonance remembers, tau = 1 / (zeta omega0) =
+    3.2 s: it stays behind by (pi tau / D)^2 = 0.18 %, others by less.
+    """
+    t, A, omega = np.arange(24_000) * STEP, 1.5, 2.0 * np.pi
+    swell = A * np.sin(np.pi * t / t[-1]) ** 2
+    pair = record("a", swell * np.cos(omega * t)), record("b", swell * np.sin(omega * t))
+    periods = np.array([0.3, 0.8, 1.0, 1.5, 2.0])
+    omega0 = 2.0 * np.pi / periods
+    exact = A * omega0**2 / np.abs(omega0**2 - omega**2 + 2j * 0.05 * omega0 * omega)
+    for name in ("geometric_mean", "rotd50", "rotd100"):
+        assert combined_spectrum(*pair, periods, 0.05, name) == pytest.approx(exact, rel=2.5e-3)
+    assert combined_spectrum(*pair, periods, 0.05, "srss") == pytest.approx(np.sqrt(2.0) * exact, rel=2.5e-3)
+
+
+def test_srss_of_equal_components() -> None:
+    """The root of two squares is sqrt 2 times one; a pair of them that have the target needs no factor."""
+    first, second = record("a", motion(4)), record("b", -motion(4))
+    assert combined_spectrum(first, second, T, 0.05, "srss") == pytest.approx(np.sqrt(2.0) * spectrum(motion(4)))
+    alone, both = (fit_pair(first, second, TARGET, OPTIONS, name) for name in ("geometric_mean", "srss"))
+    assert both.factor == pytest.approx(alone.factor) and both.combined == pytest.approx(alone.combined)
+
+
 @pytest.mark.parametrize("name", SPECTRA)
 def test_the_factor_is_the_mean_of_the_logarithms_within_its_bounds(name: CombinedSpectrum) -> None:
     first, second = record("a", 0.3 * motion(1)), record("b", 0.2 * motion(2))
     found = fit_pair(first, second, TARGET, OPTIONS, name)
     periods = OPTIONS.matching_periods
-    ratio = TARGET.acceleration(periods) / combined_spectrum(first, second, periods, 0.05, name)
+    of_equal = np.sqrt(2.0) if name == "srss" else 1.0
+    ratio = of_equal * TARGET.acceleration(periods) / combined_spectrum(first, second, periods, 0.05, name)
     assert found.factor == pytest.approx(np.exp(np.log(ratio).mean()), rel=1e-12)
     tripled = fit_pair(first.scaled(3.0), second.scaled(3.0), TARGET, OPTIONS, name)
     assert 3.0 * tripled.factor == pytest.approx(found.factor, rel=1e-9)

@@ -107,7 +107,7 @@ def read_inputs(
                 "itself [E-CLI-01]"
             )
         name = _name(inputs[0])
-        suite = load_suite(inputs[0])
+        suite = load_suite(inputs[0]).horizontal()
         found = find_suite(suite, folders, simulated_records)
         return name, {entry.id: item for entry, item in zip(suite.records, found, strict=True)}
     if folders:

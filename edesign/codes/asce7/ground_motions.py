@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.codes.motion_sets import SetClauses, SetRules
+from edesign.codes.motion_sets import PairRule, SetClauses, SetRules
 
 COMPONENTS = (
     "each component stands for the maximum direction of its pair, which it never exceeds; T_1 for the first periods of "
@@ -20,7 +20,7 @@ def set_rules(edition: str) -> SetRules:
     Args:
         edition: "7-16" or "7-22"; both have the same rules here.
 
-    Source: ASCE/SEI 7-16 and 7-22, 16.2.2, 16.2.3.1 to 16.2.3.3, 16.4.
+    Source: ASCE/SEI 7-16 and 7-22, 16.2.2, 16.2.3.1 to 16.2.3.3, 16.2.4, 16.4.
     """
     name = f"ASCE {edition}"
     return SetRules(
@@ -33,4 +33,11 @@ def set_rules(edition: str) -> SetRules:
         least_ratio_matched=1.10,
         fewer="the standard has no rule for fewer",
         note=COMPONENTS,
+        pairs=PairRule(
+            "maximum direction",
+            f"{name}, 16.2.3.2, 16.2.3.3",
+            "both components have one factor, and the mean of the maximum-direction spectra of the pairs counts",
+            orientation=f"{name}, 16.2.4",
+            tolerance=0.10,
+        ),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.codes.motion_sets import SetClauses, SetRules
+from edesign.codes.motion_sets import PairRule, SetClauses, SetRules
 
 SET_RULES = SetRules(
     code="EN 1998-1:2004",
@@ -17,5 +17,11 @@ SET_RULES = SetRules(
     number_for_mean=7,
     band=(0.2, 2.0),
     least_ratio=0.90,
+    pairs=PairRule(clauses="3.2.3.1.1(2)P, 3.2.3.1.2(4)"),
 )
-"""Source: EN 1998-1:2004, 3.2.3.1.2(2)-(4), which 3.2.3.1.3(3) extends to recorded and simulated accelerograms."""
+"""Source: EN 1998-1:2004, 3.2.3.1.2(2)-(4), which 3.2.3.1.3(3) extends to recorded and simulated accelerograms.
+
+Of a spatial model, 3.2.3.1.1(2)P: accelerograms act at once along all directions, and never the same along both
+horizontal ones. 3.2.3.1.2(4)c speaks of T_1 in the direction in which the accelerogram is applied, so that those along
+each direction are a set of their own.
+"""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.codes.motion_sets import SetClauses, SetRules
+from edesign.codes.motion_sets import PairRule, SetClauses, SetRules
 
 ULTIMATE = SetRules(
     code="NTC 2018",
@@ -18,6 +18,7 @@ ULTIMATE = SetRules(
     longest=2.0,
     least_ratio=0.90,
     greatest_ratio=1.30,
+    pairs=PairRule(clauses="NTC 2018, 3.2.3.6, 7.3.5"),
 )
 """Of ultimate limit states. The band is that of artificial time histories, which 3.2.3.6 leaves open for recorded ones:
 the larger of 0.15 s to 2 s and 0.15 s to 2 T. The limit of + 30 % is that of recorded ones.

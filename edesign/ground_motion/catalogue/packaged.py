@@ -73,7 +73,7 @@ def suite_candidates(source: SuiteSource, project: Path, names: Names) -> Iterat
     Raises:
         InputError: the suite cannot be read.
     """
-    suite = load_suite(suite_file(project.parent, source.suite))
+    suite = load_suite(suite_file(project.parent, source.suite)).horizontal()
     folders = tuple(project.parent / folder for folder in source.folders)
     for entry in suite.records:
         candidate = Candidate(entry, suite, folders, source.simulated_records)

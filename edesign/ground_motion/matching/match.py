@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -44,34 +45,75 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
     scale, notes = _scale(record, wanted, periods, options)
     scaled, lead = record.scaled(scale), 0.0
     matched, adjusted = scaled, Adjusted(scaled.acceleration, 0, ())
-
-    def ordinates(at: np.ndarray) -> np.ndarray:
-        return _ordinates(target, at, options)[0]
-
+    ordinates = partial(_wanted, target=target, options=options)
     if options.method != "scale" and not _fits(scaled, ordinates, periods, options, zero_period):
         scaled, lead = _with_room(scaled, options)
-        adjust = _method(options.method)
-        with one_thread():
-            adjusted = adjust(scaled.acceleration, scaled.time_step, ordinates, periods, options, zero_period)
+        adjusted = _adjusted(scaled, target, options, zero_period)
         if np.array_equal(adjusted.acceleration, scaled.acceleration):
             matched, notes = scaled, (*notes, "no step came closer to the target; the record is scaled only")
         else:
-            band = f"{periods[0]:g} to {periods[-1]:g} s"
-            source = f"{scaled.source}; matched to {target.label} over {band} ({options.method})"
-            matched = replace(scaled, acceleration=adjusted.acceleration, source=source)
+            matched = replace(scaled, acceleration=adjusted.acceleration, source=_source(scaled, target, options))
+    return _judged(_Seed(record, scale, scaled, lead, notes), matched, adjusted, target, options)
 
-    checked = judging_periods(periods)
-    goal, _ = _ordinates(target, checked, options)
+
+def match_again(match: Match, target: Spectrum, options: MatchOptions) -> Match:
+    """Change the shape of a matched record further, to a target that has changed a little.
+
+    Args:
+        match: by one of the methods that change the shape.
+        target: spectrum that is matched now.
+        options: of the match before.
+
+    Returns:
+        The matched record, compared with the scaled original of before.
+    """
+    if np.array_equal(match.matched.acceleration, match.scaled.acceleration):  # it has no room for waves yet
+        return match_record(match.original, target, replace(options, factor=match.scale))
+    _, zero_period = _ordinates(target, options.matching_periods, options)
+    more = _adjusted(match.matched, target, options, zero_period)
+    adjusted = replace(more, iterations=match.iterations + more.iterations, history=(*match.history, *more.history))
+    matched = replace(match.matched, acceleration=more.acceleration, source=_source(match.scaled, target, options))
+    seed = _Seed(match.original, match.scale, match.scaled, match.lead, match.messages)
+    return _judged(seed, matched, adjusted, target, options)
+
+
+@dataclass(frozen=True)
+class _Seed:
+    """What is matched: the record, its constant factor, and both together with room for waves."""
+
+    original: Record
+    scale: float
+    scaled: Record
+    lead: float
+    notes: tuple[str, ...]
+
+
+def _adjusted(record: Record, target: Spectrum, options: MatchOptions, zero_period: float) -> Adjusted:
+    ordinates, periods = partial(_wanted, target=target, options=options), options.matching_periods
+    with one_thread():
+        return _method(options.method)(record.acceleration, record.time_step, ordinates, periods, options, zero_period)
+
+
+def _source(scaled: Record, target: Spectrum, options: MatchOptions) -> str:
+    band = f"{options.periods[0]:g} to {options.periods[1]:g} s"
+    return f"{scaled.source}; matched to {target.label} over {band} ({options.method})"
+
+
+def _judged(seed: _Seed, matched: Record, adjusted: Adjusted, target: Spectrum, options: MatchOptions) -> Match:
+    """The match, with all that is told of it."""
+    scaled = seed.scaled
+    checked = judging_periods(options.matching_periods)
+    goal, zero_period = _ordinates(target, checked, options)
     psa_before = psa(scaled.acceleration, scaled.time_step, checked, options.damping)
     psa_after = psa(matched.acceleration, matched.time_step, checked, options.damping)
     after_misfit = misfit(psa_after, goal, checked)
     after, shape = measures(matched), compare(scaled, matched)
     return Match(
-        original=record,
-        scale=scale,
+        original=seed.original,
+        scale=seed.scale,
         scaled=scaled,
         matched=replace(matched, band_limited=True),
-        lead=lead,
+        lead=seed.lead,
         method=options.method,
         damping=options.damping,
         periods=checked,
@@ -86,7 +128,7 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
         shape=shape,
         iterations=adjusted.iterations,
         history=adjusted.history,
-        messages=(*notes, *adjusted.notes),
+        messages=(*seed.notes, *adjusted.notes),
     )
 
 
@@ -160,6 +202,11 @@ def _method(method: Method) -> Adjust:
     from edesign.ground_motion.matching.wavelets import adjust as by_wavelets
 
     return by_wavelets
+
+
+def _wanted(periods: np.ndarray, target: Spectrum, options: MatchOptions) -> np.ndarray:
+    """The target over periods, checked, m/s2."""
+    return _ordinates(target, periods, options)[0]
 
 
 def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> tuple[np.ndarray, float]:

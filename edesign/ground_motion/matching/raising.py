@@ -35,7 +35,16 @@ def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period:
         periods = rules.check_periods(fundamental_period)
         mean = np.mean([psa(m.matched.acceleration, m.matched.time_step, periods, DAMPING) for m in matches], axis=0)
         needed.append(float(np.max(rules.least_ratio * target.acceleration(periods) / mean)))
-    largest = max(needed)
+    return least_factor(needed)
+
+
+def least_factor(needed: Sequence[float]) -> float:
+    """Return the least factor that satisfies all rules, at least 1 and at most `MOST`.
+
+    Args:
+        needed: the factor that each rule asks for.
+    """
+    largest = max(needed, default=1.0)
     return 1.0 if largest <= 1.0 else min(largest * _MARGIN, MOST)
 
 

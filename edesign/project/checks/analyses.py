@@ -6,8 +6,9 @@ from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, 
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.damping import check_damping
 from edesign.project.checks.loads import check_loads
+from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.pushover import check_pushover
-from edesign.project.checks.records import check_fitted_levels, check_project_records, check_record_files
+from edesign.project.checks.records import check_project_records, check_record_files
 from edesign.project.checks.selections import Selections
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage

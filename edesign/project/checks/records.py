@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 from edesign.project.actions.hazard import UserHazard
-from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
+from edesign.project.checks.matching import check_fitted_level, check_less_than_critical, check_matching
 from edesign.project.reading.checks_files import check_file
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.chosen_records import FolderSource, Period, SuiteSource
-from edesign.project.records.matching import Matching
 from edesign.project.records.processing import Step
 from edesign.project.records.record_tables import UNITS
 from edesign.project.records.records import (
@@ -22,8 +21,10 @@ from edesign.project.records.records import (
     PairRecord,
     Record,
     RecordSet,
+    RecordsOfSuite,
     StructdynRecord,
     SuiteRecords,
+    TwoComponents,
 )
 from edesign.project.records.suite_names import is_suite_name, suite_names
 
@@ -37,7 +38,7 @@ def check_project_records(project: AnalysisFile, problems: Problems) -> None:
     """
     for name, record in project.records.items():
         keys: Keys = ("records", name)
-        _matching(project, record.match, (*keys, "match"), problems)
+        check_matching(project.hazard, record.match, (*keys, "match"), problems)
         if isinstance(record, RecordSet) and record.match is not None and record.match.component == "vertical":
             message = "vertical motion is one record; those of a suite or a pair are horizontal [E-SCALE-01]"
             problems.at_value((*keys, "match", "component"), message)
@@ -71,15 +72,21 @@ def check_record(record: Record, keys: Keys, problems: Problems) -> None:
                 problems.at_value(
                     (*keys, "only", i), f"`{wanted}` stands here twice; a recording is taken once [E-NAME-02]"
                 )
-        _processing(record.processing, (*keys, "processing"), problems)
+        check_processing(record.processing, (*keys, "processing"), problems)
         return
-    _processing(record.processing, (*keys, "processing"), problems)
+    check_processing(record.processing, (*keys, "processing"), problems)
     if not isinstance(record, FemaP695Record):
         _format(record, keys, problems)
 
 
-def _pair(record: PairRecord, keys: Keys, problems: Problems) -> None:
-    """The components are two, and what is done to both stands beside them."""
+def check_components(record: TwoComponents, keys: Keys, problems: Problems) -> None:
+    """Check that the components of a pair are two, and that what is done to both stands beside them.
+
+    Args:
+        record: as the file describes it.
+        keys: its place in the file.
+        problems: collects what is wrong.
+    """
     for i, component in enumerate(record.pair):
         check_record(component, (*keys, "pair", i), problems)
         if component.match is not None:
@@ -89,6 +96,10 @@ def _pair(record: PairRecord, keys: Keys, problems: Problems) -> None:
             )
     if record.pair[0] == record.pair[1]:
         problems.at_value((*keys, "pair", 1), "this is the first component again [E-NAME-02]")
+
+
+def _pair(record: PairRecord, keys: Keys, problems: Problems) -> None:
+    check_components(record, keys, problems)
     if record.match is not None and record.match.method != "scale":
         message = (
             "a pair is scaled by one factor, which keeps what its components are to each other: `method: scale`"
@@ -108,8 +119,8 @@ def _choice(project: AnalysisFile, record: ChosenRecords, keys: Keys, problems: 
             (*keys, "choose"), "records are chosen for the spectrum of the `hazard`, and the file has none [E-HAZ-05]"
         )
     elif record.match is None:
-        _less_than_critical(project.hazard.damping, problems)
-        _fitted_level(project.hazard, record.level, keys, problems)
+        check_less_than_critical(project.hazard.damping, problems)
+        check_fitted_level(project.hazard, record.level, keys, problems)
     elif record.level is not None:
         problems.at_key((*keys, "level"), "with `match` its `level` says for which spectrum [E-KEY-03]")
     if record.T_1 is None and project.masses is None:
@@ -157,24 +168,49 @@ def check_record_files(
         keys: Keys = ("records", name)
         if isinstance(record, FileRecord):
             check_file(folder / record.file, (*keys, "file"), problems, what)
-        for i, component in enumerate(record.pair if isinstance(record, PairRecord) else ()):
-            if isinstance(component, FileRecord):
-                check_file(folder / component.file, (*keys, "pair", i, "file"), problems, what)
+        if isinstance(record, PairRecord):
+            check_component_files(record, folder, keys, problems, what)
         if isinstance(record, SuiteRecords):
-            _suite_files(record, folder, keys, problems, what)
+            check_suite_files(record, folder, keys, problems, what)
         if not isinstance(record, ChosenRecords):
             continue
         for i, source in enumerate(record.sources):
             at = _source_keys(keys, i, problems)
             if isinstance(source, SuiteSource):
-                _suite_files(source, folder, at, problems, what)
+                check_suite_files(source, folder, at, problems, what)
             if isinstance(source, FolderSource):
                 _check_folder(folder / source.folder, (*at, "folder"), problems, what)
                 if source.flatfile is not None:
                     check_file(folder / source.flatfile, (*at, "flatfile"), problems, what)
 
 
-def _suite_files(record: SuiteRecords | SuiteSource, folder: Path, keys: Keys, problems: Problems, what: str) -> None:
+def check_component_files(record: TwoComponents, folder: Path, keys: Keys, problems: Problems, what: str) -> None:
+    """Check that the files of both components of a pair are there.
+
+    Args:
+        record: as the file describes it.
+        folder: to which paths are relative.
+        keys: its place in the file.
+        problems: collects what is wrong.
+        what: the file is, for messages.
+    """
+    for i, component in enumerate(record.pair):
+        if isinstance(component, FileRecord):
+            check_file(folder / component.file, (*keys, "pair", i, "file"), problems, what)
+
+
+def check_suite_files(
+    record: RecordsOfSuite | SuiteSource, folder: Path, keys: Keys, problems: Problems, what: str
+) -> None:
+    """Check that the file of a suite and the folders with its recordings are there.
+
+    Args:
+        record: as the file describes it.
+        folder: to which paths are relative.
+        keys: its place in the file.
+        problems: collects what is wrong.
+        what: the file is, for messages.
+    """
     if not is_suite_name(record.suite):
         check_file(folder / record.suite, (*keys, "suite"), problems, what)
     elif record.suite not in suite_names():
@@ -187,64 +223,6 @@ def _suite_files(record: SuiteRecords | SuiteSource, folder: Path, keys: Keys, p
 def _check_folder(path: Path, keys: Keys, problems: Problems, what: str) -> None:
     if not is_folder(path):
         problems.at_value(keys, f"there is no folder `{path}` (the path is relative to the {what}) [E-FILE-01]")
-
-
-def _matching(project: AnalysisFile, match: Matching | None, keys: Keys, problems: Problems) -> None:
-    if match is None:
-        return
-    if project.hazard is None:
-        problems.at_key(keys, "a record is fitted to the spectrum of the `hazard`, and the file has none [E-HAZ-05]")
-    else:
-        _less_than_critical(project.hazard.damping, problems)
-        _fitted_level(project.hazard, match.level, keys, problems)
-    if match.periods[0] >= match.periods[1]:
-        problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ [E-VALUE-04]")
-    if match.scale_bounds[0] > match.scale_bounds[1]:
-        problems.at_value((*keys, "scale_bounds"), "the smaller factor stands first [E-VALUE-04]")
-
-
-def _fitted_level(hazard: Hazard, level: str | None, keys: Keys, problems: Problems) -> None:
-    """Which of the levels a record is fitted to, where each has a spectrum of its own."""
-    if level is not None and not hazard.own_shapes:
-        message = (
-            "the levels have spectra of one shape, and records fitted to it are scaled to each; leave this key out"
-            " [E-KEY-03]"
-        )
-        problems.at_key((*keys, "level"), message)
-    elif level is not None and level not in hazard.levels:
-        problems.at_value((*keys, "level"), unknown_name("level", level, hazard.levels))
-    elif level is None and hazard.own_shapes and len(hazard.levels) > 1:
-        message = f"this key is missing; each level has a spectrum of its own: {listed(hazard.levels)} [E-KEY-02]"
-        problems.under(keys, "level", message)
-
-
-def check_fitted_levels(
-    keys: Keys, records: Iterable[str], levels: Sequence[str], project: AnalysisFile, problems: Problems
-) -> None:
-    """Check that records fitted to the spectrum of one level are used at no other.
-
-    Args:
-        keys: where the levels stand in the file of the problems.
-        records: names of fitted records of the project; those that are fitted to a shape of all levels pass.
-        project: that has them.
-        problems: collects what is wrong.
-    """
-    for name in records:
-        only = project.fitted_level(name)
-        for i, level in enumerate(levels):
-            if only is not None and level in project.hazard_levels and level != only:
-                message = (
-                    f"`{name}` is fitted to the spectrum of `{only}`, which has another shape than that of `{level}`"
-                )
-                problems.at_item(keys, i, f"{message}; match another record to it [E-SCALE-02]")
-
-
-def _less_than_critical(damping: float, problems: Problems) -> None:
-    if damping >= 1.0:
-        message = (
-            "a record is fitted to this spectrum; its damping must be less than critical, below 100 % [E-VALUE-02]"
-        )
-        problems.at_value(("hazard", "damping"), message)
 
 
 def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems) -> None:
@@ -266,7 +244,14 @@ def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems
                 )
 
 
-def _processing(steps: tuple[Step, ...], keys: Keys, problems: Problems) -> None:
+def check_processing(steps: tuple[Step, ...], keys: Keys, problems: Problems) -> None:
+    """Check the steps of a processing, each of which is one thing.
+
+    Args:
+        steps: in their order.
+        keys: their place in the file.
+        problems: collects what is wrong.
+    """
     for i, step in enumerate(steps):
         if not step.given:
             problems.at_value((*keys, i), f"a step is one of {listed(Step.model_fields)} [E-VALUE-01]")

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.checks.records import check_fitted_levels
+from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.records import RecordSet, record_of
 

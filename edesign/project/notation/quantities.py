@@ -56,4 +56,5 @@ KINDS = (
     ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad", 1e-9, 1e18),  # as of stiffness
     ENERGY := Kind("energy", "J", "25 kJ", 1e-15, 1e18),  # those forces over a micrometre; a magnitude of 8.8
     ROTATION := Kind("rotation", "rad", "0.002 rad", 1e-12, 1e9),  # a hinge that shall never end may have any
+    ANGLE := Kind("angle", "rad", "90 deg", 1e-6, 6.2832),  # below what any sensor is set to; a whole turn
 )

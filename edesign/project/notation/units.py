@@ -15,6 +15,7 @@ from pydantic_core import PydanticCustomError
 
 from edesign.project.notation.quantities import (
     ACCELERATION,
+    ANGLE,
     AREA,
     AREA_LOAD,
     DENSITY,
@@ -352,6 +353,7 @@ PositiveForce = Annotated[float, written(FORCE, "positive")]
 PositiveMoment = Annotated[float, written(MOMENT, "positive")]
 Rotation = Annotated[float, written(ROTATION, "not negative")]
 PositiveRotation = Annotated[float, written(ROTATION, "positive")]
+Angle = Annotated[float, written(ANGLE)]
 LineLoad = Annotated[float, written(LINE_LOAD)]
 AreaLoad = Annotated[float, written(AREA_LOAD)]
 PositiveStiffness = Annotated[float, written(STIFFNESS, "positive")]

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.notation.units import PositiveTime
 from edesign.project.notation.written import Written, text
@@ -131,7 +132,7 @@ class FemaP695Record(_Single):
 
 
 Component = Annotated[FileRecord | StructdynRecord | FemaP695Record, OneOf("package", FileRecord)]
-CombinedSpectrum = Literal["geometric_mean", "rotd50", "rotd100"]
+CombinedSpectrum = Literal["geometric_mean", "srss", "rotd50", "rotd100"]
 
 
 def _two(value: Any) -> Any:
@@ -140,15 +141,23 @@ def _two(value: Any) -> Any:
     return value
 
 
-class PairRecord(_Record):
-    """Two horizontal components that were recorded together, at right angles; a history becomes one of each.
+class TwoComponents(_Record):
+    """Two horizontal components that were recorded together, at right angles.
 
     Attributes:
         pair: the two components, each with `file` or `package`.
-        spectrum: spectrum of both together that `match` compares with that of the hazard.
     """
 
     pair: Annotated[tuple[Component, Component], BeforeValidator(_two)]
+
+
+class PairRecord(TwoComponents):
+    """Two horizontal components that were recorded together, at right angles; a history becomes one of each.
+
+    Attributes:
+        spectrum: spectrum of both together that `match` compares with that of the hazard.
+    """
+
     spectrum: CombinedSpectrum = "rotd100"
 
 
@@ -160,22 +169,30 @@ def _names(value: Any) -> Any:
     return tuple(str(one) if isinstance(one, int) and not isinstance(one, bool) else one for one in several)
 
 
-class SuiteRecords(_Record):
-    """All recordings of a suite file, or some of them; a history of them becomes one of each.
+class RecordsOfSuite(_Record):
+    """Recordings of a suite file.
 
     Attributes:
-        suite: suite file, relative to the project file, or the name of one that comes with edesign.
-        folders: folders with your copies of the recordings, relative to the project file.
+        suite: suite file, relative to this file, or the name of one that comes with edesign.
+        folders: folders with your copies of the recordings, relative to this file.
         simulated_records: whether a simulated motion may stand for a recording that is found nowhere.
-        only: the recordings that are taken, by their `id`; without the key all.
         processing: steps that are done to each recording before it is scaled or fitted.
     """
 
     suite: Annotated[str, Field(min_length=1)]
     folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
     simulated_records: bool = True
-    only: Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_names)] | None = None
     processing: tuple[Step, ...] = ()
+
+
+class SuiteRecords(RecordsOfSuite):
+    """All recordings of a suite file, or some of them; a history of them becomes one of each.
+
+    Attributes:
+        only: the recordings that are taken, by their `id`; without the key all.
+    """
+
+    only: Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_names)] | None = None
 
 
 Record = Annotated[
@@ -189,6 +206,17 @@ Suite = SuiteRecords | ChosenRecords
 
 RecordSet = SuiteRecords | ChosenRecords | PairRecord
 """Records that are several: a reference to one of them is `NAME/RECORDING`."""
+
+
+def level_of_fit(record: Record | RecordsOfSuite | TwoComponents, hazard: Hazard) -> str | None:
+    """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels.
+
+    Args:
+        hazard: whose spectrum it is fitted to.
+    """
+    if not record.fitted or not hazard.own_shapes:
+        return None
+    return record.fit_level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
 
 
 def component_references(name: str) -> tuple[str, str]:

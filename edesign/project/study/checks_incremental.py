@@ -7,8 +7,8 @@ from collections.abc import Collection
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.checks.analyses import check_drift
+from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.names import ALL, check_names, check_records
-from edesign.project.checks.records import check_fitted_levels
 from edesign.project.checks.vertical_motion import check_horizontal
 from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.project import Project

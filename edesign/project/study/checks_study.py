@@ -7,10 +7,11 @@ from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.criteria import check_criteria
 from edesign.project.checks.designs import check_design
 from edesign.project.checks.isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
+from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.names import ALL, check_names, check_records
 from edesign.project.checks.outputs import check_member
+from edesign.project.checks.pairs import check_pairs
 from edesign.project.checks.pushover import check_pushover
-from edesign.project.checks.records import check_fitted_levels
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.dampers.device_names import names_of_dampers, names_of_design
@@ -30,6 +31,7 @@ def check_study(study: Study, problems: Problems) -> None:
         problems: the problems of the file, to which those found are added.
     """
     base = study.base
+    check_pairs(study.records, base.records, base.hazard, study.folder, problems, "study file")
     for name, design in study.designs.items():
         check_design(("designs", name), design, base, problems)
         if design.verify is not None:
@@ -95,7 +97,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
     base = study.base
     if histories.variants != (ALL,):
         check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
-    check_records(problems, (*keys, "records"), histories.records, base)
+    check_records(problems, (*keys, "records"), histories.records, base, study.records)
     check_drift(base, problems, (*keys, "collapse_drift"), histories.collapse_drift)
     check_horizontal(base, problems, (*keys, "records"), histories.records)
     levels = histories.levels or ()

@@ -9,6 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PrivateAttr
 
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.outputs import HistoryKind
@@ -26,6 +27,7 @@ from edesign.project.project import Project
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.values import KeyPath
+from edesign.project.records.pairs import Pairs
 from edesign.project.study.derived import Derived, Side, Vary, derived_name
 from edesign.project.study.incremental import Incremental
 
@@ -142,6 +144,7 @@ class Study(FileModel):
         title: one line for tables and reports.
         document: what the cover of a report says beside the title.
         project: project file, relative to this file; its `analyses` are not run.
+        records: pairs of horizontal components by name, for models in space.
         designs: dampers to be sized, by name.
         variants: frames that are compared, by name.
         vary: values of the project in turn, each of which makes variants.
@@ -160,6 +163,7 @@ class Study(FileModel):
     title: Annotated[str, Field(min_length=1)]
     document: Document = Document()
     project: Annotated[str, Field(min_length=1)]
+    records: dict[Identifier, Pairs] = {}
     designs: dict[Identifier, Design] = {}
     variants: Annotated[dict[ShortName, Variant], Field(min_length=1)]
     vary: tuple[Vary, ...] = ()
@@ -186,6 +190,16 @@ class Study(FileModel):
         if self._base is None:
             raise ValueError("this study has no project; use load_study")
         return self._base
+
+    @property
+    def hazard(self) -> Hazard | None:
+        """The seismic action of the project; None: it has none."""
+        return self.base.hazard
+
+    @property
+    def more_folders(self) -> tuple[Path, ...]:
+        """Folders with recordings of suites, beside those that the file names."""
+        return self.base.more_folders
 
     def of(self, base: Project) -> Study:
         """Return the study with another project, such as `study.base.with_values(...)`, checked against it.

@@ -15,6 +15,7 @@ from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
 from edesign.ground_motion.sources import is_simulated
+from edesign.report.ground_motion.pair_tables import pairs_table
 from edesign.report.tables.cell import Listed, Quantity, Verdict
 from edesign.report.tables.column import Column, col, text, verdict
 from edesign.report.tables.items import Analysis
@@ -186,6 +187,8 @@ def tables_of(archive: Archive) -> list[Table]:
                 choices += [REFUSED.of(choice["refused"], whose=name)] if choice["refused"] else []
             if "pair" in suite.attributes:
                 choices.append(pair_table(name, suite.attributes["pair"]))
+            if "pairs" in suite.attributes:
+                choices.append(pairs_table(name, suite.attributes["pairs"]))
             if "criteria" in suite.attributes:
                 tables.append(criteria_table(name, suite.attributes))
         else:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from edesign.errors import AnalysisError, split_code
 from edesign.frame.isolation import base_masses
 from edesign.frame.masses import node_masses
+from edesign.ground_motion.pairs import find_pairs
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
@@ -27,6 +28,8 @@ from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings
 from edesign.study.motions.motions import Motion, expected_scale
+from edesign.study.motions.pair_groups import acting_text
+from edesign.study.motions.pairs import check_pair_fits
 from edesign.study.plan.choosing import study_with_choices, with_choices
 from edesign.study.plan.plan import Task, make_plan
 from edesign.study.plan.study_plan import make_study_plan, wanted_designs
@@ -110,6 +113,7 @@ def check_study(study: Study) -> dict[str, str]:
         if period is not None
         else "no masses",
         "records": _records(study.base, found),
+        **_pairs(study),
         **_choices(study.base),
         "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
         "variants": ", ".join(study.variants),
@@ -160,6 +164,18 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
         of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
         texts.append(f"{name} ({of})" if of and isinstance(project.records[name], RecordSet) else name)
     return ", ".join(texts) or "none"
+
+
+def _pairs(study: Study) -> dict[str, str]:
+    """The pairs of components, how they act, and by which rule they are compared with the spectrum."""
+    lines = []
+    for name, spec in study.records.items():
+        pairs = find_pairs(study, name)
+        check_pair_fits(study, name, pairs)
+        origins = Counter(found.origin for pair in pairs for found in pair.found)
+        of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
+        lines.append(f"{name}: {counted(len(pairs), 'pair')} ({of}), {acting_text(spec)}")
+    return {"pairs": "\n".join(lines)} if lines else {}
 
 
 def _failed_choices(project: Project, found: Mapping[str, Found]) -> list[str]:

@@ -78,7 +78,7 @@ def test_the_number_of_the_record_may_stand_apart_from_its_name(tmp_path: Path) 
         (HEAD + "  - {id: x, file: y, acceleration_unit: gal}\n", "4:41", "`gal` is unknown"),
         (HEAD + "  - {id: x, rsn: 7, peer: RSN6_A_B}\n", "4:18", "E-VALUE-04"),
         (HEAD + "  - {id: x, pair: 1, file: y}\n", "4:5", "E-KEY-02"),
-        (HEAD + "  - {id: x, pair: 1, direction: c, file: y}\n", "4:33", "(allowed: `a`, `b`)"),
+        (HEAD + "  - {id: x, pair: 1, direction: c, file: y}\n", "4:33", "(allowed: `a`, `b`, `v`)"),
         (HEAD + "  - {id: x, magnitude: 6, v_s30: 300 m/s, simulated: {seed: 1}}\n", "4:5", "records[0].distance: "),
         (HEAD + "  - {id: x, magnitude: 6, distance: 9 km, simulated: {seed: 1}}\n", "4:5", "records[0].v_s30: "),
         (HEAD + FIRST + "  - {id: First, file: y}\n", "9:10", "E-SUITE-07"),

@@ -1,0 +1,64 @@
+"""Pairs of horizontal components for models in space: where they come from, and how they act on the building."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field
+
+from edesign.project.notation.several import several
+from edesign.project.notation.units import Angle
+from edesign.project.notation.written import Written, one_or_list
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.one_of import OneOf
+from edesign.project.records.records import CombinedSpectrum, Component, RecordsOfSuite, TwoComponents
+
+Axis = Literal["x", "y"]
+
+
+def _both_axes(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or sorted(map(str, value)) != ["x", "y"]:
+        raise refuse("the axes of both components are needed, `[x, y]` or `[y, x]` [E-VALUE-03]")
+    return tuple(value)
+
+
+class _InSpace(Model):
+    """How pairs act on a building in space, and how both components are scaled together.
+
+    Attributes:
+        components: axes of the building along which the first and the second component act at the angle zero.
+        angles: angles by which each pair is turned from x towards y; a history becomes one of each.
+        spectrum: spectrum of both components that `match` compares with that of the hazard; without the key that of
+            the code's rule.
+    """
+
+    components: Annotated[tuple[Axis, Axis], BeforeValidator(_both_axes)] = ("x", "y")
+    angles: Annotated[tuple[Angle, ...], Field(min_length=1), Written(several, one_or_list)] = (0.0,)
+    spectrum: CombinedSpectrum | None = None
+
+
+class SuitePairs(RecordsOfSuite, _InSpace):
+    """The pairs of a suite file: components of one `pair`, whose directions are `a`, `b`, and `v` for vertical.
+
+    Attributes:
+        only: the pairs that are taken, by their numbers; without the key all.
+        vertical: whether the vertical components act too.
+    """
+
+    only: (
+        Annotated[tuple[Annotated[int, Field(ge=1)], ...], Field(min_length=1), Written(several, one_or_list)] | None
+    ) = None
+    vertical: bool = False
+
+
+class OnePair(TwoComponents, _InSpace):
+    """One pair of components by their files, or from packages.
+
+    Attributes:
+        vertical: vertical component of the same recording; without the key there is none.
+    """
+
+    vertical: Component | None = None
+
+
+Pairs = Annotated[SuitePairs | OnePair, OneOf(suite=SuitePairs, pair=OnePair)]

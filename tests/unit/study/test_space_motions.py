@@ -1,0 +1,297 @@
+"""Motions of histories in three dimensions: pairs turned, scaled by levels, fitted by the rule of the code."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cases.small_study import write
+from messages import says
+
+from edesign.archive.dataset import Group
+from edesign.archive.writer import ArchiveWriter
+from edesign.cli.main import main
+from edesign.errors import InputError
+from edesign.frame.project_file import load_study
+from edesign.ground_motion.component_pairs import combined_spectrum
+from edesign.ground_motion.formats.write import write_csv
+from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.response_spectrum import psa, rotated_spectra
+from edesign.project.study.study import Study
+from edesign.report.ground_motion.record_tables import record_tables
+from edesign.study.motions.pair_criteria import FirstPeriods
+from edesign.study.motions.pair_groups import pair_groups
+from edesign.study.motions.pairs import PairSet, prepare_pairs
+from edesign.study.motions.space_motions import space_motions
+
+STEP = 0.01
+NAMES = ("n1", "e1", "z1", "n2", "e2", "n3", "e3")
+SUITE = """\
+edesign_suite: 1
+title: Three pairs
+records:
+  - {id: n1, pair: 1, direction: a, azimuth: 0 deg, file: n1.csv, acceleration_unit: m/s^2}
+  - {id: e1, pair: 1, direction: b, azimuth: 90 deg, file: e1.csv, acceleration_unit: m/s^2}
+  - {id: z1, pair: 1, direction: v, file: z1.csv, acceleration_unit: m/s^2}
+  - {id: n2, pair: 2, direction: a, file: n2.csv, acceleration_unit: m/s^2}
+  - {id: e2, pair: 2, direction: b, file: e2.csv, acceleration_unit: m/s^2}
+  - {id: n3, pair: 3, direction: a, file: n3.csv, acceleration_unit: m/s^2}
+  - {id: e3, pair: 3, direction: b, file: e3.csv, acceleration_unit: m/s^2}
+"""
+EC8 = """\
+  code: ec8-2004
+  a_gR: 0.36 g
+  ground: C
+  spectrum: 1
+  levels: {DBE: {probability: 10 %}, MCE: {probability: 2 %}}
+"""
+ASCE = """\
+  code: asce7-16
+  S_DS: 1 g
+  S_D1: 0.6 g
+  T_L: 8 s
+  levels: {DBE: {earthquake: DE}, MCE: {earthquake: MCE_R}}
+"""
+NTC = """\
+  code: ntc-2018
+  nominal_life: 50 years
+  class_of_use: II
+  ground: C
+  levels:
+    DBE: {limit_state: SLV, a_g: 0.26 g, F_0: 2.36, T_C_star: 0.35 s}
+    MCE: {limit_state: SLC, a_g: 0.33 g, F_0: 2.4, T_C_star: 0.36 s}
+"""
+SCALED = ", match: {method: scale, periods: [0.2 s, 1.5 s]}"
+PERIODS = FirstPeriods(x=0.7, y=0.5)
+
+
+def wave(name: str) -> np.ndarray:
+    """Ten seconds of sines that swell and fade, of frequencies and sizes of their own; m/s2."""
+    rng, t = np.random.default_rng(NAMES.index(name)), np.arange(1000) * STEP
+    frequency = np.geomspace(0.5, 8.0, 25)
+    size = {"n": 0.4, "e": 0.37, "z": 0.2}[name[0]] * rng.uniform(0.4, 1.6, 25)
+    phase = rng.uniform(0.0, 2.0 * np.pi, 25)
+    return np.sin(np.pi * t / t[-1]) ** 2 * (size @ np.sin(2.0 * np.pi * np.outer(frequency, t) + phase[:, None]))
+
+
+def record(name: str) -> Record:
+    return Record(name, wave(name), STEP, name)
+
+
+def study(folder: Path, spec: str, hazard: str = EC8) -> Study:
+    """A study with the record `motions`."""
+    for name in NAMES:
+        write_csv(record(name), folder / f"{name}.csv")
+    (folder / "pairs.yaml").write_text(SUITE, encoding="utf-8")
+    block = f"records:\n  motions: {spec}\ndesigns:\n"
+    plain = ("  set: {suite: set.yaml, match: {method: scale, periods: [0.2 s, 1 s]}}", "  set: {suite: set.yaml}")
+    path = write(folder, ("designs:\n", block), project=((EC8, hazard),) if hazard == EC8 else ((EC8, hazard), plain))
+    if hazard != EC8:  # whose histories need nothing of the hazard here
+        text = path.read_text(encoding="utf-8")
+        begin = text[: text.index("designs:\n")]
+        path.write_text(f"{begin}variants: {{bare: {{dampers: none}}}}\n", encoding="utf-8")
+    return load_study(path)
+
+
+def prepared(folder: Path, spec: str, hazard: str = EC8, periods: FirstPeriods | None = PERIODS) -> PairSet:
+    return prepare_pairs(study(folder, spec, hazard), "motions", periods)
+
+
+def test_one_motion_of_each_pair_and_angle(tmp_path: Path) -> None:
+    """(a cos t - b sin t, a sin t + b cos t) as recorded; with [y, x] the first component acts along y at zero."""
+    found = space_motions(study(tmp_path, "{suite: pairs.yaml, only: [1, 3], angles: [0 deg, 90 deg, 30 deg]}"))
+    names = ["motions/1"] * 3 + ["motions/3"] * 3
+    assert [(motion.name, motion.level) for motion in found] == [(name, "") for name in names]
+    assert np.degrees([motion.angle for motion in found]) == pytest.approx([0.0, 90.0, 30.0] * 2)
+    a, b, cos, sin = wave("n1"), wave("e1"), math.cos(math.pi / 6.0), math.sin(math.pi / 6.0)
+    for motion, x, y in zip(found, (a, -b, cos * a - sin * b), (b, a, sin * a + cos * b), strict=False):
+        assert motion.time_step == STEP and motion.az is None
+        assert motion.ax == pytest.approx(x, abs=1e-8) and motion.ay == pytest.approx(y, abs=1e-8)  # digits of the CSV
+    (swapped,) = space_motions(study(tmp_path, "{suite: pairs.yaml, only: 1, components: [y, x], vertical: true}"))
+    assert np.array_equal(swapped.ay, found[0].ax) and np.array_equal(swapped.ax, found[0].ay)
+    assert swapped.az == pytest.approx(wave("z1"), abs=1e-8)
+
+
+def test_steps_and_free_vibration(tmp_path: Path) -> None:
+    """As histories of plane frames: the polygon at another step, then zeros."""
+    (motion,) = space_motions(study(tmp_path, "{suite: pairs.yaml, only: 1}"), time_step=0.005, free_vibration=1.0)
+    assert motion.time_step == 0.005 and motion.ax.size == motion.ay.size == 2 * 999 + 1 + 200
+    assert motion.ax[:1999:2] == pytest.approx(wave("n1"), abs=1e-8) and np.all(motion.ay[1999:] == 0.0)
+
+
+def test_factors_by_hand(tmp_path: Path) -> None:
+    """One factor a pair, of least squares of the logarithms; one of the set; gamma_I of the level."""
+    of = study(tmp_path, f"{{suite: pairs.yaml, vertical: true, only: 1, angles: 90 deg{SCALED}}}")
+    pairs = prepare_pairs(of, "motions", PERIODS)
+    assert of.hazard is not None
+    target, T = elastic_spectrum(of.hazard), np.geomspace(0.2, 1.5, 100)
+    mean = np.sqrt(psa(wave("n1"), STEP, T) * psa(wave("e1"), STEP, T))
+    own = float(np.exp(np.mean(np.log(target.acceleration(T) / mean))))
+    assert pairs.motions[0].factors == pytest.approx([own * pairs.suite_factor] * 3, rel=1e-6)
+    # turned by 90 degrees e1 acts along x and n1 along y: which of the four rules asks for most
+    asked = []
+    for name, T_1 in (("e1", PERIODS.x), ("n1", PERIODS.y)):
+        band = np.geomspace(0.2 * T_1, 2.0 * T_1, 201)
+        asked.append(target.zero_period / (own * np.max(np.abs(wave(name)))))
+        asked.append(np.max(0.9 * target.acceleration(band) / (own * psa(wave(name), STEP, band))))
+    assert 1.0 < max(asked) < 1.5 and pairs.suite_factor == pytest.approx(max(asked), rel=1e-6)
+    dbe, mce = space_motions(of, ["DBE", "MCE"], PERIODS)
+    for motion, level in ((dbe, "DBE"), (mce, "MCE")):
+        factor = own * pairs.suite_factor * factor_of_level(of.hazard, level)
+        assert motion.level == level
+        assert motion.ax == pytest.approx(-factor * wave("e1"), rel=1e-6, abs=1e-7)
+        assert motion.ay == pytest.approx(factor * wave("n1"), rel=1e-6, abs=1e-7)
+        assert motion.az == pytest.approx(factor * wave("z1"), rel=1e-6, abs=1e-7)
+    assert [motion.level for motion in space_motions(of, first_periods=PERIODS)] == ["DBE", "MCE"]
+
+
+def test_each_direction_is_a_set_of_its_own(tmp_path: Path) -> None:
+    """EN 1998-1, 3.2.3.1.2(4), along x for T_1 along x: components a at zero, b at 90 degrees, both at both."""
+    of_x = {"0 deg": "n", "90 deg": "e", "[0 deg, 90 deg]": "ne"}
+    for angles, sides in of_x.items():
+        pairs = prepared(tmp_path, f"{{suite: pairs.yaml, angles: {angles}{SCALED}}}")
+        found = {one.text.rpartition(", along ")[2]: one for one in pairs.criteria if "lowest ratio" in one.text}
+        factors = {motion.pair.name[-1]: motion.factors[0] for motion in pairs.motions}
+        for axis, T_1, names in (("x", 0.7, sides), ("y", 0.5, {"n": "e", "e": "n", "ne": "ne"}[sides])):
+            T = np.geomspace(0.2 * T_1, 2.0 * T_1, 201)
+            spectra = [factors[n] * psa(wave(side + n), STEP, T) for n in "123" for side in names]
+            assert pairs.target is not None
+            lowest = float(np.min(np.mean(spectra, axis=0) / pairs.target.acceleration(T)))
+            assert found[axis].value == pytest.approx(lowest, rel=1e-6)
+        assert min(one.value or 0.0 for one in found.values()) >= 0.9
+        assert [one.value for one in pairs.criteria if one.clause == "3.2.3.1.2(4)a"] == [3.0]  # angles are no motions
+
+
+def test_the_maximum_direction_of_asce_7(tmp_path: Path) -> None:
+    """16.2.3.2: mean RotD100 at least 90 %, from 0.2 T_min to 2 T_max; 16.2.4: within 10 % along each direction."""
+    pairs = prepared(tmp_path, f"{{suite: pairs.yaml{SCALED}}}", ASCE)
+    T = np.geomspace(0.2 * 0.5, 2.0 * 0.7, 201)
+    waves = [[motion.factors[0] * wave(f"{side}{motion.pair.name[-1]}") for side in "ne"] for motion in pairs.motions]
+    largest = np.mean([rotated_spectra(a, b, STEP, T, percentiles=(100,))[0] for a, b in waves], axis=0)
+    lowest, orientation = pairs.criteria[1:3]
+    assert pairs.target is not None and "maximum direction" in lowest.text
+    assert lowest.value == pytest.approx(np.min(largest / pairs.target.acceleration(T)), rel=1e-6)
+    assert lowest.passed and lowest.value == pytest.approx(0.9) and "90 % of the mass were not" in lowest.detail
+    x, y = (np.mean([psa(pair[side], STEP, T) for pair in waves], axis=0) for side in (0, 1))
+    off = np.max(np.abs(x / (0.5 * (x + y)) - 1.0))
+    assert orientation.clause == "ASCE 7-16, 16.2.4" and orientation.value == pytest.approx(off, rel=1e-6)
+    assert orientation.passed is False and off > 0.1
+    both = prepared(tmp_path, f"{{suite: pairs.yaml, angles: [0 deg, 90 deg]{SCALED}}}", ASCE)
+    assert both.criteria[2].value == pytest.approx(0.0, abs=1e-12) and both.criteria[2].passed
+    lower = prepared(tmp_path, f"{{suite: pairs.yaml{SCALED}}}", ASCE, FirstPeriods(0.7, 0.5, 0.06))
+    assert "0.06 s to 2 T_1" in lower.criteria[1].text and "90 % of the mass;" in lower.criteria[1].detail
+
+
+@pytest.mark.parametrize("spectrum", ["srss", "rotd50"])
+def test_another_spectrum_of_both(tmp_path: Path, spectrum: str) -> None:
+    pairs = prepared(tmp_path, f"{{suite: pairs.yaml, only: 2, spectrum: {spectrum}{SCALED}}}")
+    T = np.geomspace(0.2, 1.5, 100)
+    combined = combined_spectrum(record("n2"), record("e2"), T, 0.05, spectrum)  # type: ignore[arg-type]
+    assert pairs.target is not None
+    ratio = (math.sqrt(2.0) if spectrum == "srss" else 1.0) * pairs.target.acceleration(T) / combined
+    own = pairs.motions[0].factors[0] / pairs.suite_factor
+    assert own == pytest.approx(np.exp(np.mean(np.log(ratio))), rel=1e-6)
+
+
+def test_matched_pairs_stay_on_one_time_axis(tmp_path: Path) -> None:
+    """Components begin with zeros of different length, and the vertical one has the mean factor of both."""
+    spec = "{suite: pairs.yaml, only: 1, vertical: true, match: {method: frequency, periods: [0.2 s, 1.5 s]}}"
+    pairs = prepared(tmp_path, spec)
+    (motion,) = pairs.motions
+    x, y, z = motion.records
+    assert motion.matches is not None and motion.fit is None and x.acceleration.size == y.acceleration.size
+    first, second = motion.matches
+    shift = round(max(first.lead, second.lead) / STEP)
+    assert z.acceleration[shift : shift + 1000] == pytest.approx(motion.factors[2] * wave("z1"), abs=1e-6)
+    assert motion.factors[2] == pytest.approx(math.sqrt(motion.factors[0] * motion.factors[1]))
+    for acting, name in ((x, "n1"), (y, "e1")):  # the swell stays where it was recorded
+        late = np.argmax(np.correlate(acting.acceleration, wave(name), "valid"))
+        assert abs(int(late) - shift) <= 2
+
+
+def test_one_pair_is_no_set(tmp_path: Path) -> None:
+    """It has its own factor, that of its geometric mean, and no criteria."""
+    files = ", ".join(f"{{file: {name}.csv, acceleration_unit: m/s^2}}" for name in ("n1", "e1"))
+    pairs = prepared(tmp_path, f"{{pair: [{files}]{SCALED}}}")
+    (of_suite,) = prepared(tmp_path, f"{{suite: pairs.yaml, only: 1{SCALED}}}").motions
+    (motion,) = pairs.motions
+    assert motion.pair.name == "motions" and pairs.criteria == () and pairs.suite_factor == 1.0
+    assert motion.matches is not None and of_suite.matches is not None
+    assert motion.factors[0] == pytest.approx(of_suite.matches[0].scale)
+
+
+def test_levels_with_spectra_of_their_own(tmp_path: Path) -> None:
+    of = study(tmp_path, f"{{suite: pairs.yaml{SCALED[:-1]}, level: MCE}}}}", NTC)
+    found = space_motions(of, first_periods=PERIODS)
+    assert [motion.level for motion in found] == ["MCE"] * 3
+    clauses = [(one.clause, one.text.rpartition(", along ")[2][:1]) for one in prepare_pairs(of, "motions").criteria]
+    of_mean = [("NTC 2018, 3.2.3.6", axis) for axis in "xxyy"]  # at least 90 % and at most 130 %, along each direction
+    assert clauses[1:5] == of_mean and [clause for clause, _ in clauses[5:]] == ["NTC 2018, 3.2.3.6", "NTC 2018, 7.3.5"]
+    with pytest.raises(InputError) as caught:
+        space_motions(of, ["DBE"], PERIODS)
+    assert says(str(caught.value), "study.yaml:5 records.motions `MCE` `DBE` E-SCALE-02")
+
+
+def test_a_pair_that_cannot_be_fitted_is_told(tmp_path: Path) -> None:
+    of = study(tmp_path, "{suite: pairs.yaml, match: {method: scale, periods: [0.2 s, 6 s]}}")
+    pairs = prepare_pairs(of, "motions")
+    assert all("motions/" in motion.failure for motion in pairs.motions)
+    with pytest.raises(InputError) as caught:
+        space_motions(of)
+    assert says(str(caught.value), "study.yaml:5 records.motions motions/1 E-MATCH-02")
+
+
+def test_the_table_of_an_archive(tmp_path: Path) -> None:
+    """Rule, factors and misfit of each pair, and the criteria; the components as recorded and scaled."""
+    pairs = prepared(tmp_path, f"{{suite: pairs.yaml, angles: [0 deg, 90 deg]{SCALED}}}")
+    with ArchiveWriter(tmp_path / "pairs.h5", Group()) as writer:
+        for place, group in pair_groups(pairs):
+            writer.write(place, group)
+        writer.finish({"status": "completed"})
+    tables = {table.name: table for table in record_tables(tmp_path / "pairs.h5")}
+    assert list(tables) == [
+        "records_as_recorded",
+        "pairs_of_components",
+        "record_misfit",
+        "criteria_of_sets_of_records",
+    ]
+    of_pairs = tables["pairs_of_components"]
+    assert [row[:3] for row in of_pairs.rows][0] == ["motions/1", "n1, e1", "geometric mean"]
+    assert [row[3] for row in of_pairs.rows] == pytest.approx([motion.factors[0] for motion in pairs.motions])
+    assert "along x and y, turned by 0 and 90 deg" in of_pairs.notes[0]
+    assert "3.2.3.1.1(2)P" in of_pairs.notes[1] and f"{pairs.suite_factor:.4f}" in of_pairs.notes[2]
+    assert len(tables["criteria_of_sets_of_records"].rows) == len(pairs.criteria) == 7
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("components: [x, y]", "components: [x, x]", "records.motions.components `[x, y]` E-VALUE-03"),
+        ("angles: [0 deg, 90 deg]", "angles: [0 deg, 90]", "records.motions.angles[1] `90 deg` E-UNIT-01"),
+        ("angles: [0 deg, 90 deg]", "angles: [0 deg, 360 deg]", "records.motions.angles[1] E-NAME-02"),
+        ("angles: [0 deg, 90 deg]", "only: [1, 1]", "records.motions.only[1] E-NAME-02"),
+        ("angles: [0 deg, 90 deg]", "spectrum: rotd", "records.motions.spectrum `rotd100` E-VALUE-03"),
+        ("  motions:", "  set:", "records.set `set` E-NAME-02"),
+        ("pairs.yaml", "pears.yaml", "records.motions.suite `{folder}/pears.yaml` E-FILE-01"),
+        ("method: scale", "method: scale, component: vertical", "records.motions.match.component E-SCALE-01"),
+        ("periods: [0.2 s, 1.5 s]", "periods: [2 s, 1.5 s]", "records.motions.match.periods E-VALUE-04"),
+        ("periods: [0.2 s, 1.5 s]", "periods: [0.2 s, 6 s]", "records.motions.match n1 E-MATCH-02"),
+        ("periods: [0.2 s, 1.5 s]", "level: DBE", "records.motions.match.level E-KEY-03"),
+        (SCALED, ", spectrum: srss", "records.motions.spectrum E-SCALE-02"),
+        ("suite: pairs.yaml", "pair: [{file: n1.csv}, {file: e1.csv}]", "pair[0].acceleration_unit E-KEY-02"),
+        ("records: set, free", "records: motions, free", "histories[0].records `motions` E-PAIR-04"),
+    ],
+)
+def test_mistakes_of_the_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, said: str
+) -> None:
+    path = study(tmp_path, f"{{suite: pairs.yaml, components: [x, y], angles: [0 deg, 90 deg]{SCALED}}}").path
+    assert main(["check", str(path)]) == 0
+    assert "pairs:" in (shown := capsys.readouterr().out) and "motions: 3 pairs (6 from files)" in shown
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+    assert main(["check", str(path)]) == 2
+    assert says(errors := capsys.readouterr().err, said.format(folder=tmp_path)), errors
