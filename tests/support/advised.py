@@ -180,7 +180,7 @@ ANALYSES = (
     _row(
         "small",
         ("damping: {kind: rayleigh, ratio: 2 %}\n", ""),
-        "a history needs `damping`, and the file has none; for an undamped frame write `damping: {kind: none}`",
+        "a history needs `damping`, and the file has none; for none write `damping: {kind: none}`",
         ("integration: {", "damping: {kind: none}\nintegration: {"),
     ),
     _row(

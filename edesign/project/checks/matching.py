@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -76,6 +77,23 @@ def check_fitted_levels(
                     f"`{name}` is fitted to the spectrum of `{only}`, which has another shape than that of `{level}`"
                 )
                 problems.at_item(keys, i, f"{message}; match another record to it [E-SCALE-02]")
+
+
+def check_compared_damping(hazard: Hazard | None, suite: str, problems: Problems, keys: Keys) -> None:
+    """Check that there is a spectrum of the damping at which the criteria of codes compare suites.
+
+    Args:
+        hazard: the seismic action; None: there is none.
+        suite: name of the records.
+        problems: collects what is wrong.
+        keys: the place that is told.
+    """
+    if isinstance(hazard, UserHazard) and not hazard.at_5_percent:
+        message = (
+            f"the criteria for the suite `{suite}` compare spectra of 5 % damping; give tables for 5 %, or "
+            "`damping_correction` [E-SCALE-02]"
+        )
+        problems.at_value(keys, message)
 
 
 def check_less_than_critical(damping: float, problems: Problems, keys: Keys = ("hazard", "damping")) -> None:

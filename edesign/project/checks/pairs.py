@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.checks.matching import check_matching
+from edesign.project.checks.matching import check_compared_damping, check_matching
 from edesign.project.checks.records import (
     check_component_files,
     check_components,
@@ -81,6 +80,5 @@ def _suite(record: SuitePairs, hazard: Hazard | None, keys: Keys, problems: Prob
     for i, wanted in enumerate(record.only or ()):
         if wanted in (record.only or ())[:i]:
             problems.at_item((*keys, "only"), i, f"the pair {wanted} stands here twice [E-NAME-02]")
-    if record.match is not None and isinstance(hazard, UserHazard) and not hazard.at_5_percent:
-        message = "the criteria for a set compare spectra of 5 % damping, and the hazard has tables for another one"
-        problems.at_key((*keys, "match"), f"{message}; give tables for 5 %, or `damping_correction` [E-SCALE-02]")
+    if record.match is not None:
+        check_compared_damping(hazard, str(keys[-1]), problems, (*keys, "match"))

@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from edesign.project.actions.hazard import UserHazard
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.checks.matching import check_fitted_level, check_less_than_critical, check_matching
+from edesign.project.checks.matching import (
+    check_compared_damping,
+    check_fitted_level,
+    check_less_than_critical,
+    check_matching,
+)
 from edesign.project.reading.checks_files import check_file
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -42,13 +46,8 @@ def check_project_records(project: AnalysisFile, problems: Problems) -> None:
         if isinstance(record, RecordSet) and record.match is not None and record.match.component == "vertical":
             message = "vertical motion is one record; those of a suite or a pair are horizontal [E-SCALE-01]"
             problems.at_value((*keys, "match", "component"), message)
-        fitted_suite = isinstance(record, SuiteRecords | ChosenRecords) and record.fitted
-        if fitted_suite and isinstance(project.hazard, UserHazard) and not project.hazard.at_5_percent:
-            message = (
-                f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %, or "
-                "`damping_correction` [E-SCALE-02]"
-            )
-            problems.at_value(("hazard", "damping"), message)
+        if isinstance(record, SuiteRecords | ChosenRecords) and record.fitted:
+            check_compared_damping(project.hazard, name, problems, ("hazard", "damping"))
         check_record(record, keys, problems)
         if isinstance(record, ChosenRecords):
             _choice(project, record, keys, problems)
