@@ -65,7 +65,7 @@ class Member:
         section, material: their names.
         steel: the law of the material.
         length: between its nodes, m.
-        bending: the planes in which it bends.
+        bending: the planes in which it bends; () of a bar in space.
         axial: components of `end_force` along it, at its start and end.
         torque: those about it; None of a plane frame and of braces.
         frames: plane frames of a building that it stands in.
@@ -186,12 +186,14 @@ class Storey:
         height: m.
         drifts: by direction the column lines on which it drifts.
         shear: by direction the force on the upper ends of its columns and braces.
+        torque: of these forces about the vertical through the centre of mass of the floor above; () of a plane frame.
     """
 
     number: int
     height: float
     drifts: tuple[tuple[DriftLine, ...], ...]
     shear: tuple[Terms, ...]
+    torque: Terms = ()
 
 
 @dataclass(frozen=True)
@@ -228,6 +230,7 @@ class FrameModel:
         up: degree of the core along the vertical.
         still: names of the loaded beams that vertical ground motion does not bend.
         masses: kg that resist horizontal motion, by node.
+        turning: kg m2 that resist turns about the vertical, by node: those of rigid floors of a building.
         supports: whether each degree of the core is restrained, of each supported node by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
@@ -265,11 +268,17 @@ class FrameModel:
     footings: dict[str, BuiltFooting] = field(default_factory=dict)
     isolated: IsolatedBases | None = None
     on_bases: Mapping[str, float] = field(default_factory=dict)
+    turning: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
         """Total mass, kg."""
         return float(sum(self.masses.values()))
+
+    @property
+    def bending(self) -> tuple[Bending, ...]:
+        """The planes in which members bend; bars have none of them."""
+        return IN_PLANE if self.model.dimension == 2 else IN_SPACE
 
     @property
     def brace_stiffness(self) -> np.ndarray | None:

@@ -47,7 +47,7 @@ def _build(building: Building, model: Model) -> FrameModel:
     nodes = {
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
-    masters, masses = add_masses(building, frame, model)
+    masters, masses, turning = add_masses(building, frame, model)
     supports, grounds = add_supports(frame, model)
     members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()
@@ -76,12 +76,13 @@ def _build(building: Building, model: Model) -> FrameModel:
         places={name: places[name] for name in named},
         members=members.by_name,
         floors=floors,
-        storeys=building_storeys(building, nodes, members.by_name),
+        storeys=building_storeys(building, frame, nodes, members.by_name),
         control=floors[-1].movers[0][0][0][1],
         directions=DIRECTIONS,
         up=UP,
         still=still_beams(building, frame, loads),
         masses=masses,
+        turning=turning,
         supports=supports,
         grounds=grounds,
         on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports},

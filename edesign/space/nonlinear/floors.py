@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -57,7 +57,9 @@ def building_floors(
     return tuple(found)
 
 
-def building_storeys(building: Building, nodes: Mapping[str, int], members: Mapping[str, Member]) -> tuple[Storey, ...]:
+def building_storeys(
+    building: Building, frame: SpaceFrame, nodes: Mapping[str, int], members: Mapping[str, Member]
+) -> tuple[Storey, ...]:
     """Return the storeys; they drift on the lines of their columns, and columns and braces carry their shear.
 
     Args:
@@ -66,20 +68,46 @@ def building_storeys(building: Building, nodes: Mapping[str, int], members: Mapp
     """
     layout = building.layout
     braces = [(place.storey, name) for place in layout.brace_at for name in (place.name("r"), place.name("f"))]
+    centres = mass_centres(frame)
     found = []
     for storey, height in enumerate(building.storey_heights, start=1):
         lines = [line for line, at in layout.column_at if at == storey]
-        holding = [members[column_name(line, storey)].element for line in lines]
-        holding += [members[name].element for at, name in braces if at == storey and name in members]
+        holding = [members[column_name(line, storey)] for line in lines]
+        holding += [members[name] for at, name in braces if at == storey and name in members]
         if not lines:
             lines = [line for line in layout.node_lines[storey] if line in layout.node_lines[storey - 1]]
         shear: list[Terms] = [
-            tuple((1.0, "global_force", element, _UPPER_END + axis.degree) for element in holding)
+            tuple((1.0, "global_force", member.element, _UPPER_END + axis.degree) for member in holding)
             for axis in DIRECTIONS
         ]
         drifts = tuple(tuple(_drift(nodes, line, storey, height, axis) for line in lines) for axis in DIRECTIONS)
-        found.append(Storey(storey, height, drifts, tuple(shear)))
+        torque = _torque(holding, frame.coordinates[[nodes[member.end] for member in holding], :2] - centres[storey])
+        found.append(Storey(storey, height, drifts, tuple(shear), torque))
     return tuple(found)
+
+
+def mass_centres(frame: SpaceFrame) -> np.ndarray:
+    """Return the centre of mass of each level from the base, of its nodes where it has no mass, (n_levels, 2) m.
+
+    Args:
+        frame: of the building.
+    """
+    found = []
+    for level in range(frame.n_floors + 1):
+        there = frame.level_of_nodes == level
+        mass = frame.node_mass[there]
+        found.append(np.average(frame.coordinates[there, :2], axis=0, weights=mass if mass.any() else None))
+    return np.array(found)
+
+
+def _torque(holding: Sequence[Member], arms: np.ndarray) -> Terms:
+    """The moment of forces on the upper ends of members about a vertical, which is so far from each, (n, 2) m."""
+    terms: list[tuple[float, str, int, int]] = []
+    for member, (x, y) in zip(holding, arms.tolist(), strict=True):
+        own = [] if member.torque is None else [(1.0, TURN)]
+        for arm, degree in ((-y, 0), (x, 1), *own):
+            terms.append((arm, "global_force", member.element, _UPPER_END + degree))
+    return tuple(terms)
 
 
 def _drift(nodes: Mapping[str, int], line: ColumnLine, storey: int, height: float, direction: Direction) -> DriftLine:

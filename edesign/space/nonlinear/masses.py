@@ -12,7 +12,9 @@ from edesign.space.structure.load_cases import on_members
 from edesign.space.structure.model import diaphragm_floors, masters
 
 
-def add_masses(building: Building, frame: SpaceFrame, model: Model) -> tuple[dict[int, int], dict[str, float]]:
+def add_masses(
+    building: Building, frame: SpaceFrame, model: Model
+) -> tuple[dict[int, int], dict[str, float], dict[str, float]]:
     """Add rigid floors and masses to a model, which has the nodes of the frame in their order.
 
     Each rigid floor has a master at its centre of mass, with its mass and its moment of inertia in plan. Masses that
@@ -22,10 +24,12 @@ def add_masses(building: Building, frame: SpaceFrame, model: Model) -> tuple[dic
         building: from `load_building`.
 
     Returns:
-        Masters by floor, and masses that resist horizontal motion by name of the node, kg.
+        Masters by floor, masses that resist horizontal motion by name of the node, kg, and those of the masters that
+        resist turns about the vertical, kg m2.
     """
     found: dict[int, int] = {}
     masses: dict[str, float] = {}
+    turning: dict[str, float] = {}
     single = frame.node_mass.copy()
     for floor, (x, y) in zip(diaphragm_floors(frame), masters(frame).tolist(), strict=True):
         nodes = np.flatnonzero(frame.node_floor == floor)
@@ -35,8 +39,9 @@ def add_masses(building: Building, frame: SpaceFrame, model: Model) -> tuple[dic
         model.diaphragm(master, nodes.tolist())
         mass = float(own.sum())
         if mass > 0.0:
-            model.mass(master, mass, mass, float(own @ np.sum((plan - (x, y)) ** 2, axis=1)))
-            masses[master_name(floor)] = mass
+            name = master_name(floor)
+            masses[name], turning[name] = mass, float(own @ np.sum((plan - (x, y)) ** 2, axis=1))
+            model.mass(master, mass, mass, turning[name])
         single[nodes] = 0.0
     upright = vertical_masses(building, frame)
     for node, name in enumerate(frame.node_names):
@@ -44,7 +49,7 @@ def add_masses(building: Building, frame: SpaceFrame, model: Model) -> tuple[dic
             model.mass(node, float(single[node]), float(single[node]), mz=float(upright[node]))
         if single[node] > 0.0:
             masses[name] = float(single[node])
-    return found, masses
+    return found, masses, turning
 
 
 def master_name(floor: int) -> str:

@@ -89,7 +89,7 @@ class BuildingMembers:
             area = steel_section(placed.section).A * (1.0 if placed.compression else TENSION_ONLY_SHARE)
             material = self._materials[self._of_members[number]]
             element = self._model.truss(placed.name, *nodes, material, area, self._geometry[placed.kind])
-            return self._member(number, placed, element, axial=(0, 6))
+            return self._member(number, placed, element, bending=(), axial=(0, 6))
         soft = [value for value in placed.ends if value not in (0.0, RIGID)]
         if soft:
             keys = (*keys_of_member(self._building, placed.name), "ends")

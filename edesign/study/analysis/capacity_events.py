@@ -18,7 +18,7 @@ from edesign.project.notation.names import MemberKind
 from edesign.study.analysis.collapse import collapse_reason
 from edesign.study.results.members import plastic_rotation
 from edesign.study.results.recording import Quantity, Terms, coordinate
-from edesign.study.results.storeys import line_drift_storeys, line_drifts
+from edesign.study.results.storeys import drifts_in_words, line_drift_storeys, line_drifts
 
 MOST_STEPS = 10_000
 """Beyond it yielding is not followed: of each step six numbers of each member end are kept while the push runs, which
@@ -59,7 +59,7 @@ class EventChannels:
     """The quantities that a push records to find its events."""
 
     def __init__(self, frame: FrameModel, steps: int) -> None:
-        self._storeys = line_drift_storeys(frame)
+        self._storeys, self._words = line_drift_storeys(frame), drifts_in_words(frame)
         self._drifts = line_drifts(frame)
         self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
         follows = steps <= MOST_STEPS
@@ -112,7 +112,7 @@ class EventChannels:
         gone = np.nonzero(resistance[1:] <= 0.0)[0]
         if gone.size:
             found.append(CapacityEvent(int(gone[0]) + 1, "no resistance left"))
-        elif collapse_reason(response, self._drifts, self._storeys):
+        elif collapse_reason(response, self._drifts, self._words):
             found.append(CapacityEvent(resistance.size - 1, "equilibrium lost"))
         return sorted(found, key=lambda event: event.step)
 

@@ -27,24 +27,21 @@ def drift_limits(drifts: Quantity, drift: float | None) -> dict[str, float]:
     return {} if drift is None else {channel.name: drift for channel in drifts.channels()}
 
 
-def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]) -> str:
+def collapse_reason(response: Response, drifts: Quantity, words: Sequence[str]) -> str:
     """Return how a frame collapsed in words, "" if it did not.
 
     Args:
         response: of the history.
         drifts: on all column lines, as `line_drifts` gives them.
-        storeys: of these drifts, from 1.
+        words: what each of these drifts is.
     """
     if response.status not in ("limit", "failed"):
         return ""
     last = np.abs(drifts.extreme(response, "final"))
     worst = int(np.argmax(last))
-    storey, drift, time = storeys[worst], f"{100.0 * last[worst]:.3g} %", f"{response.end:.6g} s"
+    what, drift, time = words[worst], f"{100.0 * last[worst]:.3g} %", f"{response.end:.6g} s"
     if response.status == "limit":
-        return f"collapsed: drift of storey {storey} reached {drift} at {time} [E-HIST-05]"
+        return f"collapsed: {what} reached {drift} at {time} [E-HIST-05]"
     if last[worst] <= LARGE_DRIFT:
         return ""
-    return (
-        f"collapsed: equilibrium was lost at {time}, when the drift of storey {storey} was {drift} [E-HIST-05]; "
-        f"{response.reason}"
-    )
+    return f"collapsed: equilibrium was lost at {time}, when the {what} was {drift} [E-HIST-05]; {response.reason}"

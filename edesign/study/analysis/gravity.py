@@ -14,11 +14,17 @@ from edesign.study.analysis.structure import make_structure
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.dampers import damper_quantities
-from edesign.study.results.floors import base_displacement, floor_displacements
+from edesign.study.results.floors import base_displacement, floor_displacements, floor_rotations
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.springs import spring_quantities
-from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts, storey_shears
+from edesign.study.results.storeys import (
+    line_drifts,
+    store_drift_extremes,
+    storey_drifts,
+    storey_shears,
+    storey_torques,
+)
 from edesign.study.results.supports import base_shear, isolator_axial_forces
 from edesign.study.results.validity import judged, rotation_limits, rotation_names
 from edesign.study.results.warnings import store_warnings
@@ -43,9 +49,11 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
     recorded = [
         floor_displacements(frame, history=False),
         storey_drifts(frame, history=False),
+        *floor_rotations(frame, history=False),
         storey_shears(frame, history=False),
+        *storey_torques(frame, history=False),
         base_shear(frame, history=False),
-        *member_forces(bending_members(frame), "member", history=False),
+        *member_forces(frame, bending_members(frame), "member", history=False),
         *axial_forces(frame),
         *(damper_quantities(frame, history=False) if any(device.carries for device in frame.devices) else ()),
         *base_displacement(frame, history=False),
@@ -54,8 +62,7 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
         *plastic_rotations(frame),
         *brace_quantities(frame, group),
         *spring_quantities(frame, group),
-        *_node_displacements(frame),
-        *_reactions(frame),
+        *(_in_space(frame, group) if frame.model.dimension == 3 else [*_node_displacements(frame), *_reactions(frame)]),
     ]
     names = rotation_names(frame, drifts, recorded)
     response = structure.analysis.static(
@@ -90,6 +97,23 @@ def _sunk(project: AnalysisFile, frame: FrameModel, response: Response) -> str:
         f"the loads sank by {sunk:.3g} m on average, {share:.3g} % of half a bay; the geometry of the model holds up "
         f"to {100.0 * largest:.3g} % (`validity.drift`) [E-GRAV-02]"
     )
+
+
+def _in_space(frame: FrameModel, group: Group) -> list[Quantity]:
+    """Displacements of the nodes of a building and reactions of its supports, by degree."""
+    degrees = range(len(frame.model.degrees))
+    coordinate(group, "degree", list(frame.model.degrees), "", "displacement along an axis or turn about it")
+    moved = tuple(((1.0, "displacement", node, at),) for node in frame.nodes.values() for at in degrees)
+    held = tuple(
+        frame.reaction(node, at) if fixed[at] else () for node, fixed in frame.supports.items() for at in degrees
+    )
+    return [
+        Quantity(name, (dim, "degree"), (count, len(degrees)), cells, "", label, keep=("final",))
+        for name, dim, count, cells, label in (
+            ("node_displacement", "node", len(frame.nodes), moved, "displacement (m) or turn (rad) of the node"),
+            ("reaction", "support", len(frame.supports), held, "force (N) or moment (N m) of the support"),
+        )
+    ]
 
 
 def _node_displacements(frame: FrameModel) -> list[Quantity]:

@@ -16,7 +16,7 @@ from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
 from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import record_of
 from edesign.study.analysis.history_results import HistoryResults
 from edesign.study.analysis.isolators import isolator_warnings
@@ -30,14 +30,14 @@ from edesign.study.results.warnings import store_warnings
 
 
 def run_history(
-    project: Project,
+    project: AnalysisFile,
     spec: HistoryAnalysis,
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
     motion: Motion | None = None,
     vertical: Motion | None = None,
 ) -> Group:
-    """Compute the response of a frame under gravity to a record along x, and to its vertical motion if it has one.
+    """Compute the response of a frame or building under gravity to a record, and to its vertical motion if it has one.
 
     Args:
         progress: called with (steps done, steps).
@@ -77,9 +77,12 @@ def run_history(
         tail=period_steps(ground.time_step, period),
         energies=results.energies,
         vertical=both.samples,
+        along_y=both.across.acceleration if both.across is not None else None,
         supports=late.motions,
     )
-    group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
+    across = np.zeros_like(ground.acceleration) if both.across is None else both.across.acceleration
+    samples = (ground.acceleration, across)[: len(structure.frame.directions)]
+    group = results.group(response, samples, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
     both.store(group, project.outputs.every, structure.frame.still)
     late.store(group)
@@ -88,7 +91,7 @@ def run_history(
     return group
 
 
-def _motion(project: Project, reference: str) -> Motion:
+def _motion(project: AnalysisFile, reference: str) -> Motion:
     """The record made ready for one history alone; those of a suite depend on each other."""
     recordings = find_recordings(project, references(project, record_of(reference)))
     return project_motions(project, recordings, lambda: fundamental_period(project))[reference]
@@ -103,7 +106,7 @@ def integrator(integration: Integration) -> Integrator:
     return GeneralisedAlpha(integration.rho_inf)
 
 
-def load_and_damp(project: Project, structure: Structure) -> float:
+def load_and_damp(project: AnalysisFile, structure: Structure) -> float:
     """Apply gravity, install the dampers, and set the inherent damping of a history.
 
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -28,18 +28,22 @@ from edesign.study.results.floors import (
     floor_accelerations,
     floor_displacements,
     floor_relative_accelerations,
+    floor_rotations,
+    point_motions,
 )
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.motion import node_displacements, store_motion, without_histories
-from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, store, store_run
+from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, directed, store, store_run
 from edesign.study.results.requested import requested_quantities
 from edesign.study.results.springs import hinge_warnings, spring_quantities
 from edesign.study.results.storeys import (
-    line_drift_storeys,
+    by_line,
+    drifts_in_words,
     line_drifts,
     store_drift_extremes,
     storey_drifts,
     storey_shears,
+    storey_torques,
 )
 from edesign.study.results.supports import base_shear, isolator_axial_forces, support_reactions
 from edesign.study.results.validity import judged, rotation_limits, rotation_names
@@ -81,14 +85,17 @@ class HistoryResults:
         self.energies = "energy" in self._wanted
         self._displacements = replace(floor_displacements(frame, floors), tail=True)
         self._drift = replace(storey_drifts(frame, storeys), tail=True)
-        self._drifts = line_drifts(frame)
+        self._drifts = replace(line_drifts(frame), tail=frame.model.dimension == 3)
         self._base = base_displacement(frame, floors)
         self._others = [
             floor_accelerations(frame, floors),
             floor_relative_accelerations(frame),
+            *floor_rotations(frame, floors),
+            *point_motions(frame, self._group, floors),
             storey_shears(frame, storeys),
+            *storey_torques(frame, storeys),
             base_shear(frame, storeys),
-            *member_forces(bending_members(frame), "member", history=False),
+            *member_forces(frame, bending_members(frame), "member", history=False),
             *axial_forces(frame),
             *leaning_column_forces(frame),
             *plastic_rotations(frame, "motion" in self._wanted),
@@ -117,12 +124,14 @@ class HistoryResults:
         """Return the drift ratios of the storeys over time, (nt, storeys), if `keep_drift` was asked for."""
         return self._drift.values(response)
 
-    def group(self, response: Response, acceleration: np.ndarray, time_step: float, period: float, every: int) -> Group:
+    def group(
+        self, response: Response, acceleration: Sequence[np.ndarray], time_step: float, period: float, every: int
+    ) -> Group:
         """Return the results of the history; it may be called once.
 
         Args:
             response: with `channels`, and a tail of a fundamental period at least.
-            acceleration: of the ground at each step, m/s2.
+            acceleration: of the ground at each step in each direction, (directions,) of (nt,) m/s2.
             time_step: s.
             period: fundamental period under gravity, for residual values, s.
             every: one step in so many was kept over time.
@@ -130,13 +139,14 @@ class HistoryResults:
         group, frame = self._group, self._frame
         group.attributes["fundamental_period_s"] = period
         response, energy_warnings = judged(response, self._project, self._names)
-        reason = "" if energy_warnings is None else collapse_reason(response, self._drifts, line_drift_storeys(frame))
+        reason = "" if energy_warnings is None else collapse_reason(response, self._drifts, drifts_in_words(frame))
         if reason:
             response = replace(response, status="failed", reason=reason)
             group.attributes["collapsed"] = True
         coordinate(group, "time", response.time, "s", "time from the start of the record")
-        samples = acceleration[::every][: response.time.size]
-        group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
+        dims, shape = directed(frame)
+        samples = np.stack(acceleration, axis=-1)[::every][: response.time.size].reshape(-1, *shape)
+        group.add("ground_acceleration", ("time", *dims), samples, "m/s^2", "ground acceleration as applied")
         others = without_histories(self._others, self._moving)
         store(group, [self._displacements, self._drift, *self._base, *others], response, "time", SINGLE)
         if self._moving:
@@ -154,6 +164,10 @@ class HistoryResults:
         if response.status == "completed":
             floors, drift = (quantity.last_values(response) for quantity in (self._displacements, self._drift))
             store_residuals(group, floors, drift, time_step, period)
+            if frame.model.dimension == 3:
+                lines = by_line(frame, residual(self._drifts.last_values(response), time_step, period))
+                label = f"residual drift ratio of the storey on the column line: {DEFINITION}"
+                group.add("residual_line_drift", ("drift_line", "direction"), lines, "1", label)
             for base in self._base:
                 left = residual(base.last_values(response), time_step, period)
                 label = f"residual displacement of the isolated base: {DEFINITION}"
@@ -168,18 +182,19 @@ def store_residuals(
     """Add the residual values of a completed history to its group.
 
     Args:
-        floors: (nt, floors) displacements at every step, or in the last ones, m.
-        drifts: (nt, storeys) ratios, likewise; None: heights are not known.
+        floors: (nt, floors) displacements at every step, or in the last ones, m; of buildings (nt, floors, directions).
+        drifts: of the storeys likewise, ratios; None: heights are not known.
         time_step: s.
         period: fundamental period under gravity, s.
     """
     left = residual(floors, time_step, period)
+    along = ("direction",) * (left.ndim - 1)
     label = f"residual displacement of the floor: {DEFINITION}"
-    group.add("residual_floor_displacement", ("floor",), left, "m", label)
-    group.add("residual_roof_displacement", (), left[-1], "m", f"residual roof displacement: {DEFINITION}")
+    group.add("residual_floor_displacement", ("floor", *along), left, "m", label)
+    group.add("residual_roof_displacement", along, left[-1], "m", f"residual roof displacement: {DEFINITION}")
     if drifts is not None:
         label = f"residual drift ratio of the storey: {DEFINITION}"
-        group.add("residual_storey_drift", ("storey",), residual(drifts, time_step, period), "1", label)
+        group.add("residual_storey_drift", ("storey", *along), residual(drifts, time_step, period), "1", label)
 
 
 def _store_energy(group: Group, response: Response, history: bool) -> None:

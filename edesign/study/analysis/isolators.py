@@ -7,6 +7,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.isolation import IsolatedBases, isolator_under
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import VerticalSpring
@@ -19,7 +20,7 @@ from edesign.study.results.warnings import AnalysisWarning
 _ROUNDING = 1e-9  # of an axial force that is none, against the largest
 
 
-def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list[AnalysisWarning]:
+def isolator_warnings(project: AnalysisFile, group: Group, frame: FrameModel) -> list[AnalysisWarning]:
     """Return warnings of isolators in tension, of pendulums that lost contact, and of their weights.
 
     Args:
@@ -29,6 +30,7 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
     isolated, isolation = frame.isolated, project.isolation
     if isolated is None or isolation is None:
         return []
+    assert isinstance(project, Project), "a building has no isolators"
     most, least = (np.asarray(group.variables[f"isolator_axial_force_{which}"].values) for which in ("max", "min"))
     most = np.where(np.abs(most) <= _ROUNDING * np.abs(least).max(), 0.0, most)
     most_of = {isolator.name: float(force) for isolator, force in zip(isolated.isolators, most, strict=True)}

@@ -7,8 +7,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.core import Modes
 from edesign.errors import AnalysisError
+from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import ModalAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.damper_stiffness import damped_modes, store_damper_stiffness
 from edesign.study.analysis.footings import interaction, store_footings, store_interaction
 from edesign.study.analysis.isolation_estimate import store_isolation_estimate
@@ -19,7 +20,7 @@ from edesign.study.results.recording import coordinate, directed
 _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one
 
 
-def run_modal(project: Project, spec: ModalAnalysis) -> Group:
+def run_modal(project: AnalysisFile, spec: ModalAnalysis) -> Group:
     """Find the first natural modes of a frame, unloaded or under gravity.
 
     Shapes are scaled so that the largest horizontal displacement of a floor is 1 (of vertical modes the largest
@@ -51,7 +52,7 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     return group
 
 
-def fundamental_period(project: Project, fixed_base: bool = False) -> float | None:
+def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> float | None:
     """Return the first period of the frame under gravity, s; None if it has no masses.
 
     The frame has its buckling-restrained braces and isolators, and no other dampers.
@@ -72,7 +73,7 @@ def fundamental_period(project: Project, fixed_base: bool = False) -> float | No
         raise AnalysisError(f"{project.path}: the first period cannot be found: {error}") from error
 
 
-def mode_count(project: Project) -> int:
+def mode_count(project: AnalysisFile) -> int:
     """Return the number of modes of a frame, which is that of its degrees of freedom with mass."""
     return int(np.count_nonzero(frame_alone(project).analysis.masses()))
 
@@ -106,6 +107,8 @@ def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
         group.add(f"cumulative_mass_ratio_{axis}", ("mode",), np.cumsum(ratios), "1", label)
         factors = modes.participation[:, at] * scale
         group.add(f"participation_factor_{axis}", ("mode",), factors, "1", f"participation factor for {motion}")
+    if frame.turning:
+        _store_torsion(group, frame, modes, scale)
     label = "horizontal displacement of the floor in the mode, mean over its nodes"
     dims, shape = directed(frame, "floor")
     group.add("floor_shape", ("mode", *dims), (floors / scale[:, None]).reshape(-1, *shape), "1", label)
@@ -120,6 +123,28 @@ def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
         return
     group.add("node_shape_x", ("mode", "node"), shapes[:, where, 0], "1", "horizontal displacement in the mode")
     group.add("node_shape_y", ("mode", "node"), shapes[:, where, 1], "1", "vertical displacement in the mode")
+
+
+def _store_torsion(group: Group, frame: FrameModel, modes: Modes, scale: np.ndarray) -> None:
+    """Add the turns of rigid floors in the modes, and the part of each mode in turns about the vertical.
+
+    The effective mass is that for a turn of the ground about the vertical through the centre of all masses, over the
+    moment of inertia about it: Chopra, Dynamics of Structures, 13.3.
+    """
+    nodes = [frame.nodes[name] for name in frame.masses]
+    mass = np.array(list(frame.masses.values()))
+    polar = np.array([frame.turning.get(name, 0.0) for name in frame.masses])
+    plan = np.array([frame.places[name][:2] for name in frame.masses])
+    x, y = (plan - np.average(plan, axis=0, weights=mass)).T
+    along_x, along_y, turn = (modes.shapes[:, nodes, degree] for degree in (0, 1, 5))
+    taking_part = (mass * (x * along_y - y * along_x) + polar * turn).sum(axis=1)
+    ratios = taking_part**2 / float(np.sum(mass * (x**2 + y**2) + polar))
+    label = "effective modal moment of inertia for a turn about the vertical / moment of inertia of all masses"
+    group.add("effective_mass_ratio_rz", ("mode",), ratios, "1", label)
+    group.add("cumulative_mass_ratio_rz", ("mode",), np.cumsum(ratios), "1", f"sum up to this mode of: {label}")
+    turns = np.array([modes.moved(floor.turn) if floor.turn else np.zeros(scale.size) for floor in frame.floors]).T
+    label = "turn of the floor about the vertical in the mode, per m of the scale"
+    group.add("floor_rotation_shape", ("mode", "floor"), turns / scale[:, None], "rad/m", label)
 
 
 def _scale(floors: np.ndarray, shapes: np.ndarray) -> np.ndarray:

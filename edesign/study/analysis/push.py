@@ -114,7 +114,7 @@ def push(
         storey_drifts(frame, history=True),
         storey_shears(frame, history=True),
         shear,
-        *member_forces(bending_members(frame), "member", history=False),
+        *member_forces(frame, bending_members(frame), "member", history=False),
         *axial_forces(frame),
         *leaning_column_forces(frame),
         *plastic_rotations(frame),

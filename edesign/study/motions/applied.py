@@ -12,7 +12,7 @@ from edesign.errors import InputError
 from edesign.frame.masses import STILL_BEAMS
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.motions.motions import Motion, level_factor
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
@@ -20,17 +20,19 @@ MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is ke
 
 @dataclass(frozen=True)
 class GroundMotion:
-    """The applied ground motion: horizontal and vertical record with one time step and one length.
+    """The applied ground motion: horizontal and vertical records with one time step and one length.
 
     Attributes:
-        horizontal: with its free vibration.
+        horizontal: along x, with its free vibration.
         vertical: upwards; None: there is none.
         factor: between the vertical record as it was read and what is applied.
+        across: along y of a building; None: there is none.
     """
 
     horizontal: Record
     vertical: Record | None = None
     factor: float = 0.0
+    across: Record | None = None
 
     @property
     def samples(self) -> np.ndarray | None:
@@ -58,7 +60,7 @@ class GroundMotion:
 
 
 def ground_motion(
-    project: Project,
+    project: AnalysisFile,
     spec: HistoryAnalysis,
     record: Record,
     factor: float,
@@ -110,7 +112,7 @@ def ground_motion(
     return GroundMotion(horizontal, upwards, own)
 
 
-def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> float:
+def scale_factor(project: AnalysisFile, spec: HistoryAnalysis, record: Record) -> float:
     """Return the factor on a record in a history: to a peak, as given, or that of its hazard level.
 
     Args:
@@ -137,7 +139,7 @@ def input_motion(record: Record, factor: float, time_step: float | None, free_vi
     return record.with_zeros(free_vibration)
 
 
-def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
+def check_motion(project: AnalysisFile, spec: HistoryAnalysis, record: Record) -> None:
     """Check that a record can be applied as a history asks for it, without making the motion.
 
     Args:
@@ -164,8 +166,8 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
             f"{MOST_STEPS} are possible [E-HIST-02]"
         )
     if spec.wave_passage is not None:
-        frame = project.frame
-        delays = spec.wave_passage.delays_of(dict(zip(frame.lines, frame.x, strict=True)))
+        grid = project.grid
+        delays = spec.wave_passage.delays_of({line: grid.line_place(line)[0] for line in grid.lines})
         last = max(delays, key=lambda line: delays[line])
         if delays[last] >= record.duration + spec.free_vibration:
             raise InputError(

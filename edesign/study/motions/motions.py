@@ -17,7 +17,7 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import PairRecord, Suite, component_references, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
 
@@ -125,7 +125,7 @@ def prepare_motions(
 
 
 def project_motions(
-    project: Project,
+    project: AnalysisFile,
     recordings: Mapping[str, Found],
     fundamental_period: Callable[[], float | None],
     workers: int = 1,
@@ -164,7 +164,7 @@ def project_motions(
     return motions
 
 
-def match_options(project: Project, reference: str) -> MatchOptions | None:
+def match_options(project: AnalysisFile, reference: str) -> MatchOptions | None:
     """Return how the project fits a recording to the spectrum; None if it stays as recorded."""
     name, _, recording = reference.partition("/")
     spec, choice = project.records[name].match, project.record_choice(name)
@@ -178,7 +178,7 @@ def match_options(project: Project, reference: str) -> MatchOptions | None:
     return MatchOptions("scale", choice.fit_band, damping, factor=choice.factors[recording])
 
 
-def target_spectrum(project: Project, reference: str) -> Spectrum:
+def target_spectrum(project: AnalysisFile, reference: str) -> Spectrum:
     """Return the spectrum that the project fits a recording to: one shape for all levels, or that of a level.
 
     Args:
@@ -195,7 +195,7 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
     return elastic_spectrum(project.hazard, level)
 
 
-def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) -> PairFit | None:
+def pair_fit(project: AnalysisFile, reference: str, recordings: Mapping[str, Found]) -> PairFit | None:
     """Return how a pair of components is scaled; None for a single recording, or one that is not fitted.
 
     Args:
@@ -213,7 +213,7 @@ def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) 
     return fit_pair(first, second, target_spectrum(project, name), options, spec.spectrum)
 
 
-def expected_scale(project: Project, reference: str, recordings: Mapping[str, Found]) -> float:
+def expected_scale(project: AnalysisFile, reference: str, recordings: Mapping[str, Found]) -> float:
     """Return the factor with which the fit of a recording begins; 1 for one that is not fitted.
 
     Args:
@@ -228,7 +228,7 @@ def expected_scale(project: Project, reference: str, recordings: Mapping[str, Fo
     return constant_factor(recordings[reference].record, target_spectrum(project, reference), options)
 
 
-def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
+def check_fits(project: AnalysisFile, recordings: Mapping[str, Found]) -> None:
     """Check that recordings reach over the band that the project fits, before any is fitted.
 
     Args:
@@ -252,7 +252,7 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
         raise InputError("\n".join(faults))
 
 
-def level_factor(project: Project, reference: str, level: str) -> float:
+def level_factor(project: AnalysisFile, reference: str, level: str) -> float:
     """Return the factor of a hazard level on a fitted recording; 1 for one that is not fitted."""
     if project.hazard is None or match_options(project, reference) is None:
         return 1.0

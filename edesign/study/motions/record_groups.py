@@ -19,7 +19,7 @@ from edesign.ground_motion.matching import Match
 from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import PairRecord, RecordSet, record_of
 from edesign.study.motions.motions import Motion, pair_fit, target_spectrum
 from edesign.study.results.kinds import RECORDS
@@ -29,7 +29,7 @@ SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", 
 
 
 def project_record_groups(
-    project: Project,
+    project: AnalysisFile,
     motions: Mapping[str, Motion],
     fundamental_period: Callable[[], float | None],
     variant_periods: Mapping[str, Mapping[str, float]],

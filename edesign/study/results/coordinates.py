@@ -7,6 +7,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel, Member
 from edesign.study.results.recording import coordinate
+from edesign.study.results.storeys import line_coordinates
 
 
 def coordinates(group: Group, frame: FrameModel) -> None:
@@ -45,6 +46,10 @@ def coordinates(group: Group, frame: FrameModel) -> None:
             coordinate(group, kind, found, "", f"name of the {kind}")
     coordinate(group, "member", [member.name for member in bending_members(frame)], "", "name of the column or beam")
     coordinate(group, "end", ["start", "end"], "", "end of the member: the start is below or at the left")
+    if frame.model.dimension == 3:
+        axes = [bending.axis for bending in frame.bending]
+        coordinate(group, "axis", axes, "", "local axis of the member, y of the strong one; EN 1993-1-1, 1.7")
+        line_coordinates(group, frame)
     rigid = [member.rigid_ends for member in bending_members(frame)]
     if any(map(any, rigid)):
         label = "length of the rigid end; forces and rotations of the end are those where it begins to bend"

@@ -62,6 +62,9 @@ class LackingCouples:
         lines = {frame.grid.line_place(line): line for line in frame.grid.lines}
         self._lines = [lines[at,] for at in on]
         couples = couple_terms(frame)
+        self.quantities: list[Quantity] = []
+        if not couples:
+            return
         total: Terms = tuple(
             (storey.height * c, kind, item, at)
             for shear in (storey_shears(frame, history=False), storey_damper_forces(frame, history=False))
@@ -71,7 +74,7 @@ class LackingCouples:
         self._couple = Quantity("lacking_couple", (), (), (couples,), "N*m", "")
         self._total = Quantity("overturning_of_storeys", (), (), (total,), "N*m", "")
         self._forces = Quantity("lacking_axial_force", ("line",), (len(on),), tuple(on.values()), "N", "")
-        self.quantities = [self._couple, self._total, self._forces] if couples else []
+        self.quantities = [self._couple, self._total, self._forces]
 
     def warnings(self, response: Response) -> list[AnalysisWarning]:
         """Return the warning about overturning, if the couples matter.

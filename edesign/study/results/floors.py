@@ -6,8 +6,9 @@ floor are means over its nodes (with a diaphragm all are the same).
 
 from __future__ import annotations
 
+from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel
-from edesign.study.results.recording import Quantity, Terms, directed, recorded
+from edesign.study.results.recording import Quantity, Terms, coordinate, directed, recorded
 
 
 def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
@@ -46,6 +47,51 @@ def floor_relative_accelerations(frame: FrameModel) -> Quantity:
     name = "horizontal acceleration of the floor relative to the ground, mean over its nodes"
     keep = ("max", "min")
     return Quantity("floor_relative_acceleration", *directed(frame, "floor"), cells, "m/s^2", name, keep=keep)
+
+
+def floor_rotations(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Return the turn of each rigid floor about the vertical, rad; nothing for a plane frame.
+
+    Args:
+        history: whether values over time are kept.
+    """
+    cells = tuple(recorded(floor.turn) for floor in frame.floors)
+    name = "turn of the floor about the vertical; 0: it is not rigid"
+    return [Quantity("floor_rotation", ("floor",), (len(cells),), cells, "rad", name, history)] if any(cells) else []
+
+
+def point_motions(frame: FrameModel, group: Group, history: bool) -> list[Quantity]:
+    """Return displacement and total acceleration of named places of floors, and add their names to a group.
+
+    Args:
+        group: of the analysis.
+        history: whether values over time are kept.
+    """
+    places = {f"{name}.{floor.number}": moved for floor in frame.floors for name, moved in floor.points.items()}
+    if not places:
+        return []
+    coordinate(group, "point", list(places), "", "place of a floor as column line.floor")
+    numbers = [floor.number for floor in frame.floors for _ in floor.points]
+    group.add("point_floor", ("point",), numbers, "1", "floor of the place")
+    shape = (len(places), len(frame.directions))
+    extremes = ("max", "min")
+    of_points: tuple[tuple[str, str, str, str, tuple[str, ...]], ...] = (
+        ("displacement", "displacement", "m", "displacement of the place from the ground", (*extremes, "final")),
+        ("acceleration", "total_acceleration", "m/s^2", "total acceleration of the place", extremes),
+    )
+    return [
+        Quantity(
+            f"point_{what}",
+            ("point", "direction"),
+            shape,
+            tuple(recorded(of, kind) for moved in places.values() for of in moved),
+            unit,
+            label,
+            history,
+            keep,
+        )
+        for what, kind, unit, label, keep in of_points
+    ]
 
 
 def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:

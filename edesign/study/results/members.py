@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 from edesign.frame.frame_model import Bending, FrameModel, Member
-from edesign.study.results.recording import Quantity, Terms
+from edesign.study.results.recording import Quantity, Terms, by_axis
 
-_END_FORCES = (
-    ("axial_force", "N", "axial", "force on the member's end along its axis, from start to end"),
-    ("shear_force", "N", "shear", "force on the member's end across its axis, to the left of it"),
-    ("bending_moment", "N*m", "moment", "moment on the member's end, anticlockwise"),
+_PLANE_FORCES = (
+    ("axial_force", "N", "force on the member's end along its axis, from start to end"),
+    ("shear_force", "N", "force on the member's end across its axis, to the left of it"),
+    ("bending_moment", "N*m", "moment on the member's end, anticlockwise"),
+)
+_SPACE_FORCES = (
+    ("axial_force", "N", "force on the member's end along local x, from start to end"),
+    ("shear_force", "N", "force on the member's end that goes with bending about the axis: along local z with y"),
+    ("bending_moment", "N*m", "moment on the member's end about the local axis"),
+    ("torque", "N*m", "moment on the member's end about local x"),
 )
 
+_EXTREMES = ("max", "min")
 
-def member_forces(members: list[Member], dim: str, history: bool) -> list[Quantity]:
+
+def member_forces(frame: FrameModel, members: list[Member], dim: str, history: bool) -> list[Quantity]:
     """Return the forces on both ends of members, in the axes of the member, as quantities to be recorded.
 
     Args:
@@ -20,29 +28,27 @@ def member_forces(members: list[Member], dim: str, history: bool) -> list[Quanti
         dim: the dimension whose coordinate lists them.
         history: whether histories are kept, instead of extremes.
     """
-    return [
-        Quantity(
-            f"member_{name}",
-            (dim, "end"),
-            (len(members), 2),
-            tuple(
-                ((1.0, "end_force", m.at_end(end), of[end]),)
-                for m in members
-                for end in (0, 1)
-                for of in _ends(m, which)
-            ),
-            unit,
-            label,
-            history,
-            () if history else ("max", "min"),
-        )
-        for name, unit, which, label in _END_FORCES
-    ]
+    found = []
+    for name, unit, label in _SPACE_FORCES if frame.model.dimension == 3 else _PLANE_FORCES:
+        dims: tuple[str, ...] = (dim, "end")
+        axes = 1
+        if name in ("shear_force", "bending_moment"):
+            dims, axes = by_axis(frame, *dims), len(frame.bending)
+        shape = (len(members), 2, axes)[: len(dims)]
+        cells = tuple(terms for m in members for end in (0, 1) for terms in _end_force(m, end, name, axes))
+        found.append(Quantity(f"member_{name}", dims, shape, cells, unit, label, history, () if history else _EXTREMES))
+    return found
 
 
-def _ends(member: Member, which: str) -> list[tuple[int, int]]:
-    """Components of an end force at both ends, of shear and moment in each plane of bending."""
-    return [member.axial] if which == "axial" else [getattr(bending, which) for bending in member.bending]
+def _end_force(member: Member, end: int, name: str, axes: int) -> list[Terms]:
+    """A force on the end of a member, about each axis; bars have none across their axis."""
+    if name == "axial_force":
+        of = [member.axial]
+    elif name == "torque":
+        of = [] if member.torque is None else [member.torque]
+    else:
+        of = [bending.shear if name == "shear_force" else bending.moment for bending in member.bending]
+    return [((1.0, "end_force", member.at_end(end), at[end]),) for at in of] or [()] * axes
 
 
 def axial_forces(frame: FrameModel) -> list[Quantity]:
@@ -97,8 +103,9 @@ def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity
         cells = tuple(plastic_rotation(m, end, bending) for m in members for end in (0, 1) for bending in m.bending)
         if members:
             name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
-            shape = (len(members), 2)
-            found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name, history))
+            dims = by_axis(frame, kind, "end")
+            shape = (len(members), 2, len(frame.bending))[: len(dims)]
+            found.append(Quantity(f"{kind}_plastic_rotation", dims, shape, cells, "rad", name, history))
     return found
 
 

@@ -31,10 +31,13 @@ def node_displacements(frame: FrameModel, group: Group) -> Quantity:
         group: of the history.
     """
     coordinate(group, "node", list(frame.nodes), "", "node of the frame")
-    coordinate(group, "node_degree", ["ux", "uy", "rz"], "", "to the right (m), upwards (m), anticlockwise (rad)")
-    cells = tuple(((1.0, "displacement", number, at),) for number in frame.nodes.values() for at in range(3))
+    degrees = frame.model.degrees
+    plane = frame.model.dimension == 2
+    label = "to the right (m), upwards (m), anticlockwise (rad)" if plane else "along an axis (m), about it (rad)"
+    coordinate(group, "node_degree", list(degrees), "", label)
+    cells = tuple(((1.0, "displacement", number, at),) for number in frame.nodes.values() for at in range(len(degrees)))
     label = "displacement (m) and rotation (rad) of the node relative to the ground, gravity included"
-    return Quantity(NODES, ("node", "node_degree"), (len(frame.nodes), 3), cells, "", label, True, ())
+    return Quantity(NODES, ("node", "node_degree"), (len(frame.nodes), len(degrees)), cells, "", label, True, ())
 
 
 def picture_stride(time: np.ndarray) -> int:
@@ -58,21 +61,23 @@ def store_motion(group: Group, quantities: Sequence[Quantity], response: Respons
     stride = picture_stride(response.time)
     coordinate(group, MOTION_TIME, response.time[::stride], "s", "time of the pictures of the motion")
     for quantity in quantities:
-        values = as_seen(quantity.values(response)[::stride], quantity.name == NODES).astype(SINGLE)
+        shares = quantity.values(response)[::stride]
+        translations = (shares.shape[-1] + 1) // 2 if quantity.name == NODES else None
+        values = as_seen(shares, translations).astype(SINGLE)
         label = f"{quantity.long_name}, rounded for pictures"
         group.add(quantity.name, (MOTION_TIME, *quantity.dims), values, quantity.unit, label)
 
 
-def as_seen(values: np.ndarray, of_nodes: bool) -> np.ndarray:
+def as_seen(values: np.ndarray, translations: int | None = None) -> np.ndarray:
     """Return values rounded to multiples of a power of two, `FINENESS` or more of them up to the largest.
 
     Rotations of nodes, in rad, have the step of their displacements, in m: a member of 8 m is drawn nearer than that.
 
     Args:
-        values: (pictures, ...); of nodes (pictures, nodes, 3).
-        of_nodes: whether they are displacements and rotations.
+        values: (pictures, ...); of nodes (pictures, nodes, degrees).
+        translations: how many degrees of a node are displacements, not rotations; None: the values are not of nodes.
     """
-    largest = float(np.max(np.abs(values[..., :2] if of_nodes else values), initial=0.0))
+    largest = float(np.max(np.abs(values[..., :translations]), initial=0.0))
     if not (np.isfinite(largest) and largest > 0.0):
         return values
     step = 2.0 ** math.floor(math.log2(largest / FINENESS))

@@ -21,9 +21,10 @@ from edesign.damper.testing.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
 from edesign.project.dampers.designs import ElastomerDesign, FileProperties
 from edesign.project.study.study import Study
-from edesign.study.results.kinds import STUDY
+from edesign.study.results.kinds import BUILDING, STUDY
 
 IDENTITY = ("analysis_checksum", "edesign_version", "core_version", "code_checksum", "libraries")
 """Root attributes that decide whether results of an earlier run may be reused: all that results depend on."""
@@ -126,6 +127,7 @@ def root_group(project: AnalysisFile, planned: list[str], records: Mapping[str, 
         attributes={
             "title": project.title,
             "document": dict(project.document.said),
+            **({"kind": BUILDING} if isinstance(project, Building) else {}),
             f"{project.kind}_file": project.path.name,
             f"{project.kind}_checksum": project.checksum,
             "input_checksum": input_checksum(project, records),

@@ -95,11 +95,23 @@ def recorded(displacement: Sum, kind: str = "displacement", factor: float = 1.0)
     return tuple((factor * c, kind, node, degree) for c, node, degree in displacement)
 
 
-def directed(frame: FrameModel, dimension: Literal["floor", "storey"]) -> tuple[tuple[str, ...], tuple[int, ...]]:
-    """Return dimensions and shape of a quantity of floors or storeys in each direction in which these move."""
+def directed(
+    frame: FrameModel, dimension: Literal["floor", "storey", ""] = ""
+) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    """Return dimensions and shape of a quantity in each direction in which floors move.
+
+    Args:
+        dimension: "floor" or "storey" of a quantity of each of them.
+    """
+    dims, shape = ((dimension,), (len(frame.floors),)) if dimension else ((), ())
     if not frame.directions[0].name:
-        return (dimension,), (len(frame.floors),)
-    return (dimension, "direction"), (len(frame.floors), len(frame.directions))
+        return dims, shape
+    return (*dims, "direction"), (*shape, len(frame.directions))
+
+
+def by_axis(frame: FrameModel, *dimensions: str) -> tuple[str, ...]:
+    """Return the dimensions of a quantity of members that bend, which in space has one value for each axis."""
+    return (*dimensions, "axis") if frame.model.dimension == 3 else dimensions
 
 
 def channels(quantities: Iterable[Quantity]) -> list[Channel]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.frame.frame_model import Bending, FrameModel, Member
@@ -10,7 +12,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.selections import NumberSelection
 from edesign.study.results.braces import recorded_braces
 from edesign.study.results.members import member_forces, plastic_rotation
-from edesign.study.results.recording import Quantity, Terms, coordinate
+from edesign.study.results.recording import Quantity, Terms, by_axis, coordinate
 
 
 def requested_quantities(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quantity]:
@@ -27,7 +29,7 @@ def requested_quantities(project: AnalysisFile, frame: FrameModel, group: Group)
     if outputs.members:
         members = [_member(project, frame, name, ("outputs", "members", i)) for i, name in enumerate(outputs.members)]
         coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
-        found += member_forces(members, "recorded_member", history=True)
+        found += member_forces(frame, members, "recorded_member", history=True)
         found += recorded_braces(members, group)
         found += _rotations(frame, members)
     if outputs.sections:
@@ -42,16 +44,18 @@ def _rotations(frame: FrameModel, members: list[Member]) -> list[Quantity]:
 
     The plastic part is there if at least one of the members can yield.
     """
-    shape, dims = (len(members), 2), ("recorded_member", "end")
-    ends = [(member, end, bending) for member in members for end in (0, 1) for bending in member.bending]
+    dims = by_axis(frame, "recorded_member", "end")
+    shape = (len(members), 2, len(frame.bending))[: len(dims)]
+    ends = [(member, end, bending) for member in members for end in (0, 1) for bending in frame.bending]
     chord = tuple(() if of[0].kind == "brace" else _chord_rotation(frame, *of) for of in ends)
     plastic = tuple(() if of[0].kind == "brace" else plastic_rotation(*of) for of in ends)
     parts = (
         ("chord", chord, "chord rotation: rotation of the node against the line between the member's ends"),
         ("plastic", plastic, "plastic rotation of the member's end: chord rotation less its elastic part"),
     )
+    way = "anticlockwise" if frame.model.dimension == 2 else "about the local axis"
     return [
-        Quantity(f"member_{part}_rotation", dims, shape, cells, "rad", f"{label}, anticlockwise", history=True, keep=())
+        Quantity(f"member_{part}_rotation", dims, shape, cells, "rad", f"{label}, {way}", history=True, keep=())
         for part, cells, label in parts
         if any(cells)
     ]
@@ -82,25 +86,24 @@ def _sections(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Qu
         for point in asked.points.numbers(1, member.points):
             places[f"{member.name}:{point}"] = (member, point)
     coordinate(group, "section", list(places), "", "section as member:point, from its start")
+    bends = (1,) if frame.model.dimension == 2 else (2, 1)  # M; in space M_y, M_z, which are components 2 and 1
     quantities = (
-        ("section_axial_force", "section_force", 0, "N", "axial force of the section, positive in tension"),
-        ("section_moment", "section_force", 1, "N*m", "bending moment of the section"),
-        ("section_strain", "section_deformation", 0, "1", "strain at the section's centroid"),
-        ("section_curvature", "section_deformation", 1, "1/m", "curvature of the section"),
+        ("section_axial_force", "section_force", (0,), "N", "axial force of the section, positive in tension"),
+        ("section_moment", "section_force", bends, "N*m", "bending moment of the section"),
+        ("section_strain", "section_deformation", (0,), "1", "strain at the section's centroid"),
+        ("section_curvature", "section_deformation", bends, "1/m", "curvature of the section"),
     )
-    return [
-        Quantity(
-            name,
-            ("section",),
-            (len(places),),
-            tuple(((1.0, kind, member.element, 2 * (point - 1) + at),) for member, point in places.values()),
-            unit,
-            label,
-            history=True,
-            keep=(),
+    found = []
+    for name, kind, components, unit, label in quantities:
+        dims = ("section",) if components == (0,) else by_axis(frame, "section")
+        cells = tuple(
+            ((1.0, kind, member.element, (1 + len(bends)) * (point - 1) + at),)
+            for member, point in places.values()
+            for at in components
         )
-        for name, kind, at, unit, label in quantities
-    ]
+        shape = (len(places), len(components))[: len(dims)]
+        found.append(Quantity(name, dims, shape, cells, unit, label, history=True, keep=()))
+    return found
 
 
 def _fibres(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quantity]:
@@ -109,14 +112,20 @@ def _fibres(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quan
         keys = ("outputs", "fibres", i)
         member = _fibre_member(project, frame, asked.member, keys)
         assert member.fibres is not None
-        layers = _layers(project, asked, member.fibres.size, keys)
+        count = len(member.fibres)
+        layers = _layers(project, asked, count, keys)
         for point in asked.points.numbers(1, member.points):
             for layer in layers:
-                place = (member.element, (point - 1) * member.fibres.size + layer - 1)
+                place = (member.element, (point - 1) * count + layer - 1)
                 places[f"{member.name}:{point}:{layer}"] = (*place, member.fibres[layer - 1])
-    coordinate(group, "fibre", list(places), "", "layer of fibres as member:point:layer, layers from the bottom")
-    depths = [depth for _, _, depth in places.values()]
-    group.add("fibre_depth", ("fibre",), depths, "m", "height of the layer above the section's centroid")
+    at_places = np.array([place for _, _, place in places.values()])
+    if frame.model.dimension == 2:
+        coordinate(group, "fibre", list(places), "", "layer of fibres as member:point:layer, layers from the bottom")
+        group.add("fibre_depth", ("fibre",), at_places, "m", "height of the layer above the section's centroid")
+    else:
+        coordinate(group, "fibre", list(places), "", "fibre as member:point:fibre, by local y, then z")
+        for i, axis in enumerate("yz"):
+            group.add(f"fibre_{axis}", ("fibre",), at_places[:, i], "m", f"local {axis} of the fibre from the centroid")
     return [
         Quantity(
             name,
@@ -124,7 +133,7 @@ def _fibres(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quan
             (len(places),),
             tuple(((1.0, name, element, at),) for element, at, _ in places.values()),
             unit,
-            f"{what} of the layer, positive in tension",
+            f"{what} of the {'layer' if frame.model.dimension == 2 else 'fibre'}, positive in tension",
             history=True,
             keep=(),
         )

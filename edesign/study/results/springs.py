@@ -142,18 +142,42 @@ def _supports(frame: FrameModel, group: Group) -> list[Quantity]:
     if not frame.grounds:
         return []
     coordinate(group, "sprung_support", list(frame.grounds), "", "name of the node that springs support")
+    if frame.model.dimension == 3:
+        return _supports_in_space(frame, group)
     found = []
     for name, what, degree, unit, label in _SUPPORT:
-        cells: list[Terms] = []
-        for node, grounds in frame.grounds.items():
-            ground = grounds[degree]
-            if ground is None:
-                cells.append(())
-            elif what == "displacement":
-                cells.append(tuple((sign, what, at, degree) for sign, at in ((1.0, frame.nodes[node]), (-1.0, ground))))
-            else:
-                cells.append(frame.reaction(node, degree))
+        cells = tuple(_at_spring(frame, node, what, degree) for node in frame.grounds)
         if any(cells):
             shape = (len(cells),)
-            found.append(Quantity(name, ("sprung_support",), shape, tuple(cells), unit, f"{label}; 0: no spring there"))
+            found.append(Quantity(name, ("sprung_support",), shape, cells, unit, f"{label}; 0: no spring there"))
     return found
+
+
+def _supports_in_space(frame: FrameModel, group: Group) -> list[Quantity]:
+    degrees = frame.model.degrees
+    coordinate(group, "degree", list(degrees), "", "displacement along an axis or turn about it")
+    shape = (len(frame.grounds), len(degrees))
+    return [
+        Quantity(
+            f"support_{name}",
+            ("sprung_support", "degree"),
+            shape,
+            tuple(_at_spring(frame, node, name, degree) for node in frame.grounds for degree in range(len(degrees))),
+            "",
+            f"{label}; 0: no spring there",
+        )
+        for name, label in (
+            ("displacement", "displacement (m) or turn (rad) of the node from the ground below"),
+            ("reaction", "force (N) or moment (N m) of the spring on the column base"),
+        )
+    ]
+
+
+def _at_spring(frame: FrameModel, node: str, what: str, degree: int) -> Terms:
+    """Displacement or reaction of the spring at a degree of a node; nothing where there is none."""
+    ground = frame.grounds[node][degree]
+    if ground is None:
+        return ()
+    if what == "displacement":
+        return tuple((sign, what, at, degree) for sign, at in ((1.0, frame.nodes[node]), (-1.0, ground)))
+    return frame.reaction(node, degree)

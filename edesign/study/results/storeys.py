@@ -13,7 +13,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.core import Response
 from edesign.frame.frame_model import FrameModel, Sum
-from edesign.study.results.recording import Quantity, Terms, directed, recorded
+from edesign.study.results.recording import Quantity, Terms, coordinate, directed, recorded
 
 
 def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
@@ -40,6 +40,45 @@ def line_drift_storeys(frame: FrameModel) -> list[int]:
     return [storey.number for storey in frame.storeys for lines in storey.drifts for _ in lines]
 
 
+def drifts_in_words(frame: FrameModel) -> list[str]:
+    """Return what each component of `line_drifts` is, such as "drift of storey 3"."""
+    return [
+        f"drift of storey {storey.number}" + (f" along {direction.name} at {at.line}" if direction.name else "")
+        for storey in frame.storeys
+        for direction, lines in zip(frame.directions, storey.drifts, strict=True)
+        for at in lines
+    ]
+
+
+def line_coordinates(group: Group, frame: FrameModel) -> None:
+    """Add the column lines of a building on which its storeys drift to a group; a plane frame has none there.
+
+    Args:
+        group: of an analysis.
+    """
+    if not frame.directions[0].name:
+        return
+    lines = [(storey, i, at) for storey in frame.storeys for i, at in enumerate(storey.drifts[0])]
+    coordinate(group, "drift_line", [f"{at.line}.{storey.number}" for storey, _, at in lines], "", "column line.storey")
+    group.add("drift_line_storey", ("drift_line",), [storey.number for storey, _, _ in lines], "1", "its storey")
+    frames = [[", ".join(of[i].frames) for of in storey.drifts] for storey, i, _ in lines]
+    label = "plane frames along the direction that the line stands in"
+    group.add("drift_line_frame", ("drift_line", "direction"), frames, "", label)
+
+
+def by_line(frame: FrameModel, values: np.ndarray) -> np.ndarray:
+    """Return values of `line_drifts` by the column lines and directions of a building, (..., drift lines, directions).
+
+    Args:
+        values: (..., components).
+    """
+    counts = [len(storey.drifts[0]) for storey in frame.storeys]
+    ends = len(frame.directions) * np.cumsum(counts)[:-1]
+    parts = np.split(values, ends, axis=-1)
+    shaped = [part.reshape(*values.shape[:-1], len(frame.directions), -1) for part in parts]
+    return np.moveaxis(np.concatenate(shaped, axis=-1), -2, -1)
+
+
 def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, response: Response) -> None:
     """Add the extremes of the storey drifts over time and column lines to a group.
 
@@ -56,6 +95,12 @@ def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, resp
     label = "drift ratio of the storey"
     group.add("storey_drift_max", dims, largest, "1", f"{label}, largest value over time and column lines")
     group.add("storey_drift_min", dims, smallest, "1", f"{label}, smallest value over time and column lines")
+    if not frame.directions[0].name:
+        return
+    for which, words in (("max", "largest value"), ("min", "smallest value"), ("final", "at the end")):
+        values = by_line(frame, drifts.extreme(response, which))
+        label = f"drift ratio of the storey on the column line, {words}"
+        group.add(f"line_drift_{which}", ("drift_line", "direction"), values, "1", label)
 
 
 def storey_shears(frame: FrameModel, history: bool) -> Quantity:
@@ -67,6 +112,17 @@ def storey_shears(frame: FrameModel, history: bool) -> Quantity:
     cells = tuple(terms for storey in frame.storeys for terms in storey.shear)
     name = "horizontal force on the upper ends of the storey's columns and braces"
     return Quantity("storey_shear", *directed(frame, "storey"), cells, "N", name, history)
+
+
+def storey_torques(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Return the moment of the storey shears of a building about the vertical, N m; nothing for a plane frame.
+
+    Args:
+        history: whether values over time are kept.
+    """
+    cells = tuple(storey.torque for storey in frame.storeys)
+    name = "moment of the forces of the storey's columns and braces about the centre of mass of the floor above"
+    return [Quantity("storey_torque", ("storey",), (len(cells),), cells, "N*m", name, history)] if any(cells) else []
 
 
 def _mean(ratios: Sequence[Sum]) -> Terms:

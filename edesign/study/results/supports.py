@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel
 from edesign.study.results.couples import couple_terms
-from edesign.study.results.recording import Quantity, Terms, coordinate
+from edesign.study.results.recording import Quantity, Terms, coordinate, directed
 
 
 def base_shear(frame: FrameModel, history: bool) -> Quantity:
@@ -14,12 +14,17 @@ def base_shear(frame: FrameModel, history: bool) -> Quantity:
     Args:
         history: whether values over time are kept.
     """
-    supports = [name for name, fixed in frame.supports.items() if fixed[0]]
-    terms = tuple((-factor, kind, node, at) for name in supports for factor, kind, node, at in frame.reaction(name, 0))
-    if frame.leaning is not None:
-        terms += ((-1.0, "reaction", frame.leaning.base, 0),)
+    cells = []
+    for direction in frame.directions:
+        along = direction.degree
+        supports = [name for name, fixed in frame.supports.items() if fixed[along]]
+        reactions = (frame.reaction(name, along) for name in supports)
+        terms = tuple((-factor, kind, node, at) for several in reactions for factor, kind, node, at in several)
+        if frame.leaning is not None:
+            terms += ((-1.0, "reaction", frame.leaning.base, along),)
+        cells.append(terms)
     name = "base shear: minus the sum of the horizontal reactions"
-    return Quantity("base_shear", (), (), (terms,), "N", name, history)
+    return Quantity("base_shear", *directed(frame), tuple(cells), "N", name, history)
 
 
 def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
@@ -35,6 +40,8 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
     """
     supports = frame.supports
     coordinate(group, "support", list(supports), "", "node that is supported")
+    if frame.model.dimension == 3:
+        return _reactions_in_space(frame, group)
     parts = (
         ("support_horizontal_reaction", 0, "N", "horizontal reaction on the frame, positive to the right"),
         ("support_vertical_reaction", 1, "N", "vertical reaction on the frame, positive upwards; negative: uplift"),
@@ -67,6 +74,43 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
     label = "moment about the middle of the base, anticlockwise, that resists loads to the right"
     found.append(Quantity("overturning_moment", (), (), (terms,), "N*m", label, history=True))
     return found
+
+
+_OF_BUILDINGS = (
+    ("horizontal_reaction", "direction", (0, 1), "N", "horizontal reaction on the building"),
+    ("vertical_reaction", "", (2,), "N", "vertical reaction on the building, positive upwards; negative: uplift"),
+    ("moment", "turn", (3, 4, 5), "N*m", "moment of the support on the building about the axis"),
+)
+
+
+def _reactions_in_space(frame: FrameModel, group: Group) -> list[Quantity]:
+    """Reactions of a building, and the moment that resists loads along each direction.
+
+    That moment is about the middle of the supports. Positive: it resists loads along the direction.
+    """
+    coordinate(group, "turn", ["rx", "ry", "rz"], "", "turn about the axis")
+    found = []
+    for name, dimension, degrees, unit, label in _OF_BUILDINGS:
+        dims = ("support", dimension) if dimension else ("support",)
+        shape = (len(frame.supports), len(degrees))[: len(dims)]
+        cells = tuple(
+            frame.reaction(node, at) if fixed[at] else () for node, fixed in frame.supports.items() for at in degrees
+        )
+        found.append(Quantity(f"support_{name}", dims, shape, cells, unit, label, history=True))
+    plan = [frame.places[node][:2] for node in frame.supports]
+    moments = []
+    for along in (direction.degree for direction in frame.directions):
+        middle = 0.5 * (min(at[along] for at in plan) + max(at[along] for at in plan))
+        terms: Terms = ()
+        for node, fixed in frame.supports.items():
+            place = frame.places[node]
+            turn, way = (4, -1.0) if along == 0 else (3, 1.0)
+            for degree, arm in ((frame.up, place[along] - middle), (along, -place[frame.up]), (turn, way)):
+                if fixed[degree] and arm != 0.0:
+                    terms += tuple((arm * c, kind, i, at) for c, kind, i, at in frame.reaction(node, degree))
+        moments.append(terms)
+    label = "moment about the middle of the base that resists loads along the direction"
+    return [*found, Quantity("overturning_moment", *directed(frame), tuple(moments), "N*m", label, history=True)]
 
 
 def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "min", "final")) -> list[Quantity]:

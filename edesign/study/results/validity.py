@@ -6,6 +6,7 @@ state of equilibrium that was lost, found by a computation that is sound up to t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
@@ -15,7 +16,7 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.words import percent
 from edesign.study.results.recording import Quantity
-from edesign.study.results.storeys import line_drift_storeys
+from edesign.study.results.storeys import drifts_in_words
 from edesign.study.results.warnings import AnalysisWarning
 
 AT = {
@@ -35,14 +36,14 @@ def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantit
         drifts: on its column lines, as `line_drifts` gives them.
         others: quantities of an analysis; those in rad over columns or beams and their ends count.
     """
-    storeys = line_drift_storeys(frame)
-    found = {key: f"the drift of storey {storeys[i]}" for i, key in drifts.keys.items()}
+    words = drifts_in_words(frame)
+    found = {key: f"the {words[i]}" for i, key in drifts.keys.items()}
     kinds = {"column": frame.of_kind("column"), "beam": frame.of_kind("beam")}
     for quantity in others:
-        if quantity.unit == "rad" and len(quantity.dims) == 2 and quantity.dims[0] in kinds:
-            members = kinds[quantity.dims[0]]
+        if quantity.unit == "rad" and quantity.dims[1:2] == ("end",) and quantity.dims[0] in kinds:
+            members, of_each = kinds[quantity.dims[0]], math.prod(quantity.shape[1:])
             what = quantity.name.partition("_")[2].replace("_", " ")
-            found |= {key: f"the {what} of {members[i // 2].name}" for i, key in quantity.keys.items()}
+            found |= {key: f"the {what} of {members[i // of_each].name}" for i, key in quantity.keys.items()}
     return found
 
 

@@ -199,7 +199,7 @@ class ProjectFrame:
 
     def _response(self, ready: _Ready, found: Response, ground: np.ndarray, step: float, every: int) -> FrameResponse:
         results, _ = self._recorded(ready.structure.frame)
-        group = results.group(found, ground, step, ready.period, every)
+        group = results.group(found, (ground,), step, ready.period, every)
         group.attributes["height"] = self.project.grid.height
         return FrameResponse(group, results.drift(found), found.values[DEFORMATION], found.values[FORCE])
 

@@ -44,9 +44,9 @@ def test_no_more_pictures_than_the_eye_sees(step: float, count: int, stride: int
 def test_rounding_for_pictures_is_finer_than_they_are(largest: float) -> None:
     values = largest * np.random.default_rng(3).uniform(-1.0, 1.0, (50, 6, 3))
     values[0, 0, 0], values[..., 2] = largest, 0.1 * values[..., 2]
-    seen = as_seen(values, True)
+    seen = as_seen(values, 2)
     assert np.abs(seen - values).max() <= 0.5 / FINENESS * largest
     step = np.diff(np.unique(seen)).min()
     assert np.log2(step) % 1.0 == 0.0 and step > 0.25 / FINENESS * largest  # else nothing is saved
     np.testing.assert_array_equal(seen, seen.astype(np.float32))
-    assert not np.any(as_seen(np.zeros((4, 2, 3)), True))
+    assert not np.any(as_seen(np.zeros((4, 2, 3)), 2))
