@@ -51,8 +51,8 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
                 f"{damage}; it is left as it is: choose another name, or --overwrite [E-FILE-07]"
             ) from error
         lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
-        same = old.get("project_checksum")
-        if lost and same is not None and same == root.attributes.get("project_checksum"):
+        same = file_checksum(old)
+        if lost and same is not None and same == file_checksum(root.attributes):
             raise ArchiveError(
                 f"{place}: this archive has {len(lost)} analyses that this run leaves out ({', '.join(lost[:3])}"
                 f"{' ...' if len(lost) > 3 else ''}), and it is left as it is; choose another name (--archive), or "
@@ -65,6 +65,15 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
             )
         gone = gone or lost
     return gone
+
+
+def file_checksum(attributes: Mapping[str, object]) -> object:
+    """Return the checksum of the text of the project, study or building that an archive is of; None: it has none.
+
+    Args:
+        attributes: of the root of the archive.
+    """
+    return attributes.get("project_checksum", attributes.get("building_checksum"))
 
 
 def _differs(old: Mapping[str, object], new: Mapping[str, object]) -> bool:

@@ -15,7 +15,7 @@ from edesign.cli.shared.progress import listener
 from edesign.cli.shared.stages import ProgressLine, in_stages
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
-from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS
+from edesign.file_kinds.kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, FileKind
 from edesign.file_kinds.recognise import kind_of, other_kind
 from edesign.frame.building_file import load_building
 from edesign.frame.project_file import load_project, load_study
@@ -24,6 +24,7 @@ from edesign.optional_stages import earlier, optional
 from edesign.report.archive.document import default_page_path, write_page
 from edesign.report.archive.tables import overview, short_tables
 from edesign.report.tables.text import PAPER, print_tables
+from edesign.space.archived import PLACE
 from edesign.space.elastic_design import ElasticDesign
 from edesign.study.run.building import run_building
 from edesign.study.run.run import run_project, run_study
@@ -73,23 +74,24 @@ def run(
     kind = kind_of(project)
     if kind == SUBSTRUCTURE_TESTS:
         raise InputError(other_kind(project, kind, "project, study or building file"))
-    if kind == BUILDING:
+    end = _End(report, whole, quiet)
+    if kind == BUILDING and not load_building(project).analyses:
         if only or folder or scheduler:
             raise InputError(
-                "--only, --folder and --scheduler are for projects and studies, not for a building [E-CLI-01]"
+                f"{project}: --only, --folder and --scheduler are for analyses, and this building has none [E-CLI-01]"
             )
-        _run_building(project, archive, overwrite, _End(report, whole, quiet), check)
-    else:
-        how = _How(
-            archive_path=archive,
-            only=tuple(only or ()),
-            fresh=fresh,
-            overwrite=overwrite,
-            workers=workers,
-            backend="dask" if scheduler else backend,
-            scheduler=scheduler,
-        )
-        _run_analyses(project, kind == STUDY, folder or [], how, _End(report, whole, quiet))
+        _run_building(project, archive, overwrite, end, check)
+        return
+    how = _How(
+        archive_path=archive,
+        only=tuple(only or ()),
+        fresh=fresh,
+        overwrite=overwrite,
+        workers=workers,
+        backend="dask" if scheduler else backend,
+        scheduler=scheduler,
+    )
+    _run_analyses(project, kind, folder or [], how, end, check)
 
 
 @dataclass(frozen=True)
@@ -122,17 +124,22 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, 
     path, design = in_stages(work, end.quiet)
     _end(path, "", end)
     if check and not design.passed:
-        raise AnalysisError(f"{file}: not all checks are met; all are in {path} [E-RUN-02]")
+        raise _not_met(file, path)
 
 
-def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, end: _End) -> None:
+def _not_met(file: Path, archive: Path) -> AnalysisError:
+    return AnalysisError(f"{file}: not all checks are met; all are in {archive} [E-RUN-02]")
+
+
+def _run_analyses(project: Path, kind: FileKind | None, folders: list[Path], how: _How, end: _End, check: bool) -> None:
     with listener(end.quiet) as listen:
         options = {field.name: getattr(how, field.name) for field in fields(how)} | {"progress": listen}
-        if is_study:
+        if kind == STUDY:
             study = load_study(project)
             summary = run_study(study.of(with_folders(study.base, folders)) if folders else study, **options)
         else:
-            summary = run_project(with_folders(load_project(project), folders), **options)
+            load = load_building if kind == BUILDING else load_project
+            summary = run_project(with_folders(load(project), folders), **options)
     _end(summary.archive, f" ({summary.seconds:.1f} s)", end)
     if summary.failed:
         alike: dict[str, list[str]] = {}
@@ -143,6 +150,11 @@ def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How,
             f"{len(summary.failed)} of {len(summary.outcomes)} analyses failed; all are in {summary.archive}{reasons}"
             " [E-RUN-01]"
         )
+    if check and kind == BUILDING:
+        with open_archive(summary.archive) as archive:
+            met = not archive.has(PLACE) or archive.group_attributes(PLACE).get("passed")
+        if not met:
+            raise _not_met(project, summary.archive)
 
 
 def _end(archive: Path, took: str, end: _End) -> None:

@@ -21,7 +21,7 @@ from edesign.ground_motion.record import Record as Motion
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found, find_suite, origin_of_file
 from edesign.ground_motion.suite import Suite, load_suite
-from edesign.project.project import Project
+from edesign.project.analysis_file import File
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import unknown_name
 from edesign.project.records.record_files import HoldsRecords
@@ -100,7 +100,7 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
     return {reference: found[reference] for reference in wanted}
 
 
-def with_folders(project: Project, folders: Sequence[Path]) -> Project:
+def with_folders(project: File, folders: Sequence[Path]) -> File:
     """Return the project with more folders for the recordings of its suites, which are searched after its own.
 
     Args:

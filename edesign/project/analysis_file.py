@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Protocol, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Protocol, Self, TypeVar
 
 from pydantic import Field, PrivateAttr
 
@@ -48,10 +48,12 @@ class AnalysisFile(RecordFiles, FileModel):
 
     Attributes:
         structure: what it is, for messages: "frame" or "building".
+        grid_key: key of the file that says what stands where.
         member_names: how members are named, for messages.
     """
 
     structure: ClassVar[str]
+    grid_key: ClassVar[str]
     member_names: ClassVar[str]
 
     if TYPE_CHECKING:
@@ -161,3 +163,7 @@ class AnalysisFile(RecordFiles, FileModel):
             KeyError: no record of this name is a suite.
         """
         return [*super().suite_folders(name), *self._more_folders]
+
+
+File = TypeVar("File", bound=AnalysisFile)
+"""A plane frame or a building, of which functions return what they take."""

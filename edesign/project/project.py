@@ -62,6 +62,7 @@ class Project(AnalysisFile):
 
     kind: ClassVar[str] = "project"
     structure: ClassVar[str] = "frame"
+    grid_key: ClassVar[str] = "frame"
     member_names: ClassVar[str] = "columns are named C_line_storey, beams B_bay_floor, braces D_bay_storey_r or _f"
 
     edesign: FormatVersion

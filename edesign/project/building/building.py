@@ -123,6 +123,7 @@ class Building(spacing.Storeys, AnalysisFile):
 
     kind: ClassVar[str] = "building"
     structure: ClassVar[str] = "building"
+    grid_key: ClassVar[str] = "plan"
     member_names: ClassVar[str] = "columns are named C_A2_3, beams BX_2_1_5, braces DX_2_1_5_r or _f"
 
     edesign_building: FormatVersion

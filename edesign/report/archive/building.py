@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any
 from edesign.archive.reader import Archive
 from edesign.report.archive.kind import ArchiveKind, Figures
 from edesign.report.archive.project import missing_analyses
+from edesign.report.archive.project_tables import project_tables
+from edesign.report.archive.short_tables import short_project_tables
 from edesign.report.tables.table import Table
+from edesign.space.archived import PLACE
 from edesign.study.results.kinds import BUILDING
 
 if TYPE_CHECKING:
@@ -22,13 +25,15 @@ if TYPE_CHECKING:
 def _tables(archive: Archive) -> list[Table]:
     from edesign.report.building.tables import building_tables
 
-    return [*building_tables(archive)]
+    of_design = [*building_tables(archive)] if archive.has(PLACE) else []
+    return [*of_design, *(project_tables(archive) if archive.attributes.get("planned") else [])]
 
 
 def _short_tables(archive: Archive, top: Table) -> list[Table]:
     from edesign.report.building.tables import short_building_tables
 
-    return [*short_building_tables(archive)]
+    of_design = [*short_building_tables(archive)] if archive.has(PLACE) else []
+    return [*of_design, *(short_project_tables(archive, top) if archive.attributes.get("planned") else [])]
 
 
 def _figures() -> Sequence[Figures]:

@@ -13,6 +13,7 @@ from edesign.ground_motion.record_choice import RecordChoice
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.designs import design_warnings
 from edesign.project.checks.placement import placement_warnings
 from edesign.project.criteria.criteria import LimitCriterion
@@ -39,7 +40,7 @@ _COLLAPSED = 0.10  # of a drift: twice that of Collapse Prevention (FEMA 356, Ta
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
 
 
-def project_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
+def project_warnings(project: AnalysisFile, records: Mapping[str, Record]) -> list[str]:
     """Return one sentence for each warning about the input of a project, without those about its records.
 
     Args:
@@ -60,7 +61,7 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
     ]
 
 
-def _still_warnings(projects: Iterable[Project]) -> list[str]:
+def _still_warnings(projects: Iterable[AnalysisFile]) -> list[str]:
     """Say which beams miss the vertical motion of their histories."""
     beams = list(dict.fromkeys(name for project in projects for name in make_frame(project).still))
     if not beams:
@@ -80,7 +81,7 @@ def _fixed_base_period(project: Project) -> float | None:
         return None  # it may sway on its isolators alone
 
 
-def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
+def _damping_warnings(project: AnalysisFile, laws: Iterable[str]) -> list[str]:
     """Return the warning about damping by a stiffness matrix in a frame with buckling-restrained braces.
 
     Args:
@@ -96,7 +97,7 @@ def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
     ]
 
 
-def frame_warnings(project: Project, records: Mapping[str, Record], designed: Iterable[str] = ()) -> list[str]:
+def frame_warnings(project: AnalysisFile, records: Mapping[str, Record], designed: Iterable[str] = ()) -> list[str]:
     """Return the warnings about a frame and its analysis; errors as `project_warnings`.
 
     Args:
@@ -112,9 +113,12 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
     except AnalysisError:
         period = None  # the analyses will say why
     frame = make_frame(project, dampers=True)
-    found = implausible(project, period if project.isolation is None else _fixed_base_period(project))
-    found += slender_braces(frame) + _damping_warnings(project, laws) + tuned_mass_advice(project)
-    found += _staying_elastic(project, frame)
+    found = []
+    if isinstance(project, Project):
+        found += implausible(project, period if project.isolation is None else _fixed_base_period(project))
+    found += slender_braces(frame) + _damping_warnings(project, laws)
+    if isinstance(project, Project):
+        found += tuned_mass_advice(project) + _staying_elastic(project, frame)
     given = project.integration.time_step if project.integration is not None else None
     if given is not None:
         passed = {name: r.time_step for name, r in records.items() if given > r.time_step * (1 + 1e-9)}
@@ -208,7 +212,7 @@ def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
     ]
 
 
-def _unknown_events(project: Project, records: Iterable[str]) -> list[str]:
+def _unknown_events(project: AnalysisFile, records: Iterable[str]) -> list[str]:
     """Return one sentence for chosen records of unknown earthquakes that a limit for each earthquake cannot count.
 
     Args:

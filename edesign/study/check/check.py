@@ -17,8 +17,8 @@ from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, Pl
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, StiffnessDamping
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.pushover import GivenPattern, Pushover
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.project import Project
 from edesign.project.reading.problems import keys_text
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
@@ -38,7 +38,7 @@ from edesign.study.plan.variants import variant_warnings
 from edesign.study.results.requested import requested_quantities
 
 
-def check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
+def check_inputs(project: AnalysisFile, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
     """Check the inputs of analyses before the first one starts: records, frame, outputs and modes.
 
     Args:
@@ -57,7 +57,7 @@ def check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str
     return _check_inputs(project, specs)
 
 
-def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
+def _check_inputs(project: AnalysisFile, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
     specs = tuple(specs)
     if project.hazard is not None:
         checked_hazard(project)
@@ -74,7 +74,7 @@ def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[st
     return found
 
 
-def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
+def _check_frame(project: AnalysisFile, specs: tuple[PlannedAnalysis, ...]) -> None:
     """Build a frame with its dampers and its outputs, and look for mechanisms and modes."""
     try:
         frame = make_frame(project, dampers=True)  # with footings, at the first period of a frame that must stand
@@ -84,7 +84,7 @@ def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
         laws = device_laws(project)
         runs = project.dampers.devices if project.dampers is not None else ()
         idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
-        where = f"{project.where('frame')}: frame"
+        where = f"{project.where(project.grid_key)}: {project.grid_key}"
         if idle:
             raise InputError(f"{where}: braces that it stands by need `carries_gravity: true`: {error}") from error
         raise InputError(f"{where}: {error}") from error
@@ -164,7 +164,7 @@ def _check_designs(study: Study, names: Sequence[str]) -> None:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
 
 
-def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int) -> None:
+def _check_modes(project: AnalysisFile, specs: tuple[PlannedAnalysis, ...], most: int) -> None:
     """Check that no more modes are asked for than there are degrees of freedom with mass."""
     wanted: list[tuple[tuple[str | int, ...], int]] = [
         (("analyses", i, "modes"), spec.modes)
@@ -189,7 +189,7 @@ def _pattern_modes(pushover: Pushover) -> list[int]:
     return [count for pattern in given if (count := pattern.mode or pattern.modes) is not None]
 
 
-def _check_series(project: Project) -> None:
+def _check_series(project: AnalysisFile) -> None:
     """Check that Caughey damping gives no mode a negative ratio."""
     damping = project.damping
     if not isinstance(damping, CaugheyDamping):

@@ -12,7 +12,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.analyses import PlannedAnalysis, PushoverAnalysis
 from edesign.project.analysis.pushover import GivenPattern, Pushover
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import Keys, keys_text
 from edesign.project.study.incremental import SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
@@ -22,7 +22,7 @@ from edesign.study.analysis.modal import fundamental_period
 from edesign.study.plan.variants import variant_project
 
 
-def check_project_reach(project: Project, specs: Iterable[PlannedAnalysis]) -> None:
+def check_project_reach(project: AnalysisFile, specs: Iterable[PlannedAnalysis]) -> None:
     """Check that the spectrum reaches T1 where a pushover combines modes by it.
 
     Args:
@@ -38,7 +38,7 @@ def check_project_reach(project: Project, specs: Iterable[PlannedAnalysis]) -> N
             check_pushover_reach(project, spec, project.where("analyses", i, "pattern"), ("analyses", i, "pattern"))
 
 
-def check_pushover_reach(project: Project, spec: Pushover, where: str, keys: Keys) -> None:
+def check_pushover_reach(project: AnalysisFile, spec: Pushover, where: str, keys: Keys) -> None:
     """Check that the spectrum reaches T1 where a pushover combines modes; errors as `check_project_reach`.
 
     Args:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.analysis.analyses import HistoryAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import record_of
 from edesign.study.motions.applied import scale_factor
 from edesign.study.motions.motions import Motion
@@ -15,7 +15,10 @@ from edesign.study.plan.plan import Task
 
 
 def scale_warnings(
-    project: Project, tasks: Iterable[Task], motions: Mapping[str, Motion], scales: Mapping[str, float] | None = None
+    project: AnalysisFile,
+    tasks: Iterable[Task],
+    motions: Mapping[str, Motion],
+    scales: Mapping[str, float] | None = None,
 ) -> dict[str, list[str]]:
     """Return one sentence for each unusual factor on records, by record of the project.
 

@@ -11,7 +11,7 @@ from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.record_choice import EarlierChoice, RecordChoice, choose
 from edesign.one_thread import one_thread
-from edesign.project.project import Project
+from edesign.project.analysis_file import File
 from edesign.project.records.records import ChosenRecords
 from edesign.project.study.study import Study
 from edesign.study.analysis.modal import fundamental_period
@@ -20,7 +20,7 @@ from edesign.study.results.kinds import RECORDS
 from edesign.study.results.provenance import code_checksum
 
 
-def with_choices(project: Project, archive: Path | None = None) -> Project:
+def with_choices(project: File, archive: Path | None = None) -> File:
     """Return the project with its records chosen; the project itself if it has none to choose.
 
     Args:
@@ -42,7 +42,7 @@ def with_choices(project: Project, archive: Path | None = None) -> Project:
         try:
             return fundamental_period(project)
         except CoreError as error:
-            raise InputError(f"{project.where('frame')}: frame: {error}") from error
+            raise InputError(f"{project.where(project.grid_key)}: {project.grid_key}: {error}") from error
 
     choices: dict[str, RecordChoice] = {}
     with one_thread():

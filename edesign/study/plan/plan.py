@@ -10,14 +10,14 @@ from pathlib import Path
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
 from edesign.project.analysis.analyses import (
-    Analysis,
+    AnyAnalysis,
     HistoryAnalysis,
     PlannedAnalysis,
     PushoverAnalysis,
     TargetAnalysis,
 )
 from edesign.project.analysis.pushover import pattern_name
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.records import RecordSet
 from edesign.study.results.kinds import ANALYSES
@@ -110,7 +110,7 @@ def labels(spec: PlannedAnalysis) -> dict[str, str | None]:
     }
 
 
-def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
+def make_plan(project: AnalysisFile, only: Sequence[str] = ()) -> tuple[Task, ...]:
     """List the analyses of a project in its order; a history of a suite becomes one of each recording.
 
     Args:
@@ -161,7 +161,7 @@ def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Ta
     return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
 
 
-def _labelled(project: Project, spec: Analysis) -> Analysis:
+def _labelled(project: AnalysisFile, spec: AnyAnalysis) -> AnyAnalysis:
     """The analysis with a label of its variant, where others of its kind have what it has not, or the reverse.
 
     Analyses without a label count as one variant: a mean over histories with and without dampers means nothing.
@@ -174,7 +174,7 @@ def _labelled(project: Project, spec: Analysis) -> Analysis:
     return spec.model_copy(update={"variant": f"{'with' if spec.dampers else 'without'} {what}"})
 
 
-def _parts(project: Project, spec: Analysis) -> Sequence[PlannedAnalysis]:
+def _parts(project: AnalysisFile, spec: AnyAnalysis) -> Sequence[PlannedAnalysis]:
     """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover."""
     if isinstance(spec, PushoverAnalysis):
         return pushover_parts(spec, tuple(project.hazard_levels))

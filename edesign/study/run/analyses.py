@@ -13,7 +13,7 @@ from edesign.project.analysis.analyses import (
     PlannedAnalysis,
     TargetAnalysis,
 )
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.gravity import run_gravity
 from edesign.study.analysis.history import run_history
 from edesign.study.analysis.modal import run_modal
@@ -24,7 +24,7 @@ from edesign.study.plan.plan import labels
 
 
 def run_analysis(
-    project: Project,
+    project: AnalysisFile,
     spec: PlannedAnalysis,
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
@@ -56,7 +56,7 @@ def run_analysis(
 
 
 def _run(
-    project: Project,
+    project: AnalysisFile,
     spec: PlannedAnalysis,
     progress: Callable[[int, int], None] | None,
     stop: Callable[[], bool] | None,
@@ -75,7 +75,7 @@ def _run(
 
 
 def analyse(
-    project: Project,
+    project: AnalysisFile,
     spec: PlannedAnalysis,
     motion: Motion | None,
     vertical: Motion | None,
@@ -98,7 +98,7 @@ def analyse(
 
 
 def analyse_stripe(
-    project: Project,
+    project: AnalysisFile,
     spec: PlannedAnalysis,
     motion: Motion | None,
     vertical: Motion | None,

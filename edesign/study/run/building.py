@@ -1,9 +1,9 @@
-"""Run the elastic design of a building into an archive."""
+"""Run the elastic design of a building into an archive, alone or beside its analyses."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from edesign.archive.dataset import Group
@@ -12,14 +12,15 @@ from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import ArchiveError
+from edesign.one_thread import one_thread
 from edesign.optional_stages import optional
 from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.check import building_warnings
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.study.results.kinds import BUILDING
-from edesign.study.results.provenance import add_hazard_files, circumstances, versions
+from edesign.study.results.provenance import circumstances, root_group
 from edesign.study.results.warnings import ATTRIBUTE
+from edesign.study.run.state import RunState
 
 
 def run_building(
@@ -79,37 +80,57 @@ def write_building(building: Building, design: ElasticDesign, path: Path, select
         ArchiveError: the archive cannot be written.
     """
     root = _root(building, building.path, path)
-    name = f"{building.path.name}:"  # wherever the file stands
+    root.attributes[ATTRIBUTE] = archived_warnings(building)
+    with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
+        for place, group in _groups(design, selection):
+            writer.write(place, group)
+        writer.finish({"status": "completed"})
+
+
+def archived_warnings(building: Building) -> list[str]:
+    """Return the warnings about a building, whose file they name without its folder.
+
+    Args:
+        building: from `load_building`.
+    """
     warnings: list[str] = []
     with optional("the warnings about the building") as attempt:
         warnings = list(building_warnings(building))
     if attempt.failure is not None:
         warnings = [str(attempt.failure)]
-    root.attributes[ATTRIBUTE] = [text.replace(f"{building.path}:", name) for text in warnings]
-    with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
-        for place, group in groups(design):
-            writer.write(place, group)
-        if selection is not None:
-            writer.write(f"{PLACE}/{SELECTION}", selection)
-        writer.finish({"status": "completed"})
+    return [text.replace(f"{building.path}:", f"{building.path.name}:") for text in warnings]
+
+
+def archive_design(building: Building, path: Path, run: RunState) -> None:
+    """Make the elastic design of a building, and write it into the archive of its analyses.
+
+    Args:
+        building: from `load_building`; nothing is done without its `design`.
+        path: of the archive that an earlier run wrote.
+        run: with its archive.
+
+    Raises:
+        InputError, CoreError: as `run_building`.
+    """
+    if building.design is None:
+        return
+    selection = _kept_selection(building, path)
+    run.say("elastic design")
+    with one_thread():
+        design = elastic_design(building)
+    for place, group in _groups(design, selection):
+        run.archive(place, group)
+
+
+def _groups(design: ElasticDesign, selection: Group | None) -> Iterator[tuple[str, Group]]:
+    yield from groups(design)
+    if selection is not None:
+        yield f"{PLACE}/{SELECTION}", selection
 
 
 def _root(building: Building, file: Path, path: Path) -> Group:
-    root = Group(
-        attributes={
-            "title": building.title,
-            "document": dict(building.document.said),
-            "kind": BUILDING,
-            "building_file": file.name,
-            "building_checksum": building.checksum,
-            "source_file": source_file(file, path),
-            **versions(),
-            "planned": [],
-            "status": "running",
-        }
-    )
-    root.add("building_text", (), building.text, "", "text of the building file")
-    add_hazard_files(root, building.hazard)
+    root = root_group(building, [], {})
+    root.attributes |= {"building_file": file.name, "source_file": source_file(file, path)}
     return root
 
 

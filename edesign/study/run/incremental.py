@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.analysis.analyses import PlannedAnalysis
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.project import Project
 from edesign.project.study.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
@@ -50,7 +51,7 @@ def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
         period = periods(studies[name], task, needed=True)
         return record_intensity(frames(task)[0], studies[name], run.motions[reference].record, period)
 
-    def prepared(task: Task) -> tuple[Project, PlannedAnalysis]:
+    def prepared(task: Task) -> tuple[AnalysisFile, PlannedAnalysis]:
         project, spec = frames(task)
         if task.stripe is None:
             return project, spec

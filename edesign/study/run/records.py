@@ -10,7 +10,7 @@ from typing import Literal
 from edesign.errors import EdesignError
 from edesign.optional_stages import optional
 from edesign.project.analysis.analyses import HistoryAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import Suite, record_of
 from edesign.study.analysis.intensity import first_period
 from edesign.study.check.suitability import scale_warnings
@@ -108,6 +108,6 @@ def _variant_periods(run: RunState, prepared: Prepared) -> dict[str, dict[str, f
     return found
 
 
-def _is_fitted_suite(project: Project, reference: str) -> bool:
+def _is_fitted_suite(project: AnalysisFile, reference: str) -> bool:
     spec = project.records.get(record_of(reference))
     return isinstance(spec, Suite) and spec.fitted and project.hazard is not None

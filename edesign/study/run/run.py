@@ -7,7 +7,8 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
 from edesign.project.study.study import Study
 from edesign.study.check.advice import project_warnings, study_warnings, unjudged
 from edesign.study.check.check import check_inputs, check_study_inputs
@@ -18,6 +19,7 @@ from edesign.study.plan.variants import variant_strain
 from edesign.study.results.kinds import DESIGNS
 from edesign.study.results.provenance import root_group, study_root_group
 from edesign.study.run.backends import make_backend
+from edesign.study.run.building import archive_design, archived_warnings
 from edesign.study.run.incremental import study_stripes
 from edesign.study.run.outcome import Outcome, RunSummary
 from edesign.study.run.progress import Listener, silent
@@ -29,7 +31,7 @@ __all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_
 
 
 def run_project(
-    project: Project,
+    project: AnalysisFile,
     archive_path: str | os.PathLike[str] | None = None,
     *,
     progress: Listener | None = None,
@@ -40,13 +42,13 @@ def run_project(
     scheduler: str | None = None,
     overwrite: bool = False,
 ) -> RunSummary:
-    """Run the analyses of a project and archive them.
+    """Run the analyses of a project or a building, and archive them; those of a building beside its design.
 
     An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run
     of the same project, inputs and versions are reused. Results depend neither on `backend` nor on `workers`.
 
     Args:
-        project: from `load_project`.
+        project: from `load_project` or `load_building`.
         archive_path: the archive; by default what the project says, with the names appended if `only` selects some.
         progress: called with a `Progress` at every step worth a line, from one thread at a time.
         workers: number of analyses that run at the same time.
@@ -71,12 +73,15 @@ def run_project(
     recordings = check_inputs(project, [task.spec for task in plan])
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = root_group(project, [task.name for task in plan], checksums)
-    warnings = tuple(project_warnings(project, {name: item.record for name, item in recordings.items()}))
+    warnings = archived_warnings(project) if isinstance(project, Building) else []
+    warnings += project_warnings(project, {name: item.record for name, item in recordings.items()})
 
     def prepare(run: RunState) -> Prepared:
+        if isinstance(project, Building) and not only:
+            archive_design(project, path, run)
         return lambda task: (project, task.spec)
 
-    job = Job(project.path, project, plan, recordings, root, warnings, prepare)
+    job = Job(project.path, project, plan, recordings, root, tuple(warnings), prepare)
     with make_backend(backend, workers, scheduler) as made:
         return run_plan(job, path, progress or silent, made, workers, fresh, overwrite)
 
@@ -131,7 +136,7 @@ def run_study(
         return run_plan(job, path, progress or silent, made, workers, fresh, overwrite)
 
 
-def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> Path:
+def default_archive_path(source: AnalysisFile | Study, only: Sequence[str] = ()) -> Path:
     """Return the path of the archive of a run, as the file gives it.
 
     A run of some analyses alone has an archive of its own beside the full one.

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
-from edesign.archive.owner import check_owner
+from edesign.archive.owner import check_owner, file_checksum
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import EdesignError, Interrupted, split_code
@@ -130,7 +130,7 @@ def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> 
         return None
     alike = all(old.get(name) == root.attributes.get(name) for name in (*IDENTITY, "planned"))
     whole = complete and old.get("status") == COMPLETED and len(ends) == len(job.tasks)
-    if not (alike and whole) or old.get("project_checksum") == root.attributes["project_checksum"]:
+    if not (alike and whole) or file_checksum(old) == file_checksum(root.attributes):
         return None
     renew_root(path, root, {"provenance": Group(attributes={**made, "head_renewed": now()})}, {"status": COMPLETED})
     note = (

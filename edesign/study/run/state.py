@@ -13,7 +13,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import PlannedAnalysis
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.motions.motions import Motion
 from edesign.study.plan.plan import Task
 from edesign.study.run.backends import Backend
@@ -21,7 +21,7 @@ from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.outcome import Outcome
 from edesign.study.run.progress import Listener, Progress
 
-Prepared = Callable[[Task], tuple[Project, PlannedAnalysis]]
+Prepared = Callable[[Task], tuple[AnalysisFile, PlannedAnalysis]]
 """Gives the frame and the analysis of a task; raises an EdesignError if it cannot be run."""
 
 
@@ -42,7 +42,7 @@ class Job:
     """
 
     path: Path
-    project: Project
+    project: AnalysisFile
     tasks: tuple[Task, ...]
     recordings: Mapping[str, Found]
     root: Group
