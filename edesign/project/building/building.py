@@ -15,6 +15,7 @@ from edesign.project.analysis.analyses import BuildingAnalysis
 from edesign.project.analysis.damping import Damping
 from edesign.project.analysis.integration import Integration
 from edesign.project.analysis.outputs import Outputs
+from edesign.project.analysis.shaking import ECCENTRICITY
 from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.building.design import Design
@@ -36,7 +37,7 @@ from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrN
 from edesign.project.notation.units import PositiveLength
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.one_of import OneOf
-from edesign.project.records.records import Record
+from edesign.project.records.pairs import BuildingRecord
 
 MOST_BAYS = 100
 """In one direction, so that letters of lines and names of frames (`XA`, `YA`) are distinguished."""
@@ -148,7 +149,7 @@ class Building(spacing.Storeys, AnalysisFile):
     integration: Integration | None = None
     validity: Validity = Validity()
     hazard: AnyHazard | None = None
-    records: dict[Identifier, Record] = {}
+    records: dict[Identifier, BuildingRecord] = {}
     design: Design | None = None
     analyses: tuple[BuildingAnalysis, ...] = ()
     outputs: Outputs = Outputs()
@@ -179,6 +180,16 @@ class Building(spacing.Storeys, AnalysisFile):
     def design_hazard(self) -> EC8Hazard | None:
         """The action by EN 1998-1, which designs are for; None: the file has none, or one of another code."""
         return self.hazard if isinstance(self.hazard, EC8Hazard) else None
+
+    @property
+    def rigid_floors(self) -> tuple[int, ...]:
+        """The floors that are rigid in plan, whose masses may stand beside their places."""
+        return tuple(self.diaphragms.numbers(1, self.n_storeys))
+
+    @property
+    def accidental_torsion(self) -> float:
+        """Accidental eccentricity of the masses over the length of a floor, of its design or as usual."""
+        return ECCENTRICITY if self.design is None else self.design.accidental_torsion
 
     @cached_property
     def layout(self) -> Layout:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.analyses import BuildingHistory
 from edesign.project.analysis.damping import RayleighDamping
 from edesign.project.analysis.outputs import FibreOutput, SectionOutput
 from edesign.project.building.building import Building
@@ -12,8 +12,11 @@ from edesign.project.building.checks_selections import Selections
 from edesign.project.building.members import BraceRun, ColumnRun
 from edesign.project.checks.analyses import check_shared
 from edesign.project.checks.outputs import check_kept, check_member
+from edesign.project.checks.pairs import check_pairs
+from edesign.project.checks.shaking import check_shaking
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.reading.problems import Keys, Problems
+from edesign.project.records.pairs import InSpace
 
 
 def check_analyses(building: Building, problems: Problems, files: bool = True) -> None:
@@ -28,6 +31,11 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
         for key in steel.without_meaning:
             problems.at_key(("materials", name, key), f"the law `{steel.law}` does not have this key [E-KEY-03]")
     check_shared(building, problems, files)
+    pairs = {name: record for name, record in building.records.items() if isinstance(record, InSpace)}
+    check_pairs(pairs, (), building.hazard, building.folder, problems, "building file" if files else "")
+    for i, analysis in enumerate(building.analyses):
+        if isinstance(analysis, BuildingHistory):
+            check_shaking(building, problems, ("analyses", i), analysis)
     _anchors(building, problems)
     check_kept(building, problems)
     check = Selections(building, problems)
@@ -84,5 +92,5 @@ def _plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
     elif dampers is not None and not dampers.none and any(analysis.dampers for analysis in building.analyses):
         yield ("dampers",), "dampers are"
     for i, analysis in enumerate(building.analyses):
-        if isinstance(analysis, HistoryAnalysis) and analysis.wave_passage is not None:
+        if isinstance(analysis, BuildingHistory) and analysis.wave_passage is not None:
             yield ("analyses", i, "wave_passage"), "waves that reach one support after the other are"

@@ -15,6 +15,7 @@ from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import PairRecord
 
 
@@ -131,7 +132,7 @@ def _history(project: AnalysisFile, problems: Problems, keys: Keys, analysis: Hi
         problems.at_value((*keys, "record"), unknown_name("record", analysis.record, project.records))
     else:
         _level(project, problems, keys, analysis)
-    if analysis.pga is not None and isinstance(project.records.get(analysis.record), PairRecord):
+    if analysis.pga is not None and isinstance(project.records.get(analysis.record), PairRecord | InSpace):
         message = "each component would have a factor of its own; give the `scale` of both [E-KEY-03]"
         problems.at_key((*keys, "pga"), f"`{analysis.record}` is a pair: {message}")
     if analysis.pga is not None and analysis.scale is not None:

@@ -36,13 +36,13 @@ def check_records(
     Args:
         problems: the problems of the file, to which those found are added.
         project: the file, which has no schema problems.
-        pairs: names of pairs for models in space, which a plane frame cannot take.
+        pairs: names of pairs that the file with the references has, which a plane frame cannot take.
     """
     for i, reference in enumerate(given):
-        if record_of(reference) in pairs:
-            message = f"`{record_of(reference)}` has pairs, which act on a model in space"
+        if record_of(reference) in pairs and project.structure == "frame":
+            message = f"`{record_of(reference)}` has pairs, which act on a building"
             problems.at_item(keys, i, f"{message}; a plane frame takes records of its project [E-PAIR-04]")
-        elif record_of(reference) not in project.records:
+        elif record_of(reference) not in {*project.records, *pairs}:
             problems.at_item(keys, i, unknown_name("record", record_of(reference), project.records))
         elif reference in given[:i]:
             problems.at_item(keys, i, f"`{reference}` comes twice [E-NAME-02]")

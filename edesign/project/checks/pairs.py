@@ -1,8 +1,7 @@
-"""Cross checks of pairs of records for models in space: angles, components, files, and the fit to the hazard."""
+"""Cross checks of pairs of records for models in space: components, files, and the fit to the hazard."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -20,8 +19,6 @@ from edesign.project.reading.problems import Keys, Problems
 from edesign.project.records.pairs import OnePair, SuitePairs
 from edesign.project.records.records import FileRecord
 
-_SAME_ANGLE = 1e-9  # rad
-
 
 def check_pairs(
     records: Mapping[str, SuitePairs | OnePair],
@@ -38,14 +35,13 @@ def check_pairs(
         hazard: the seismic action that they are fitted to; None: there is none.
         folder: to which paths are relative.
         problems: the problems of the file, to which those found are added.
-        what: the file is, for messages.
+        what: the file is, for messages; empty: its files need not be there.
     """
     names = set(taken)
     for name, record in records.items():
         keys: Keys = ("records", name)
         if name in names:
             problems.at_key(keys, f"`{name}` is a record of the project already; choose another name [E-NAME-02]")
-        _angles(record.angles, (*keys, "angles"), problems)
         check_matching(hazard, record.match, (*keys, "match"), problems, (*keys, "match"))
         if record.match is None and record.spectrum is not None:
             message = "this is what is compared with the spectrum of the hazard by `match` [E-SCALE-02]"
@@ -55,24 +51,19 @@ def check_pairs(
             problems.at_value((*keys, "match", "component"), f"{message} [E-SCALE-01]")
         if isinstance(record, SuitePairs):
             _suite(record, hazard, keys, problems)
-            check_suite_files(record, folder, keys, problems, what)
+            if what:
+                check_suite_files(record, folder, keys, problems, what)
             continue
         check_components(record, keys, problems)
-        check_component_files(record, folder, keys, problems, what)
+        if what:
+            check_component_files(record, folder, keys, problems, what)
         if record.vertical is not None:
             check_record(record.vertical, (*keys, "vertical"), problems)
             if record.vertical.match is not None:
                 message = "the vertical component has the factor of both others; leave this key out [E-KEY-03]"
                 problems.at_key((*keys, "vertical", "match"), message)
-            if isinstance(record.vertical, FileRecord):
+            if what and isinstance(record.vertical, FileRecord):
                 check_file(folder / record.vertical.file, (*keys, "vertical", "file"), problems, what)
-
-
-def _angles(angles: tuple[float, ...], keys: Keys, problems: Problems) -> None:
-    """No angle comes twice, nor one that differs by whole turns."""
-    for i, angle in enumerate(angles):
-        if any(abs(math.remainder(angle - other, 2.0 * math.pi)) < _SAME_ANGLE for other in angles[:i]):
-            problems.at_item(keys, i, f"the angle of {math.degrees(angle):g} deg stands here twice [E-NAME-02]")
 
 
 def _suite(record: SuitePairs, hazard: Hazard | None, keys: Keys, problems: Problems) -> None:

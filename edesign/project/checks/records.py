@@ -16,6 +16,7 @@ from edesign.project.reading.checks_files import check_file
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.chosen_records import FolderSource, Period, SuiteSource
+from edesign.project.records.pairs import AnyRecord, InSpace
 from edesign.project.records.processing import Step
 from edesign.project.records.record_tables import UNITS
 from edesign.project.records.records import (
@@ -42,6 +43,8 @@ def check_project_records(project: AnalysisFile, problems: Problems) -> None:
     """
     for name, record in project.records.items():
         keys: Keys = ("records", name)
+        if isinstance(record, InSpace):
+            continue  # of buildings, which check them
         check_matching(project.hazard, record.match, (*keys, "match"), problems)
         if isinstance(record, RecordSet) and record.match is not None and record.match.component == "vertical":
             message = "vertical motion is one record; those of a suite or a pair are horizontal [E-SCALE-01]"
@@ -155,7 +158,7 @@ def _source_keys(keys: Keys, i: int, problems: Problems) -> Keys:
 
 
 def check_record_files(
-    records: Mapping[str, Record], folder: Path, problems: Problems, what: str = "project file"
+    records: Mapping[str, AnyRecord], folder: Path, problems: Problems, what: str = "project file"
 ) -> None:
     """Check that the files and folders of records are there.
 

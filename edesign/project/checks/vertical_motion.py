@@ -8,7 +8,13 @@ from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import RecordSet, record_of
+
+_STILL = (
+    "the masses resist horizontal motion alone (`masses.directions`), so that vertical motion would do nothing"
+    " [E-VERT-01]"
+)
 
 
 def check_vertical(
@@ -29,17 +35,25 @@ def check_vertical(
         records: references of the horizontal records.
         levels: of the hazard, at which the histories are; empty: none is said.
     """
+    still = project.masses is not None and project.masses.directions == "horizontal"
+    pairs = {name: project.records.get(name) for name in map(record_of, records)}
+    upwards = [name for name, pair in pairs.items() if isinstance(pair, InSpace) and pair.vertical]
+    if upwards and still:
+        problems.at_value(keys[:-1], f"`{upwards[0]}` has a vertical component: {_STILL}")
     if motion is None:
         return
+    if upwards:
+        message = f"`{upwards[0]}` has a vertical component of its own; leave out this key, or its `vertical`"
+        problems.at_key(keys, f"{message} [E-KEY-03]")
+    elif motion.ratio is not None:
+        for name in (name for name, pair in pairs.items() if isinstance(pair, InSpace)):
+            message = f"`{name}` is a pair, and none of its components is the one that this multiplies"
+            problems.at_key((*keys, "ratio"), f"{message}; its vertical one acts by `vertical` there [E-KEY-03]")
     if (motion.ratio is None) == (motion.record is None):
         problems.at_key(keys, "give either `ratio` (times the horizontal record) or `record`, one of them [E-KEY-03]")
         return
-    if project.masses is not None and project.masses.directions == "horizontal":
-        message = (
-            "the masses resist horizontal motion alone (`masses.directions`), so that vertical motion would do nothing"
-            " [E-VERT-01]"
-        )
-        problems.at_key(keys, message)
+    if still:
+        problems.at_key(keys, _STILL)
     for key in ("pga", "scale"):
         if motion.record is None and getattr(motion, key) is not None:
             problems.at_key((*keys, key), "the `ratio` says the scale; leave this key out [E-KEY-03]")
@@ -51,7 +65,7 @@ def check_vertical(
         problems.at_value((*keys, "record"), unknown_name("record", motion.record, project.records))
         return
     record = project.records[motion.record]
-    if isinstance(record, RecordSet):
+    if isinstance(record, RecordSet | InSpace):
         message = (
             f"`{motion.record}` has several motions; vertical motion is one record, or a `ratio` of each horizontal one"
             " [E-SCALE-01]"

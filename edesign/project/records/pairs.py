@@ -7,11 +7,21 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field
 
 from edesign.project.notation.several import several
-from edesign.project.notation.units import Angle
 from edesign.project.notation.written import Written, one_or_list
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.one_of import OneOf
-from edesign.project.records.records import CombinedSpectrum, Component, RecordsOfSuite, TwoComponents
+from edesign.project.records.records import (
+    ChosenRecords,
+    CombinedSpectrum,
+    Component,
+    FemaP695Record,
+    FileRecord,
+    PairRecord,
+    RecordsOfSuite,
+    StructdynRecord,
+    SuiteRecords,
+    TwoComponents,
+)
 
 Axis = Literal["x", "y"]
 
@@ -27,13 +37,11 @@ class _InSpace(Model):
 
     Attributes:
         components: axes of the building along which the first and the second component act at the angle zero.
-        angles: angles by which each pair is turned from x towards y; a history becomes one of each.
         spectrum: spectrum of both components that `match` compares with that of the hazard; without the key that of
             the code's rule.
     """
 
     components: Annotated[tuple[Axis, Axis], BeforeValidator(_both_axes)] = ("x", "y")
-    angles: Annotated[tuple[Angle, ...], Field(min_length=1), Written(several, one_or_list)] = (0.0,)
     spectrum: CombinedSpectrum | None = None
 
 
@@ -61,4 +69,23 @@ class OnePair(TwoComponents, _InSpace):
     vertical: Component | None = None
 
 
+InSpace = SuitePairs | OnePair
+"""Pairs whose components act at once; a reference to one of a suite is `NAME/NUMBER`."""
+
 Pairs = Annotated[SuitePairs | OnePair, OneOf(suite=SuitePairs, pair=OnePair)]
+
+BuildingRecord = Annotated[
+    FileRecord | StructdynRecord | FemaP695Record | SuiteRecords | ChosenRecords | SuitePairs | OnePair,
+    OneOf(
+        "package",
+        FileRecord,
+        choose=ChosenRecords,
+        pair=OnePair,
+        components=SuitePairs,
+        suite=SuiteRecords,
+    ),
+]
+"""Of a suite, `components` says that its pairs act at once."""
+
+AnyRecord = FileRecord | StructdynRecord | FemaP695Record | SuiteRecords | ChosenRecords | PairRecord | InSpace
+"""Of a plane frame or a building."""

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
-from edesign.project.records.records import FileRecord, Record, SuiteRecords
+from edesign.project.records.pairs import AnyRecord
+from edesign.project.records.records import FileRecord, RecordsOfSuite
 from edesign.project.records.suite_names import suite_file
 
 
@@ -23,7 +24,7 @@ class HoldsRecords(Protocol):
     """A file with `records`: a project, or substructure tests."""
 
     @property
-    def records(self) -> Mapping[str, Record]:
+    def records(self) -> Mapping[str, AnyRecord]:
         """The records by name."""
         ...
 
@@ -79,7 +80,7 @@ class RecordFiles:
             KeyError: no record of this name is a suite.
         """
         record = self.records[name]
-        if not isinstance(record, SuiteRecords):
+        if not isinstance(record, RecordsOfSuite):
             raise KeyError(name)
         return [self.folder / folder for folder in record.folders]
 
@@ -90,7 +91,7 @@ class RecordFiles:
             KeyError: no record of this name is a suite.
         """
         record = self.records[name]
-        if not isinstance(record, SuiteRecords):
+        if not isinstance(record, RecordsOfSuite):
             raise KeyError(name)
         return suite_file(self.folder, record.suite)
 

@@ -12,6 +12,7 @@ from edesign.project.checks.names import ALL, check_names, check_records
 from edesign.project.checks.outputs import check_member
 from edesign.project.checks.pairs import check_pairs
 from edesign.project.checks.pushover import check_pushover
+from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.dampers.device_names import names_of_dampers, names_of_design
@@ -103,6 +104,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
     levels = histories.levels or ()
     check_vertical(base, problems, (*keys, "vertical"), histories.vertical, histories.records, levels)
     check_wave_passage(base.frame, problems, (*keys, "wave_passage"), histories.wave_passage)
+    check_shaking(base, problems, keys, histories)
     isolated = [name for name in study.variants_of(histories) if study.variants[name].dampers == "project"]
     if histories.wave_passage is not None and base.isolation is not None and isolated:
         problems.at_key((*keys, "wave_passage"), f"{listed(isolated)}: {NO_WAVE_PASSAGE}")

@@ -14,6 +14,7 @@ from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis.pushover import Pushovers
+from edesign.project.analysis.shaking import IN_PLACE, Angles, EccentricityRatio, Positions
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.analysis_file import Identifier
 from edesign.project.criteria.criteria import Criteria, Objectives
@@ -80,6 +81,11 @@ class Histories(Model):
         wave_passage: the motion reaches the supports one after the other; without the key all at once.
         collapse_drift: storey drift at which a history ends as collapsed.
         vertical: ground motion upwards beside each record.
+        angles: of a building, angles by which each record is turned from x towards y; a history becomes one of each.
+        eccentricity: of a building, where the masses of rigid floors stand: `0` in place, `+x-y` beside it towards x
+            and against y; a history becomes one of each.
+        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`
+            of the building, and 5 % without a design.
     """
 
     variants: Names = ("all",)
@@ -90,6 +96,9 @@ class Histories(Model):
     wave_passage: WavePassage | None = None
     collapse_drift: PositiveRatio | None = None
     vertical: VerticalMotion | None = None
+    angles: Angles = (0.0,)
+    eccentricity: Positions = (IN_PLACE,)
+    eccentricity_ratio: EccentricityRatio = None
 
 
 class Modal(Model):

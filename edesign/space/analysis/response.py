@@ -15,11 +15,12 @@ import numpy as np
 from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
 from edesign.codes.ec8.lateral_force import base_shear, lateral_forces
 from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
-from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moments
+from edesign.codes.ec8.torsion import accidental_moments
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.space.structure.frame import AXES, Axis, LoadCase, SpaceFrame
+from edesign.space.structure.masses import mass_shift
 from edesign.space.structure.model import diaphragm_floors
 
 if TYPE_CHECKING:
@@ -128,7 +129,8 @@ class ResponseSpectrumAnalysis:
         """
         if self.design.torsion_by != "shifted_masses":
             return self._of_modes(modes, axis, spectrum, self.design.accidental_torsion)
-        shift = self._shift(axis)
+        torsion = self.design.accidental_torsion
+        shift = mass_shift(self.frame, (0.0, torsion) if axis == "x" else (torsion, 0.0))
         one, other = (
             self._of_modes(
                 self.model.modes(self.frame.node_mass, mass_shift=side), axis, spectrum, 0.0, mass_shift=side
@@ -149,17 +151,6 @@ class ResponseSpectrumAnalysis:
             F_b=self._lateral_base_shear(modes, axis, spectrum),
             **larger,
         )
-
-    def _shift(self, axis: Axis) -> np.ndarray:
-        """By how much the masses of each node stand e_ai to one side, (n_nodes, 2) m."""
-        frame, across = self.frame, 1 - AXES.index(axis)
-        shift = np.zeros((len(frame.node_names), 2))
-        for level in range(1, frame.n_floors + 1):
-            at_floor = frame.level_of_nodes == level
-            length = np.ptp(frame.coordinates[at_floor, across])
-            eccentricity = accidental_eccentricity(length, self.design.accidental_torsion)
-            shift[at_floor & (frame.node_floor >= 0), across] = eccentricity
-        return shift
 
     def _of_modes(
         self,

@@ -11,14 +11,16 @@ from edesign.project.building.layout import DIRECTIONS as PLAN
 from edesign.space.file_places import telling_member
 from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys
 from edesign.space.nonlinear.gravity import gravity_loads
-from edesign.space.nonlinear.masses import add_masses, still_beams
+from edesign.space.nonlinear.masses import IN_PLACE, add_masses, still_beams
 from edesign.space.nonlinear.members import BuildingMembers
 from edesign.space.nonlinear.supports import add_supports
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 
-def build_building(building: Building, model: Model | None = None) -> FrameModel:
+def build_building(
+    building: Building, model: Model | None = None, eccentricity: tuple[float, float] = IN_PLACE
+) -> FrameModel:
     """Build the model of a building with its masses and gravity loads.
 
     Nodes, members, loads and masses are those of the elastic design. Columns and beams have fibres in two directions
@@ -28,6 +30,8 @@ def build_building(building: Building, model: Model | None = None) -> FrameModel
     Args:
         building: from `load_building`.
         model: an empty model in space to build in; a new one by default.
+        eccentricity: by what shares of the lengths of each rigid floor, along x and y, its masses stand beside their
+            places.
 
     Returns:
         The model, with the numbers of its parts in the core.
@@ -38,16 +42,16 @@ def build_building(building: Building, model: Model | None = None) -> FrameModel
     """
     whole = with_steel_by_thickness(building)
     with telling_member(building):
-        return _build(whole, model or Model(dimension=3))
+        return _build(whole, model or Model(dimension=3), eccentricity)
 
 
-def _build(building: Building, model: Model) -> FrameModel:
+def _build(building: Building, model: Model, eccentricity: tuple[float, float]) -> FrameModel:
     frame = space_frame(building)
     loads = gravity_loads(building, frame)
     nodes = {
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
-    masters, masses, turning = add_masses(building, frame, model)
+    masters, masses, turning = add_masses(building, frame, model, eccentricity)
     supports, grounds = add_supports(frame, model)
     members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()

@@ -9,19 +9,24 @@ from edesign.project.building.building import Building
 from edesign.space.nonlinear.gravity import GravityLoads
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.load_cases import on_members
+from edesign.space.structure.masses import mass_shift
 from edesign.space.structure.model import diaphragm_floors, masters
+
+IN_PLACE = (0.0, 0.0)
+"""The eccentricity of masses that stand where loads and members put them."""
 
 
 def add_masses(
-    building: Building, frame: SpaceFrame, model: Model
+    building: Building, frame: SpaceFrame, model: Model, eccentricity: tuple[float, float] = IN_PLACE
 ) -> tuple[dict[int, int], dict[str, float], dict[str, float]]:
     """Add rigid floors and masses to a model, which has the nodes of the frame in their order.
 
     Each rigid floor has a master at its centre of mass, with its mass and its moment of inertia in plan. Masses that
-    resist vertical motion stay at the nodes.
+    resist vertical motion stay at the nodes, and so do loads where the masses of floors stand beside their places.
 
     Args:
         building: from `load_building`.
+        eccentricity: by what shares of the lengths of each rigid floor its masses stand beside their places.
 
     Returns:
         Masters by floor, masses that resist horizontal motion by name of the node, kg, and those of the masters that
@@ -30,11 +35,12 @@ def add_masses(
     found: dict[int, int] = {}
     masses: dict[str, float] = {}
     turning: dict[str, float] = {}
-    single = frame.node_mass.copy()
+    single, shift = frame.node_mass.copy(), mass_shift(frame, eccentricity)
     for floor, (x, y) in zip(diaphragm_floors(frame), masters(frame).tolist(), strict=True):
         nodes = np.flatnonzero(frame.node_floor == floor)
         own, plan = frame.node_mass[nodes], frame.coordinates[nodes, :2]
-        master = found[floor] = model.node(master_name(floor), x, y, float(frame.levels[floor]))
+        aside_x, aside_y = shift[nodes[0]].tolist()
+        master = found[floor] = model.node(master_name(floor), x + aside_x, y + aside_y, float(frame.levels[floor]))
         model.fix(master, uz=True, rx=True, ry=True)
         model.diaphragm(master, nodes.tolist())
         mass = float(own.sum())

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.ec8.national import national_parameters
+from edesign.codes.ec8.torsion import accidental_eccentricity
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building
@@ -83,6 +84,28 @@ def floor_masses(frame: SpaceFrame) -> FloorMasses:
     centre_x, centre_y = sums(x) / mass, sums(y) / mass
     square = sums((x - centre_x[floors]) ** 2 + (y - centre_y[floors]) ** 2) / mass
     return FloorMasses(total, centre_x, centre_y, np.sqrt(square))
+
+
+def mass_shift(frame: SpaceFrame, eccentricity: tuple[float, float]) -> np.ndarray:
+    """Return by how much the masses of each node stand beside it, (n_nodes, 2) m.
+
+    Those of all rigid floors stand to one side, together. Others are held by the nodes that they stand at.
+
+    Args:
+        frame: of the building.
+        eccentricity: share of the length of each floor along x and y.
+
+    Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3.
+    """
+    found = np.zeros((len(frame.node_names), 2))
+    for level in range(1, frame.n_floors + 1):
+        at_floor = frame.level_of_nodes == level
+        for axis, share in enumerate(eccentricity):
+            if share != 0.0:
+                length = np.ptp(frame.coordinates[at_floor, axis])
+                beside = np.copysign(accidental_eccentricity(length, abs(share)), share)
+                found[at_floor & (frame.node_floor >= 0), axis] = beside
+    return found
 
 
 def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:

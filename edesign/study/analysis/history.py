@@ -22,10 +22,10 @@ from edesign.study.analysis.history_results import HistoryResults
 from edesign.study.analysis.isolators import isolator_warnings
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.residual import period_steps
-from edesign.study.analysis.structure import Structure, frame_alone, make_structure
+from edesign.study.analysis.structure import IN_PLACE, Structure, frame_alone, make_structure
 from edesign.study.analysis.wave_passage import DelayedSupports
 from edesign.study.motions.applied import ground_motion, scale_factor
-from edesign.study.motions.motions import Motion, project_motions
+from edesign.study.motions.motions import AnyMotion, project_motions
 from edesign.study.results.warnings import store_warnings
 
 
@@ -34,8 +34,8 @@ def run_history(
     spec: HistoryAnalysis,
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
-    motion: Motion | None = None,
-    vertical: Motion | None = None,
+    motion: AnyMotion | None = None,
+    vertical: AnyMotion | None = None,
 ) -> Group:
     """Compute the response of a frame or building under gravity to a record, and to its vertical motion if it has one.
 
@@ -59,12 +59,13 @@ def run_history(
     factor = scale_factor(project, spec, motion.record)
     if spec.vertical is not None and spec.vertical.record is not None:
         vertical = vertical or _motion(project, spec.vertical.record)
-    both = ground_motion(project, spec, motion.record, factor, vertical)
+    both = ground_motion(project, spec, motion, factor, vertical)
     ground = both.horizontal
-    structure = make_structure(project, dampers=spec.dampers)
+    eccentricity = spec.eccentricity_with(project.accidental_torsion)
+    structure = make_structure(project, dampers=spec.dampers, eccentricity=eccentricity)
     late = DelayedSupports(spec, structure.frame, both)
     results = HistoryResults(project, structure.frame, spec.collapse_drift)
-    period = load_and_damp(project, structure)
+    period = load_and_damp(project, structure, eccentricity)
     response = structure.analysis.history(
         ground.acceleration,
         ground.time_step,
@@ -91,7 +92,7 @@ def run_history(
     return group
 
 
-def _motion(project: AnalysisFile, reference: str) -> Motion:
+def _motion(project: AnalysisFile, reference: str) -> AnyMotion:
     """The record made ready for one history alone; those of a suite depend on each other."""
     recordings = find_recordings(project, references(project, record_of(reference)))
     return project_motions(project, recordings, lambda: fundamental_period(project))[reference]
@@ -106,15 +107,18 @@ def integrator(integration: Integration) -> Integrator:
     return GeneralisedAlpha(integration.rho_inf)
 
 
-def load_and_damp(project: AnalysisFile, structure: Structure) -> float:
+def load_and_damp(project: AnalysisFile, structure: Structure, eccentricity: tuple[float, float] = IN_PLACE) -> float:
     """Apply gravity, install the dampers, and set the inherent damping of a history.
 
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
 
+    Args:
+        eccentricity: with which the masses of a building were built.
+
     Returns:
         The fundamental period under gravity, s.
     """
-    alone = frame_alone(project) if structure.frame.attached else structure
+    alone = frame_alone(project, eccentricity=eccentricity) if structure.frame.attached else structure
     damping = None if isinstance(project.damping, NoDamping) else project.damping
     count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
     modes: Modes | None = None
@@ -138,7 +142,7 @@ def load_and_damp(project: AnalysisFile, structure: Structure) -> float:
     return float(under_gravity.period[0])
 
 
-def _provenance(motion: Motion, factor: float, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
+def _provenance(motion: AnyMotion, factor: float, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
     recorded = motion.found.record
     return {
         "record_origin": motion.found.origin,

@@ -52,10 +52,11 @@ def run_modal(project: AnalysisFile, spec: ModalAnalysis) -> Group:
     return group
 
 
-def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> float | None:
-    """Return the first period of the frame under gravity, s; None if it has no masses.
+def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> tuple[float, ...] | None:
+    """Return the first period in each direction under gravity, s; None without masses.
 
-    The frame has its buckling-restrained braces and isolators, and no other dampers.
+    A plane frame has one; of a building they are those of the modes in which most of the mass moves along x and along
+    y. The frame has its buckling-restrained braces and isolators, and no other dampers.
 
     Args:
         fixed_base: whether an isolated base is fixed horizontally, in place of its isolators.
@@ -68,9 +69,30 @@ def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> float
     try:
         structure = frame_alone(project, fixed_base=fixed_base)
         structure.apply_gravity()
-        return float(structure.modes(1).period[0])
+        return leading_periods(structure)
     except AnalysisError as error:
         raise AnalysisError(f"{project.path}: the first period cannot be found: {error}") from error
+
+
+def leading_periods(structure: Structure) -> tuple[float, ...]:
+    """Return the period of the leading mode of each direction in the present state, s.
+
+    That of a plane frame is the first mode, that of a building the one in which most of the mass moves along it.
+
+    Raises:
+        AnalysisError: the structure is unstable.
+    """
+    frame, count = structure.frame, 1
+    if len(frame.directions) == 1:
+        return (float(structure.modes(count).period[0]),)
+    most = int(np.count_nonzero(structure.analysis.masses()))
+    while True:
+        count = min(2 * count + 1, most)
+        modes = structure.modes(count)
+        ratios = modes.effective_mass_ratio[:, [direction.degree for direction in frame.directions]]
+        left = 1.0 - ratios.sum(axis=0)  # what no mode above the last one can exceed
+        if count == most or np.all(ratios.max(axis=0) >= left):
+            return tuple(float(modes.period[at]) for at in ratios.argmax(axis=0))
 
 
 def mode_count(project: AnalysisFile) -> int:

@@ -20,6 +20,7 @@ from edesign.project.building.building import Building
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.space.nonlinear.build import build_building
+from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.dampers import attachments, device_laws
 
 DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
@@ -121,10 +122,11 @@ class Structure:
         return response
 
 
-def build(project: AnalysisFile, **more: Any) -> FrameModel:
+def build(project: AnalysisFile, eccentricity: tuple[float, float] = IN_PLACE, **more: Any) -> FrameModel:
     """Build the model of a plane frame or of a building: the one place in studies that asks which of them it is.
 
     Args:
+        eccentricity: of the masses of a building; see `build_building`.
         more: arguments of `build_frame`.
 
     Raises:
@@ -132,18 +134,21 @@ def build(project: AnalysisFile, **more: Any) -> FrameModel:
     """
     if isinstance(project, Building):
         assert project.dampers is None or project.dampers.none, "the check of its file refuses them"
-        return build_building(project)
+        return build_building(project, eccentricity=eccentricity)
     assert isinstance(project, Project)
     return build_frame(project, **more)
 
 
-def frame_alone(project: AnalysisFile, dampers: bool = True, fixed_base: bool = False) -> Structure:
+def frame_alone(
+    project: AnalysisFile, dampers: bool = True, fixed_base: bool = False, eccentricity: tuple[float, float] = IN_PLACE
+) -> Structure:
     """Build the frame without tuned masses and dampers, whose modes determine damping, lateral forces and periods.
 
     Args:
         dampers: whether it has its dampers, of which buckling-restrained braces and isolators are part of the frame.
             Other dampers of the law of an isolator stand in the model and act neither in modes nor under gravity.
         fixed_base: whether an isolated base is fixed horizontally, in place of its isolators.
+        eccentricity: of the masses of a building; see `build_building`.
 
     Raises:
         InputError, CoreError: as `make_structure`.
@@ -153,7 +158,8 @@ def frame_alone(project: AnalysisFile, dampers: bool = True, fixed_base: bool = 
     base = {item.law for item in (*isolation.isolators, *isolation.beside)} if isolation is not None else set()
     kept = {name: law for name, law in laws.items() if law.restrained is not None or name in base}
     weights = None if isolation is None else _weights_on_isolators(project, kept)
-    return make_structure(project, build(project, laws=kept if fixed_base else kept or None, weights=weights))
+    laws_kept = kept if fixed_base else kept or None
+    return make_structure(project, build(project, eccentricity, laws=laws_kept, weights=weights))
 
 
 def elastic_frame(project: AnalysisFile, dampers: bool = True) -> Structure:
@@ -185,21 +191,28 @@ def device_stiffness(device: Device, amplitude: float, frequency: float) -> comp
     return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
 
 
-def make_frame(project: AnalysisFile, dampers: bool = False, outside: Collection[str] = ()) -> FrameModel:
+def make_frame(
+    project: AnalysisFile,
+    dampers: bool = False,
+    outside: Collection[str] = (),
+    eccentricity: tuple[float, float] = IN_PLACE,
+) -> FrameModel:
     """Build a project's frame, with its dampers, isolators and tuned masses or without.
 
     Args:
         dampers: whether it has them.
         outside: names of dampers that are left out.
+        eccentricity: of the masses of a building; see `build_building`.
 
     Raises:
         InputError: the frame cannot be built, or a damper is wrong.
     """
     if not dampers or project.dampers is None:
-        return build(project)
+        return build(project, eccentricity)
     laws = device_laws(project)
     weights = {} if project.isolation is None else _weights_on_isolators(project, laws)
-    return build(project, laws=laws, attachments=attachments(project), outside=outside, weights=weights)
+    more = {"attachments": attachments(project), "outside": outside, "weights": weights}
+    return build(project, eccentricity, laws=laws, **more)
 
 
 def _weights_on_isolators(project: AnalysisFile, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
@@ -234,19 +247,25 @@ def _weights_on_isolators(project: AnalysisFile, laws: Mapping[str, DeviceLaw]) 
     return dict(structure.apply_gravity(channels).final)
 
 
-def make_structure(project: AnalysisFile, frame: FrameModel | None = None, dampers: bool = False) -> Structure:
+def make_structure(
+    project: AnalysisFile,
+    frame: FrameModel | None = None,
+    dampers: bool = False,
+    eccentricity: tuple[float, float] = IN_PLACE,
+) -> Structure:
     """Build a project's frame and the analysis of it.
 
     Args:
         frame: its model, if it has been built and completed by further loads.
         dampers: whether the frame has its dampers and tuned masses.
+        eccentricity: of the masses of a building; see `build_building`.
 
     Raises:
         InputError: the frame cannot be built.
         CoreError: it is a mechanism, or parts are not connected; the message names them.
     """
     if frame is None:
-        frame = make_frame(project, dampers)
+        frame = make_frame(project, dampers, eccentricity=eccentricity)
     try:
         analysis = Analysis(frame.model, tolerance=tolerance(project))
     except CoreError as error:

@@ -76,7 +76,7 @@ def _still_warnings(projects: Iterable[AnalysisFile]) -> list[str]:
 def _fixed_base_period(project: Project) -> float | None:
     """T1 of an isolated frame with its base fixed, s; None if it cannot be found."""
     try:
-        return fundamental_period(project, fixed_base=True)
+        return max(fundamental_period(project, fixed_base=True) or (), default=None)
     except AnalysisError:
         return None  # it may sway on its isolators alone
 
@@ -109,11 +109,11 @@ def frame_warnings(project: AnalysisFile, records: Mapping[str, Record], designe
     """
     laws = [*laws_that_stand(project), *designed]
     try:
-        period = fundamental_period(project)
+        periods = fundamental_period(project) or ()
     except AnalysisError:
-        period = None  # the analyses will say why
+        periods = ()  # the analyses will say why
     frame = make_frame(project, dampers=True)
-    found = []
+    found, period = [], max(periods, default=None)
     if isinstance(project, Project):
         found += implausible(project, period if project.isolation is None else _fixed_base_period(project))
     found += slender_braces(frame) + _damping_warnings(project, laws)
@@ -130,9 +130,9 @@ def frame_warnings(project: AnalysisFile, records: Mapping[str, Record], designe
             )
     found += _unknown_events(project, records)
     longest = given or max((record.time_step for record in records.values()), default=0.0)
-    if period is not None and longest > period / STEPS_A_PERIOD:
+    if periods and longest > min(periods) / STEPS_A_PERIOD:
         found.append(
-            f"the time step of {longest:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {period:.4g} s"
+            f"the time step of {longest:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {min(periods):.4g} s"
         )
     return found
 

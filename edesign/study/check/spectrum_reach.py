@@ -47,7 +47,7 @@ def check_pushover_reach(project: AnalysisFile, spec: Pushover, where: str, keys
     if not any(isinstance(pattern, GivenPattern) and pattern.modes is not None for pattern in spec.pattern):
         return
     last = elastic_spectrum(checked_hazard(project)).last_period
-    if math.isfinite(last) and (period := fundamental_period(project)) is not None and period > last:
+    if math.isfinite(last) and (period := max(fundamental_period(project) or (), default=last)) > last:
         raise InputError(f"{where}: {keys_text(keys)}: {_short(last, period)}")
 
 

@@ -10,14 +10,14 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import record_of
 from edesign.study.motions.applied import scale_factor
-from edesign.study.motions.motions import Motion
+from edesign.study.motions.motions import AnyMotion
 from edesign.study.plan.plan import Task
 
 
 def scale_warnings(
     project: AnalysisFile,
     tasks: Iterable[Task],
-    motions: Mapping[str, Motion],
+    motions: Mapping[str, AnyMotion],
     scales: Mapping[str, float] | None = None,
 ) -> dict[str, list[str]]:
     """Return one sentence for each unusual factor on records, by record of the project.
@@ -56,5 +56,5 @@ def scale_warnings(
     return {name: list(dict.fromkeys(texts)) for name, texts in found.items() if texts}
 
 
-def _motion(motions: Mapping[str, Motion], name: str, member: str) -> Motion:
+def _motion(motions: Mapping[str, AnyMotion], name: str, member: str) -> AnyMotion:
     return motions[f"{name}/{member}"] if f"{name}/{member}" in motions else motions[name]

@@ -57,7 +57,7 @@ def check_project(project: Project) -> dict[str, str]:
     found = check_inputs(project, [task.spec for task in plan])
     unused = [name for name in project.records if all(name != record_of(key) for key in found)]
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
-    period = _period(project)
+    periods = _periods(project)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*project_warnings(project, recorded), *named_record_warnings(recorded), *_scales(project, plan, found)]
     warnings += _failed_choices(project, found)
@@ -67,7 +67,7 @@ def check_project(project: Project) -> dict[str, str]:
         **_mass(project),
         "members": _members(project),
         **({"dampers": _dampers(project)} if project.dampers is not None else {}),
-        "period": f"T1 = {period:.4f} s {_standing(project)}" if period is not None else "no masses",
+        "period": f"{_shown(periods)} {_standing(project)}" if periods is not None else "no masses",
         "records": _records(project, {**found, **others}),
         **_choices(project),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
@@ -94,7 +94,7 @@ def check_study(study: Study) -> dict[str, str]:
     study = study_with_choices(study.afresh(), study.archive_path)
     plan = make_study_plan(study)
     found = check_study_inputs(study, plan)
-    period = _period(study.base)
+    periods = _periods(study.base)
     entries = Counter(task.entry for task in plan)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *named_record_warnings(recorded), *unjudged(study, plan)]
@@ -109,8 +109,8 @@ def check_study(study: Study) -> dict[str, str]:
         "project": str(study.base.path),
         "frame": _frame(study.base),
         **_mass(study.base),
-        "period": f"T1 = {period:.4f} s of the {'bare ' * (study.base.isolation is None)}frame {_standing(study.base)}"
-        if period is not None
+        "period": f"{_shown(periods)} of the {'bare ' * (study.base.isolation is None)}frame {_standing(study.base)}"
+        if periods is not None
         else "no masses",
         "records": _records(study.base, found),
         **_pairs(study),
@@ -124,8 +124,16 @@ def check_study(study: Study) -> dict[str, str]:
     }
 
 
-def _period(project: Project) -> float | None:
-    """The first period; where there is none, the sizes in which a slip of a unit shows stand in the message.
+def _shown(periods: Sequence[float]) -> str:
+    """First periods for people: `T1 = 0.8123 s`, of a building with its directions."""
+    along = [
+        f"{period:.4f} s{f' along {axis}' * (len(periods) > 1)}" for axis, period in zip("xy", periods, strict=False)
+    ]
+    return f"T1 = {' and '.join(along)}"
+
+
+def _periods(project: Project) -> tuple[float, ...] | None:
+    """The first periods; where there is none, the sizes in which a slip of a unit shows stand in the message.
 
     Raises:
         AnalysisError: the first period cannot be found.

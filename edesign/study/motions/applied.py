@@ -1,19 +1,25 @@
-"""The ground motion that a history applies: its record scaled, resampled, followed by zeros; and the vertical one."""
+"""The ground motion that a history applies: its record turned, scaled, resampled, followed by zeros."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.frame.masses import STILL_BEAMS
+from edesign.ground_motion.pairs import turned
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis_file import AnalysisFile
-from edesign.study.motions.motions import Motion, level_factor
+from edesign.project.records.pairs import InSpace
+from edesign.project.records.records import record_of
+from edesign.study.motions.motions import AnyMotion, level_factor
+from edesign.study.motions.pairs import PairMotion, along_axes
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
@@ -27,12 +33,14 @@ class GroundMotion:
         vertical: upwards; None: there is none.
         factor: between the vertical record as it was read and what is applied.
         across: along y of a building; None: there is none.
+        second: what an archive says of the second component of a pair.
     """
 
     horizontal: Record
     vertical: Record | None = None
     factor: float = 0.0
     across: Record | None = None
+    second: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def samples(self) -> np.ndarray | None:
@@ -40,12 +48,13 @@ class GroundMotion:
         return None if self.vertical is None else self.vertical.acceleration
 
     def store(self, group: Group, every: int, still: Sequence[str]) -> None:
-        """Add the vertical motion, and the beams that it does not bend, to the group of a history.
+        """Add the second component, the vertical motion, and the beams that it does not bend, to a history's group.
 
         Args:
             group: of the history, with its times.
             every: one step in so many is kept over time.
         """
+        group.attributes |= self.second
         if self.vertical is None:
             return
         kept = self.vertical.acceleration[::every][: group.coords["time"].values.size]
@@ -62,54 +71,103 @@ class GroundMotion:
 def ground_motion(
     project: AnalysisFile,
     spec: HistoryAnalysis,
-    record: Record,
+    motion: AnyMotion,
     factor: float,
-    vertical: Motion | None,
+    vertical: AnyMotion | None,
 ) -> GroundMotion:
     """Return the ground motion that a history applies.
 
-    The shorter of both motions is continued by zeros; the free vibration follows the end of the longer.
+    Records are turned before they are resampled. The shorter of horizontal and vertical motion is continued by zeros;
+    the free vibration follows the end of the longer.
 
     Args:
-        project: the validated project, with its integration.
-        record: horizontal, before its scaling.
+        project: the validated file, with its integration.
+        spec: what it says of the history, which has one angle.
+        motion: the record or the pair made ready, before the scaling of the history.
+        factor: that of the history.
         vertical: the other record made ready, if the history has one for its vertical motion.
 
     Raises:
-        InputError: the vertical record could not be fitted, or is zero throughout and is to be scaled to a peak.
+        InputError: a record could not be fitted, or the vertical one is zero throughout and is to be scaled to a peak.
     """
     assert project.integration is not None, "who runs a history asks for it"
-    step = project.integration.time_step or record.time_step
+    acting = _horizontal(project, spec, motion)
+    scales = [factor] * len(acting)
+    upwards = _upwards(project, spec, motion, factor, vertical)
+    if upwards is not None:
+        acting.append(upwards[0])
+        scales.append(upwards[1])
+    free = [spec.free_vibration] * len(acting)
+    if vertical is not None:
+        last = max(record.duration for record in acting) + spec.free_vibration
+        free = [last - record.duration for record in acting]
+    step = project.integration.time_step or acting[0].time_step
+    applied = [
+        input_motion(record, scale, step, zeros) for record, scale, zeros in zip(acting, scales, free, strict=True)
+    ]
+    longest = max(record.acceleration.size for record in applied)
+    for i, record in enumerate(applied):
+        missing = longest - record.acceleration.size  # of one step, by rounding of durations
+        if missing > 0:
+            applied[i] = record.with_zeros(missing * record.time_step)
+    beside = applied.pop() if upwards is not None else None
+    across = applied[1] if len(applied) > 1 else None
+    second = _about_second(motion) if isinstance(motion, PairMotion) else {}
+    return GroundMotion(applied[0], beside, 0.0 if upwards is None else upwards[1], across, second)
+
+
+def _horizontal(project: AnalysisFile, spec: HistoryAnalysis, motion: AnyMotion) -> list[Record]:
+    """The motions along x and, where there is one, along y, before their scaling."""
+    if isinstance(motion, PairMotion):
+        pair = project.records[record_of(spec.record)]
+        assert isinstance(pair, InSpace), "motions of pairs are made of them"
+        x, y = along_axes(pair, *motion.records[:2])
+        source = f"{x.source} along x, {y.source} along y"
+    elif spec.angle == 0.0:
+        return [motion.record]
+    else:
+        x = motion.record
+        y, source = replace(x, acceleration=np.zeros_like(x.acceleration)), x.source
+    ax, ay = turned(x.acceleration, y.acceleration, spec.angle)
+    if spec.angle != 0.0:
+        source += f", turned by {math.degrees(spec.angle):g} deg"
+    return [replace(x, acceleration=ax, source=source), replace(y, acceleration=ay, source=source)]
+
+
+def _upwards(
+    project: AnalysisFile, spec: HistoryAnalysis, motion: AnyMotion, factor: float, vertical: AnyMotion | None
+) -> tuple[Record, float] | None:
+    """The vertical motion and its factor; None: there is none."""
     given = spec.vertical
     if given is None:
-        return GroundMotion(input_motion(record, factor, step, spec.free_vibration))
+        own = motion.records[2:] if isinstance(motion, PairMotion) else ()
+        return (own[0], factor) if own else None
     if given.record is None:
         assert given.ratio is not None
-        both = given.ratio * factor
-        horizontal, upwards = (input_motion(record, scale, step, spec.free_vibration) for scale in (factor, both))
-        return GroundMotion(horizontal, upwards, both)
+        return motion.record, given.ratio * factor
     assert vertical is not None
     other = vertical.record
     if vertical.match is not None:
-        own = level_factor(project, given.record, spec.level)
-    elif given.pga is not None:
-        if other.pga == 0.0:
-            place = project.where("records", given.record)
-            raise InputError(
-                f"{place}: records.{given.record}: the record is zero throughout; it has no peak to scale [E-HIST-01]"
-            )
-        own = given.pga / other.pga
-    else:
-        own = factor if given.scale is None else given.scale
-    last = max(record.duration, other.duration) + spec.free_vibration
-    horizontal = input_motion(record, factor, step, last - record.duration)
-    upwards = input_motion(other, own, step, last - other.duration)
-    missing = horizontal.acceleration.size - upwards.acceleration.size  # of one step, by rounding of durations
-    if missing > 0:
-        upwards = upwards.with_zeros(missing * upwards.time_step)
-    elif missing < 0:
-        horizontal = horizontal.with_zeros(-missing * horizontal.time_step)
-    return GroundMotion(horizontal, upwards, own)
+        return other, level_factor(project, given.record, spec.level)
+    if given.pga is None:
+        return other, factor if given.scale is None else given.scale
+    if other.pga == 0.0:
+        place = project.where("records", given.record)
+        raise InputError(
+            f"{place}: records.{given.record}: the record is zero throughout; it has no peak to scale [E-HIST-01]"
+        )
+    return other, given.pga / other.pga
+
+
+def _about_second(motion: PairMotion) -> dict[str, Any]:
+    """What an archive says of the second component of a pair."""
+    recorded, match = motion.pair.components[1], None if motion.matches is None else motion.matches[1]
+    return {
+        "second_record_source": recorded.record.source,
+        "second_record_checksum": recorded.record.checksum,
+        "second_record_pga_m_s2": recorded.record.pga,
+        "second_match_scale": None if match is None else match.scale,
+    }
 
 
 def scale_factor(project: AnalysisFile, spec: HistoryAnalysis, record: Record) -> float:

@@ -17,9 +17,13 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
+from edesign.project.analysis.analyses import BuildingHistory
 from edesign.project.analysis_file import AnalysisFile
+from edesign.project.records.pairs import InSpace, SuitePairs
 from edesign.project.records.records import PairRecord, Suite, component_references, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
+from edesign.study.motions.pair_criteria import FirstPeriods
+from edesign.study.motions.pairs import UNTURNED, PairMotion, prepare_pairs
 
 
 @dataclass(frozen=True)
@@ -55,6 +59,10 @@ class Motion:
         return self.match.matched if self.match else self.found.record
 
 
+AnyMotion = Motion | PairMotion
+"""Of a single recording, or of a pair whose components act at once."""
+
+
 def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -> Motion:
     """Fit a recording to a spectrum; a failure is kept with its reason in the motion.
 
@@ -70,20 +78,20 @@ def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -
         return Motion(reference, found, failure=f"{reference} cannot be fitted to the spectrum: {reason}")
 
 
-def raise_suite(motions: Sequence[Motion], target: Spectrum, fundamental_period: float | None) -> list[Motion]:
+def raise_suite(motions: Sequence[Motion], target: Spectrum, first_periods: Sequence[float] | None) -> list[Motion]:
     """Multiply the fitted records of a suite by the one factor with which their mean satisfies the code.
 
     Args:
         motions: the motions of the suite; those without a fit stay as they are.
         target: the elastic spectrum.
-        fundamental_period: T1 of the frame, s; None: not known.
+        first_periods: T1 of the structure by direction, s; None: not known.
 
     Source: the rules of the target's code for a set, such as EN 1998-1:2004, 3.2.3.1.2(4).
     """
     matches = [motion.match for motion in motions if motion.match is not None]
     if not matches:
         return list(motions)
-    factor = suite_factor(matches, target.with_damping(DAMPING), fundamental_period)
+    factor = suite_factor(matches, target.with_damping(DAMPING), first_periods)
     return [replace(motion, match=raised(motion.match, factor)) if motion.match else motion for motion in motions]
 
 
@@ -127,22 +135,22 @@ def prepare_motions(
 def project_motions(
     project: AnalysisFile,
     recordings: Mapping[str, Found],
-    fundamental_period: Callable[[], float | None],
+    first_periods: Callable[[], tuple[float, ...] | None],
     workers: int = 1,
-    each: Callable[[Motion], None] = lambda motion: None,
+    each: Callable[[AnyMotion], None] = lambda motion: None,
     stop: Callable[[], bool] = lambda: False,
-) -> dict[str, Motion]:
-    """Process and fit the recordings of a project as its file says, suites as a whole.
+) -> dict[str, AnyMotion]:
+    """Process and fit the recordings of a file as it says, suites as a whole.
 
     Args:
-        recordings: what was found, by reference; of a suite all that the project takes from it.
-        fundamental_period: gives T1 of the frame (s) if a suite is fitted.
+        recordings: what was found, by reference; of a suite all that the file takes from it.
+        first_periods: gives T1 of the structure by direction (s) if a suite is fitted.
         workers: number of threads.
-        each: called with each motion in the order of `recordings`, as soon as it and those before it are ready.
+        each: called with each motion, as soon as it and those before it are ready.
         stop: asked before each recording; True leaves the rest out.
 
     Returns:
-        The motions by reference, in the order of `recordings`.
+        The motions by reference, in the order of `recordings`; pairs, whose components are several of these, last.
     """
 
     def prepare(reference: str, found: Found) -> Motion:
@@ -154,14 +162,49 @@ def project_motions(
             options = replace(options, factor=pair.factor)
         return fit(reference, found, target_spectrum(project, reference), options)
 
-    motions = prepare_motions(recordings, prepare, workers, each, stop)
+    names = dict.fromkeys(map(record_of, recordings))
+    pairs = [name for name in names if isinstance(project.records[name], InSpace)]
+    single = {reference: found for reference, found in recordings.items() if record_of(reference) not in pairs}
+    motions = prepare_motions(single, prepare, workers, each, stop)
     for name, spec in project.records.items():
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
         if not isinstance(spec, Suite) or spec.match is None or project.hazard is None or not members:
             continue  # of chosen records that are scaled only, the choice has the common factor, within its bounds
-        for motion in raise_suite(members, target_spectrum(project, name), fundamental_period()):
+        for motion in raise_suite(members, target_spectrum(project, name), first_periods()):
             motions[motion.name] = motion
-    return motions
+    found: dict[str, AnyMotion] = dict(motions)
+    try:
+        for name in pairs:
+            with stoppable(stop):
+                T_1 = first_periods_of_pairs(project, name, first_periods)
+                prepared = prepare_pairs(project, name, T_1, workers, turns(project, name), recordings)
+            for ready in prepared.motions:
+                found[ready.name] = ready
+                each(ready)
+    except Stopped:
+        pass
+    return found
+
+
+def first_periods_of_pairs(
+    project: AnalysisFile, name: str, first_periods: Callable[[], tuple[float, ...] | None]
+) -> FirstPeriods | None:
+    """Return the first periods that the code's rules for the mean of pairs need; None where it has none, or no pairs.
+
+    Args:
+        name: of the record.
+        first_periods: gives those of the structure by direction, s.
+    """
+    needed = isinstance(project.records[name], SuitePairs) and match_options(project, name) is not None
+    known = first_periods() if needed else None
+    return None if known is None else FirstPeriods(*known)
+
+
+def turns(project: AnalysisFile, name: str) -> tuple[float, ...]:
+    """Return the angles by which the histories of a file turn a record, rad."""
+    histories = (spec for spec in project.analyses if isinstance(spec, BuildingHistory))
+    angles = (angle for spec in histories if record_of(spec.record) == name for angle in spec.angles)
+    return tuple(dict.fromkeys(angles)) or UNTURNED
 
 
 def match_options(project: AnalysisFile, reference: str) -> MatchOptions | None:

@@ -12,8 +12,7 @@ from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.codes.spectrum import Spectrum
 from edesign.ground_motion.pairs import turned
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.response_spectrum import psa, rotated_spectra
-from edesign.study.motions.record_groups import PERIODS
+from edesign.ground_motion.response_spectrum import PERIODS, psa, rotated_spectra
 
 
 @dataclass(frozen=True)
@@ -138,11 +137,10 @@ def _components(
 
 def _over_both(rules: SetRules, first_periods: FirstPeriods) -> SetRules:
     """The rules with a band for both directions: from a multiple of the shorter first period to one of the longer."""
-    low, high = rules.band
-    shorter = min(first_periods.x, first_periods.y)
-    start, note = low * shorter, f"from {low:g} times the shorter first period; T_1 is the longer one"
+    both, _ = rules.over((first_periods.x, first_periods.y))
     if first_periods.shortest is None:
-        note += "; modes that hold 90 % of the mass were not looked at"
-    elif first_periods.shortest < start:
-        start, note = first_periods.shortest, "from the period that holds 90 % of the mass; T_1 is the longer first one"
-    return replace(rules, band=(0.0, high), shortest=start, note=note)
+        return replace(both, note=f"{both.note}; modes that hold 90 % of the mass were not looked at")
+    if first_periods.shortest >= both.shortest:
+        return both
+    note = "from the period that holds 90 % of the mass; T_1 is the longer first one"
+    return replace(both, shortest=first_periods.shortest, note=note)

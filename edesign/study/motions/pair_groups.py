@@ -31,7 +31,7 @@ def pair_groups(pairs: PairSet, order: int = 0, warnings: Sequence[str] = ()) ->
     groups = suite_groups(pairs.name, members, pairs.target, pairs.criteria, order, warnings)
     place, group = next(groups)
     group.attributes["pairs"] = {
-        "acting": acting_text(pairs.spec),
+        "acting": acting_text(pairs.spec, pairs.angles),
         "rule": f"{pairs.rule.clauses}: {pairs.rule.text}".removeprefix(": ") if pairs.target is not None else "",
         "suite_factor": pairs.suite_factor,
         "of": [_about(motion, pairs) for motion in pairs.motions],
@@ -40,15 +40,16 @@ def pair_groups(pairs: PairSet, order: int = 0, warnings: Sequence[str] = ()) ->
     yield from groups
 
 
-def acting_text(spec: SuitePairs | OnePair) -> str:
-    """Return how pairs act on the building: `along x and y at 0 and 90 deg`.
+def acting_text(spec: SuitePairs | OnePair, angles: Sequence[float] = ()) -> str:
+    """Return how pairs act on the building: `along x and y, turned by 0 and 90 deg`.
 
     Args:
         spec: what the file says.
+        angles: by which histories turn them, rad; none are said.
     """
-    angles = " and ".join(f"{math.degrees(angle):.4g}" for angle in spec.angles)
+    turned = f", turned by {' and '.join(f'{math.degrees(angle):.4g}' for angle in angles)} deg" if angles else ""
     upwards = ", with the vertical components" if spec.vertical else ""
-    return f"along {' and '.join(spec.components)}, turned by {angles} deg{upwards}"
+    return f"along {' and '.join(spec.components)}{turned}{upwards}"
 
 
 def _about(motion: PairMotion, pairs: PairSet) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -20,16 +20,21 @@ from edesign.ground_motion.matching.raising import least_factor, raised
 from edesign.ground_motion.pair_matching import match_pair, on_one_axis
 from edesign.ground_motion.pairs import HoldsPairs, Pair, find_pairs
 from edesign.ground_motion.record import Record
+from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.records.pairs import OnePair, SuitePairs
+from edesign.project.records.pairs import InSpace, OnePair, SuitePairs
 from edesign.project.records.records import CombinedSpectrum, level_of_fit
 from edesign.stopping import in_threads
 from edesign.study.motions.pair_criteria import FirstPeriods, PairSpectra
+
+UNTURNED = (0.0,)
 
 
 @dataclass(frozen=True)
 class PairMotion:
     """A pair and its fit to the spectrum.
+
+    Of a single recording and of a pair `name`, `found`, `match`, `record` and `scale` are alike.
 
     Attributes:
         pair: as recorded.
@@ -42,6 +47,35 @@ class PairMotion:
     matches: tuple[Match, Match] | None = None
     fit: PairFit | None = None
     failure: str = ""
+
+    @property
+    def name(self) -> str:
+        """Reference of the pair."""
+        return self.pair.name
+
+    @property
+    def found(self) -> Found:
+        """The first component as recorded."""
+        return self.pair.components[0]
+
+    @property
+    def match(self) -> Match | None:
+        """The fit of the first component; None if the pair is used as recorded."""
+        return None if self.matches is None else self.matches[0]
+
+    @property
+    def record(self) -> Record:
+        """The first component before the scaling of the analysis.
+
+        Raises:
+            InputError: the pair could not be fitted.
+        """
+        return self.records[0]
+
+    @property
+    def scale(self) -> float:
+        """The constant factor on the first component, that of the set included."""
+        return self.factors[0]
 
     @property
     def factors(self) -> tuple[float, ...]:
@@ -79,6 +113,7 @@ class PairSet:
         spec: what the file says.
         motions: its pairs.
         rule: of the code for pairs.
+        angles: by which histories turn them from x towards y, rad.
         target: the spectrum that they are fitted to; None: they are used as recorded.
         spectrum: of both components that was compared; None: each component by itself.
         suite_factor: on all pairs, with which the rules for their mean are met; part of the matches.
@@ -89,6 +124,7 @@ class PairSet:
     spec: SuitePairs | OnePair
     motions: tuple[PairMotion, ...]
     rule: PairRule
+    angles: tuple[float, ...] = UNTURNED
     target: Spectrum | None = None
     spectrum: CombinedSpectrum | None = None
     suite_factor: float = 1.0
@@ -100,12 +136,16 @@ def prepare_pairs(
     name: str,
     first_periods: FirstPeriods | None = None,
     workers: int = 1,
+    angles: Sequence[float] = UNTURNED,
+    read: Mapping[str, Found] | None = None,
 ) -> PairSet:
     """Read the pairs of a record and fit them to the spectrum of the hazard, as the file says.
 
     Args:
         first_periods: of the building, for the rules of the code on the mean spectrum; None leaves them open.
         workers: pairs that are fitted at the same time, in threads; the results do not depend on it.
+        angles: by which the pairs are turned in histories, rad; for the rules of the code.
+        read: components that were read already, as for `find_pairs`.
 
     Returns:
         The pairs with their fits; those that could not be fitted have a `failure`.
@@ -113,21 +153,18 @@ def prepare_pairs(
     Raises:
         InputError: a pair cannot be read, or is none.
     """
-    spec, pairs, fit = file.records[name], find_pairs(file, name), _fit_of(file, name)
-    rule = rules_in_force(file.hazard).pairs
+    pairs, fit = find_pairs(file, name, read), _fit_of(file, name)
+    unfitted = _plain_set(file, name, [PairMotion(pair) for pair in pairs], angles)
     if fit is None:
-        return PairSet(name, spec, tuple(PairMotion(pair) for pair in pairs), rule)
+        return unfitted
     target, options = fit
-    spectrum = spec.spectrum or _spectrum_of(rule, options.method == "scale")
-    fitted_to = partial(_fitted, target=target, options=options, spectrum=spectrum)
+    fitted_to = partial(_fitted, target=target, options=options, spectrum=unfitted.spectrum)
     with one_thread():
         motions = list(in_threads(fitted_to, pairs, workers))
-    fitted = [motion for motion in motions if not motion.failure]
-    found = PairSet(name, spec, tuple(motions), rule, target, spectrum)
-    if not fitted or isinstance(spec, OnePair):  # one pair is no set
+    found = replace(unfitted, motions=tuple(motions))
+    spectra = _spectra(found, options, first_periods)
+    if spectra is None:
         return found
-    acting = [along_axes(spec, motion.records[0], motion.records[1]) for motion in fitted]
-    spectra = PairSpectra(acting, spec.angles, target, first_periods, options.method != "scale")
     factor = least_factor(spectra.needed)
     return replace(
         found,
@@ -135,6 +172,53 @@ def prepare_pairs(
         suite_factor=factor,
         criteria=spectra.criteria(factor),
     )
+
+
+def judged_pairs(
+    file: HoldsPairs,
+    name: str,
+    motions: Sequence[PairMotion],
+    first_periods: FirstPeriods | None = None,
+    angles: Sequence[float] = UNTURNED,
+) -> PairSet:
+    """Return the pairs of a record that `prepare_pairs` made ready, with what the code says of them.
+
+    Args:
+        motions: all pairs of the record.
+        first_periods: as for `prepare_pairs`.
+        angles: likewise.
+    """
+    found, fit = _plain_set(file, name, motions, angles), _fit_of(file, name)
+    spectra = None if fit is None else _spectra(found, fit[1], first_periods)
+    if spectra is None:
+        return found
+    factor = next(match.suite_factor for motion in motions if (match := motion.match) is not None)
+    return replace(found, suite_factor=factor, criteria=spectra.criteria(1.0))
+
+
+def _plain_set(file: HoldsPairs, name: str, motions: Sequence[PairMotion], angles: Sequence[float]) -> PairSet:
+    """The pairs of a record with the rule for them, not compared with it yet."""
+    spec, fit, rule = _spec(file, name), _fit_of(file, name), rules_in_force(file.hazard).pairs
+    found = PairSet(name, spec, tuple(motions), rule, tuple(angles))
+    if fit is None:
+        return found
+    target, options = fit
+    return replace(found, target=target, spectrum=spec.spectrum or _spectrum_of(rule, options.method == "scale"))
+
+
+def _spectra(pairs: PairSet, options: MatchOptions, first_periods: FirstPeriods | None) -> PairSpectra | None:
+    """What the code compares of the pairs that could be fitted; None: there are none, or one pair, which is no set."""
+    fitted = [motion for motion in pairs.motions if not motion.failure]
+    if pairs.target is None or not fitted or isinstance(pairs.spec, OnePair):
+        return None
+    acting = [along_axes(pairs.spec, motion.records[0], motion.records[1]) for motion in fitted]
+    return PairSpectra(acting, pairs.angles, pairs.target, first_periods, options.method != "scale")
+
+
+def _spec(file: HoldsPairs, name: str) -> SuitePairs | OnePair:
+    spec = file.records[name]
+    assert isinstance(spec, InSpace), "who has others does not ask"
+    return spec
 
 
 def check_pair_fits(file: HoldsPairs, name: str, pairs: Sequence[Pair]) -> None:

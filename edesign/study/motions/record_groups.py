@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, replace
 from typing import Any
 
@@ -17,63 +17,17 @@ from edesign.ground_motion.component_pairs import NAMES, PairFit
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching import Match
 from edesign.ground_motion.plausibility import record_warnings
-from edesign.ground_motion.record_choice import RecordChoice
-from edesign.ground_motion.response_spectrum import psa
-from edesign.project.analysis_file import AnalysisFile
-from edesign.project.records.records import PairRecord, RecordSet, record_of
-from edesign.study.motions.motions import Motion, pair_fit, target_spectrum
+from edesign.ground_motion.response_spectrum import PERIODS, psa
+from edesign.study.motions.motions import Motion
 from edesign.study.results.kinds import RECORDS
 
-PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
-
-
-def project_record_groups(
-    project: AnalysisFile,
-    motions: Mapping[str, Motion],
-    fundamental_period: Callable[[], float | None],
-    variant_periods: Mapping[str, Mapping[str, float]],
-    warnings: Mapping[str, Sequence[str]],
-) -> Iterator[tuple[str, Group]]:
-    """Yield place and group of all recordings of a run, those of suites under their suite.
-
-    Args:
-        motions: its recordings, made ready, by reference.
-        fundamental_period: gives T1 of the bare frame, s.
-        variant_periods: T1 of other frames that a suite acts on, s, by suite and name of the frame.
-        warnings: what the user should know, by record of the project.
-
-    Raises:
-        AnalysisError: the period of the frame, which a criterion needs, cannot be found.
-    """
-    for order, name in enumerate(dict.fromkeys(record_of(reference) for reference in motions)):
-        spec = project.records[name]
-        if not isinstance(spec, RecordSet):
-            group = _record_group(motions[name], order, warnings.get(name, ()))
-            if spec.match is not None and spec.match.component == "vertical" and not motions[name].failure:
-                group.attributes["match_notes"] = [*group.attributes["match_notes"], "fitted to the vertical spectrum"]
-            yield f"{RECORDS}/{name}", group
-            continue
-        members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
-        target = target_spectrum(project, name) if project.hazard and spec.fitted else None
-        verdicts: tuple[RuleCheck, ...] = ()
-        if isinstance(spec, PairRecord):
-            recordings = {motion.name: motion.found for motion in members}
-            yield from suite_groups(
-                name, members, target, (), order, warnings.get(name, ()), pair=pair_fit(project, name, recordings)
-            )
-            continue
-        if target is not None:
-            verdicts = criteria(members, target, fundamental_period(), variant_periods.get(name, {}))
-        choice = project.record_choice(name)
-        chosen = choice.facts() if isinstance(choice, RecordChoice) else None
-        yield from suite_groups(name, members, target, verdicts, order, warnings.get(name, ()), chosen)
 
 
 def criteria(
     motions: Sequence[Motion],
     target: Spectrum,
-    fundamental_period: float | None,
+    first_periods: Sequence[float] | None,
     variant_periods: Mapping[str, float] | None = None,
 ) -> tuple[RuleCheck, ...]:
     """Return the verdicts of the code's criteria on a set of recordings that were fitted.
@@ -81,7 +35,7 @@ def criteria(
     Args:
         motions: those that could not be fitted are left out.
         target: the elastic spectrum.
-        fundamental_period: T1 of the structure, s; None leaves the criterion on the mean spectrum open.
+        first_periods: T1 of the structure by direction, s; None leaves the criterion on the mean spectrum open.
         variant_periods: T1 of other structures that the set acts on, s, by name; each adds that criterion.
 
     Source: the rules of the target's code for a set, such as EN 1998-1:2004, 3.2.3.1.2(4).
@@ -90,7 +44,7 @@ def criteria(
     if not matches:
         return ()
     others, clause = variant_periods or {}, target.set_rules.clauses.mean
-    verdicts = list(_checked(matches, target, fundamental_period))
+    verdicts = list(_checked(matches, target, first_periods))
     of_mean = [i for i, verdict in enumerate(verdicts) if verdict.clause == clause]
     if others:
         for i in of_mean:
@@ -99,24 +53,28 @@ def criteria(
     for name, period in others.items():
         names.setdefault(period, []).append(name)
     for period, of in reversed(names.items()):  # the period shows in the band of the text
-        found = [verdict for verdict in _checked(matches, target, period) if verdict.clause == clause]
+        found = [verdict for verdict in _checked(matches, target, (period,)) if verdict.clause == clause]
         after = of_mean[-1] + 1
         verdicts[after:after] = [replace(verdict, text=f"{verdict.text}, {', '.join(of)}") for verdict in found]
     return tuple(verdicts)
 
 
-def _checked(matches: Sequence[Match], target: Spectrum, fundamental_period: float | None) -> tuple[RuleCheck, ...]:
-    rules = target.set_rules.of(matched=matches[0].method != "scale")
+def _checked(
+    matches: Sequence[Match], target: Spectrum, first_periods: Sequence[float] | None
+) -> tuple[RuleCheck, ...]:
+    rules, T_1 = target.set_rules.of(matched=matches[0].method != "scale"), None
+    if first_periods is not None:
+        rules, T_1 = rules.over(first_periods)
     records = [match.matched for match in matches]
-    periods = rules.check_periods(fundamental_period) if fundamental_period is not None else PERIODS
+    periods = rules.check_periods(T_1) if T_1 is not None else PERIODS
     spectra = [psa(record.acceleration, record.time_step, periods, DAMPING) for record in records]
     peaks = [record.pga for record in records]
     at_5_percent = target.with_damping(DAMPING)  # which is what the codes compare
-    verdicts = rules.check(periods, spectra, peaks, at_5_percent, fundamental_period).criteria
-    if fundamental_period is None:
+    verdicts = rules.check(periods, spectra, peaks, at_5_percent, T_1).criteria
+    if T_1 is None:
         return verdicts
     first, last = float(matches[0].periods[0]), float(matches[0].periods[-1])
-    low, high = rules.period_band(fundamental_period)
+    low, high = rules.period_band(T_1)
     if first <= low and high <= last:
         return verdicts
     outside = f"; fitted were {first:g} s to {last:g} s only"
@@ -196,10 +154,10 @@ def suite_groups(
         }
     yield f"{RECORDS}/{name}", group
     for place, motion in enumerate(motions):
-        yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", _record_group(motion, place)
+        yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", record_group(motion, place)
 
 
-def _record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> Group:
+def record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> Group:
     """Return the archived group of a recording: samples, spectrum, measures, origin, and its fit if it has one.
 
     Args:

@@ -40,7 +40,7 @@ def with_choices(project: File, archive: Path | None = None) -> File:
     @cache
     def period() -> float | None:
         try:
-            return fundamental_period(project)
+            return max(fundamental_period(project) or (), default=None)  # of a building the longer one
         except CoreError as error:
             raise InputError(f"{project.where(project.grid_key)}: {project.grid_key}: {error}") from error
 

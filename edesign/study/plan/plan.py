@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
 from edesign.project.analysis.analyses import (
     AnyAnalysis,
+    BuildingHistory,
     HistoryAnalysis,
     PlannedAnalysis,
     PushoverAnalysis,
@@ -19,6 +21,7 @@ from edesign.project.analysis.analyses import (
 from edesign.project.analysis.pushover import pattern_name
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import did_you_mean
+from edesign.project.records.pairs import SuitePairs
 from edesign.project.records.records import RecordSet
 from edesign.study.results.kinds import ANALYSES
 
@@ -99,9 +102,15 @@ class Task:
         return found
 
 
-def labels(spec: PlannedAnalysis) -> dict[str, str | None]:
-    """Return name, kind, variant, record and level of an analysis; None where there is none."""
-    return {
+def labels(spec: PlannedAnalysis) -> dict[str, str | float | None]:
+    """Return name, kind, variant, record and level of an analysis; None where there is none.
+
+    A history of a building also has the angle of its record and the place of the masses.
+    """
+    shaken = {}
+    if isinstance(spec, BuildingHistory):
+        shaken = {"angle_deg": round(math.degrees(spec.angle), 9), "eccentricity": spec.position}
+    return shaken | {
         "name": spec.name,
         "kind": spec.kind,
         "variant": spec.variant or None,
@@ -175,15 +184,35 @@ def _labelled(project: AnalysisFile, spec: AnyAnalysis) -> AnyAnalysis:
 
 
 def _parts(project: AnalysisFile, spec: AnyAnalysis) -> Sequence[PlannedAnalysis]:
-    """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover."""
+    """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover.
+
+    Of a building each is one of every angle and place of its masses.
+    """
     if isinstance(spec, PushoverAnalysis):
         return pushover_parts(spec, tuple(project.hazard_levels))
-    if not isinstance(spec, HistoryAnalysis) or not isinstance(project.records.get(spec.record), RecordSet):
+    if not isinstance(spec, HistoryAnalysis):
         return [spec]
-    return [
+    if not isinstance(project.records.get(spec.record), RecordSet | SuitePairs):
+        return shakings(spec)
+    parts = (
         spec.model_copy(update={"name": f"{spec.name}.{reference.partition('/')[2]}", "record": reference})
         for reference in references(project, spec.record)
-    ]
+    )
+    return [one for part in parts for one in shakings(part)]
+
+
+def shakings(spec: HistoryAnalysis) -> list[HistoryAnalysis]:
+    """Return one history of each angle and place of the masses; what there are several of stands in the names."""
+    if not isinstance(spec, BuildingHistory):
+        return [spec]
+    found: list[HistoryAnalysis] = []
+    for angle in spec.angles:
+        for position in spec.eccentricity:
+            name = [spec.name, *[f"{math.degrees(angle):g}deg"] * (len(spec.angles) > 1)]
+            name += [position] * (len(spec.eccentricity) > 1)
+            update = {"name": ".".join(name), "angles": (angle,), "eccentricity": (position,)}
+            found.append(spec.model_copy(update=update))
+    return found
 
 
 def pushover_parts(spec: PushoverAnalysis, hazard_levels: tuple[str, ...]) -> list[PushoverAnalysis | TargetAnalysis]:

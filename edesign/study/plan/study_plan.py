@@ -4,16 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 from edesign.errors import InputError
+from edesign.ground_motion.pairs import pair_references
 from edesign.ground_motion.project_records import references
-from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PushoverAnalysis
+from edesign.project.analysis.analyses import (
+    BuildingHistory,
+    GravityAnalysis,
+    HistoryAnalysis,
+    ModalAnalysis,
+    PushoverAnalysis,
+)
 from edesign.project.analysis.pushover import Pushover, Pushovers
 from edesign.project.reading.problems import keys_text, unknown_name
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
 from edesign.study.analysis.intensity import intensity_text
-from edesign.study.plan.plan import Stripe, Task, pushover_parts, selected
+from edesign.study.plan.plan import Stripe, Task, pushover_parts, selected, shakings
 from edesign.study.plan.variants import variant_strain
 
 MODES, GRAVITY = "modes", "gravity"
@@ -88,7 +96,8 @@ def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Ta
                 for reference in wanted:
                     name = f"{entry}.{reference.rpartition('/')[2]}"
                     spec = _history(study, histories, name, variant, reference, level)
-                    yield Task(0, spec, entry, variant, temperature_C, reference in whole)
+                    for one in shakings(spec):
+                        yield Task(0, one, entry, variant, temperature_C, reference in whole)
 
 
 def _of_incremental(study: Study, index: int, incremental: Incremental) -> Iterator[Task]:
@@ -107,7 +116,12 @@ def _of_incremental(study: Study, index: int, incremental: Incremental) -> Itera
 def _history(
     study: Study, asked: Histories | Incremental, name: str, variant: str, reference: str, level: str
 ) -> HistoryAnalysis:
-    return HistoryAnalysis.model_construct(
+    of_building: dict[str, Any] = {}
+    if study.base.structure == "building" and isinstance(asked, Histories):
+        of_building = {key: getattr(asked, key) for key in ("angles", "eccentricity", "eccentricity_ratio")}
+    kind = BuildingHistory if study.base.structure == "building" else HistoryAnalysis
+    return kind.model_construct(
+        **of_building,
         kind="history",
         name=name,
         variant=variant,
@@ -134,7 +148,8 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
     found: list[str] = []
     for i, name in enumerate(names):
         record, _, recording = name.partition("/")
-        known = references(study.base, record)
+        of_study = study.records.get(record)
+        known = references(study.base, record) if of_study is None else pair_references(study.folder, record, of_study)
         if recording and name not in known:
             if known == (record,):
                 message = f"`{record}` is a single record, not a suite; write `{record}` [E-VALUE-01]"

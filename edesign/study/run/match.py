@@ -114,6 +114,7 @@ def match_records(
         text = motion.failure.removeprefix(f"{motion.name} ") or outcome(motion)
         listen(Progress("end", motion.name, len(done), len(given), 1.0, text, time.monotonic() - started))
 
+    first_periods = None if fundamental_period is None else (fundamental_period,)
     root = Group(
         attributes={
             "title": title,
@@ -134,7 +135,7 @@ def match_records(
                 motions = prepare_motions(given, prepare, workers, report, stop.is_set)
                 if len(motions) < len(given):
                     raise Interrupted(f"interrupted; {writer.path} is unchanged")
-            motions = {item.name: item for item in raise_suite(list(motions.values()), target, fundamental_period)}
+            motions = {item.name: item for item in raise_suite(list(motions.values()), target, first_periods)}
             fitted = [motion for motion in motions.values() if not motion.failure]
             if not fitted:
                 reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
@@ -146,7 +147,7 @@ def match_records(
             with optional("the warnings about the factors") as warned:
                 warnings += unusual_scales(factors, simulated)
             with optional("the criteria of the code") as judged:
-                verdicts = criteria(fitted, target, fundamental_period)
+                verdicts = criteria(fitted, target, first_periods)
             warnings += [str(one.failure) for one in (warned, judged) if one.failure is not None]
             for place, group in suite_groups(name, list(motions.values()), target, verdicts, warnings=warnings):
                 writer.write(place, group)

@@ -14,20 +14,21 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import Suite, record_of
 from edesign.study.analysis.intensity import first_period
 from edesign.study.check.suitability import scale_warnings
-from edesign.study.motions.motions import Motion, match_options, project_motions
-from edesign.study.motions.record_groups import failed_criteria, project_record_groups
+from edesign.study.motions.archived import project_record_groups
+from edesign.study.motions.motions import AnyMotion, match_options, project_motions
+from edesign.study.motions.record_groups import failed_criteria
 from edesign.study.run.progress import Progress
 from edesign.study.run.state import Prepared, RunState
 
 MATCHING = "matching"  # what the progress of the fit of the records is called
 
 
-def prepare_records(run: RunState, period: Callable[[], float | None]) -> dict[str, Motion]:
+def prepare_records(run: RunState, periods: Callable[[], tuple[float, ...] | None]) -> dict[str, AnyMotion]:
     """Fit the records to the spectrum where the project says so, and return them by reference.
 
     Args:
         run: reports the progress; a stop leaves out what is not fitted yet.
-        period: gives T1 of the bare frame, s.
+        periods: gives T1 of the bare structure by direction, s.
     """
     started = time.monotonic()
     project, recordings = run.job.project, run.job.recordings
@@ -39,23 +40,23 @@ def prepare_records(run: RunState, period: Callable[[], float | None]) -> dict[s
             seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
             run.report(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
 
-    def each(motion: Motion) -> None:
+    def each(motion: AnyMotion) -> None:
         done.append(motion.name)
         report("advance")
 
     report("start")
-    motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
+    motions = project_motions(project, recordings, periods, run.workers, each, run.stopped)
     report("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
     return motions
 
 
-def archive_records(run: RunState, prepared: Prepared, period: Callable[[], float | None]) -> None:
+def archive_records(run: RunState, prepared: Prepared, periods: Callable[[], tuple[float, ...] | None]) -> None:
     """Archive the records with the warnings about their use, which the periods of designed frames decide too.
 
     Args:
         run: with its motions and its archive.
         prepared: gives the frame of each task.
-        period: gives T1 of the bare frame, s.
+        periods: gives T1 of the bare structure by direction, s.
 
     Raises:
         EdesignError: a period that a criterion of the code needs cannot be found.
@@ -67,7 +68,7 @@ def archive_records(run: RunState, prepared: Prepared, period: Callable[[], floa
     for name, texts in warnings.items():
         for text in texts:
             run.note(f"warning: records {name}: {text}")
-    for place, group in project_record_groups(project, motions, period, _variant_periods(run, prepared), warnings):
+    for place, group in project_record_groups(project, motions, periods, _variant_periods(run, prepared), warnings):
         run.archive(place, group)
         for text in failed_criteria(group.attributes["name"], group):
             run.note(f"warning: {text}")

@@ -148,14 +148,14 @@ def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> 
 def _run_tasks(run: RunState) -> None:
     for place, group in hazard_groups(run.job.project.hazard):
         run.archive(place, group)
-    period = cache(partial(fundamental_period, run.job.project))
-    run.motions = prepare_records(run, period)
+    periods = cache(partial(fundamental_period, run.job.project))
+    run.motions = prepare_records(run, periods)
     if run.stopped():
         return
     prepared = run.job.prepare(run)
     if run.stopped():
         return
-    archive_records(run, prepared, period)
+    archive_records(run, prepared, periods)
     fallen: dict[str, str] = {}  # why the rest of a chain is skipped
     for wave in waves(run.job.tasks):
         for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):

@@ -14,7 +14,7 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.analysis_file import AnalysisFile
-from edesign.study.motions.motions import Motion
+from edesign.study.motions.motions import AnyMotion
 from edesign.study.plan.plan import Task
 from edesign.study.run.backends import Backend
 from edesign.study.run.backends.call import Call, Result
@@ -62,7 +62,7 @@ class RunState:
     workers: int
     writer: ArchiveWriter
     stop: threading.Event = field(default_factory=threading.Event)
-    motions: Mapping[str, Motion] = field(default_factory=dict)
+    motions: Mapping[str, AnyMotion] = field(default_factory=dict)
     outcomes: dict[str, Outcome] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     critical: bool = False

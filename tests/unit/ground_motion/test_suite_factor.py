@@ -33,7 +33,7 @@ def failed_clauses(matches: list[Match]) -> set[str]:
 
 def test_it_is_the_least_with_which_the_criteria_hold(matches: list[Match]) -> None:
     """Just below it one of b and c fails, which the code's own check says; at it none does."""
-    factor = suite_factor(matches, TARGET, T_1)
+    factor = suite_factor(matches, TARGET, (T_1,))
     assert 1.0 < factor < MOST
     assert failed_clauses([raised(match, factor) for match in matches]) == set()
     below = failed_clauses([raised(match, factor * (1.0 - 1e-6)) for match in matches])
@@ -47,8 +47,8 @@ def test_without_a_period_only_the_peaks_count(matches: list[Match]) -> None:
 
 
 def test_it_never_lowers_a_suite_and_has_a_limit(matches: list[Match]) -> None:
-    assert suite_factor([raised(match, 10.0) for match in matches], TARGET, T_1) == 1.0
-    assert suite_factor([raised(match, 0.1) for match in matches], TARGET, T_1) == MOST
+    assert suite_factor([raised(match, 10.0) for match in matches], TARGET, (T_1,)) == 1.0
+    assert suite_factor([raised(match, 0.1) for match in matches], TARGET, (T_1,)) == MOST
 
 
 def test_all_that_is_said_of_a_raised_record_is_that_of_the_product(matches: list[Match]) -> None:

@@ -155,7 +155,7 @@ def test_projects_and_motions_travel_unchanged(fitted: bool, tmp_path: Path) -> 
     plan = make_plan(project)
     assert [pickle.loads(pickle.dumps(task.spec)) for task in plan] == [task.spec for task in plan]
     found = check_inputs(project, [task.spec for task in plan])
-    motions = project_motions(project, found, lambda: 0.5)
+    motions = project_motions(project, found, lambda: (0.5,))
     assert motions and all((motion.match is not None) == fitted for motion in motions.values())
     for motion in motions.values():
         _identical(motion, pickle.loads(pickle.dumps(motion)))

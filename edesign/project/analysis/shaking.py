@@ -1,0 +1,40 @@
+"""How records act on a building: turned from x towards y, with its masses in place or beside it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import Field
+
+from edesign.project.notation.several import several
+from edesign.project.notation.units import Angle, PositiveRatio
+from edesign.project.notation.written import Written, given, one_or_list
+
+Position = Literal["0", "+x", "-x", "+y", "-y", "+x+y", "+x-y", "-x+y", "-x-y"]
+"""Where the masses of rigid floors stand: `0` in place, else beside it in the directions that it says."""
+IN_PLACE: Position = "0"
+ECCENTRICITY = 0.05
+"""Accidental eccentricity over the length of a floor, where the file does not say it (EN 1998-1:2004, Eq. 4.3)."""
+
+
+def _position(value: Any) -> Any:
+    return IN_PLACE if value == 0 and not isinstance(value, bool) else value
+
+
+_NAMES = given({"enum": [0, *get_args(Position)]})
+Angles = Annotated[tuple[Angle, ...], Field(min_length=1), Written(several, one_or_list)]
+Positions = Annotated[
+    tuple[Annotated[Position, Written(_position, _NAMES)], ...], Field(min_length=1), Written(several, one_or_list)
+]
+EccentricityRatio = PositiveRatio | None
+
+
+def eccentricity_of(position: str, ratio: float) -> tuple[float, float]:
+    """Return by what shares of the lengths of a floor its masses stand beside their places, along x and y.
+
+    Args:
+        position: one of `Position`.
+        ratio: of the eccentricity to the length.
+    """
+    signs = {position[i + 1]: 1.0 if position[i] == "+" else -1.0 for i in range(0, len(position) - 1, 2)}
+    return ratio * signs.get("x", 0.0), ratio * signs.get("y", 0.0)
