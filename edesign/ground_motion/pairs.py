@@ -132,6 +132,16 @@ def read_pairs(
     return tuple(_on_one_axis(pair) for pair in pairs)
 
 
+def first_components(file: HoldsPairs, read: Mapping[str, Found]) -> dict[str, Found]:
+    """Return the first component of each pair by the reference of the pair.
+
+    Args:
+        read: recordings of the file, components of pairs by NAME/COMPONENT.
+    """
+    names = [name for name in dict.fromkeys(map(record_of, read)) if isinstance(file.records[name], InSpace)]
+    return {pair.name: pair.components[0] for name in names for pair in find_pairs(file, name, read)}
+
+
 def pair_references(folder: Path, name: str, spec: InSpace) -> tuple[str, ...]:
     """Return the references of the pairs of a record: its name, or NAME/NUMBER for each of a suite.
 

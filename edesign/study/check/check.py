@@ -11,6 +11,7 @@ from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.ground_motion.hazard import checked_hazard
+from edesign.ground_motion.pairs import first_components
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
@@ -66,8 +67,9 @@ def _check_inputs(project: AnalysisFile, specs: Iterable[PlannedAnalysis]) -> di
     wanted |= {spec.vertical.record for spec in histories if spec.vertical is not None and spec.vertical.record}
     names = [name for name in project.records if name in wanted]
     found = find_recordings(project, [reference for name in names for reference in references(project, name)])
+    acting = found | first_components(project, found)
     for spec in histories:
-        check_motion(project, spec, found[spec.record].record)
+        check_motion(project, spec, acting[spec.record].record)
     check_fits(project, found)
     _check_frame(project, specs)
     check_project_reach(project, specs)
