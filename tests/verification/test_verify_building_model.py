@@ -108,6 +108,23 @@ def test_modes_are_those_of_the_elastic_space_frame(rigid_in_shear: None, file: 
     assert built.mass == pytest.approx(frame.node_mass.sum(), rel=1e-12)
 
 
+@pytest.mark.parametrize("signs", [(1, -1), (0, 1), (-1, 0)])
+def test_modes_with_masses_beside_their_places(rigid_in_shear: None, signs: tuple[int, int]) -> None:
+    """Rigid floors of unequal sizes, by 5 % of the length of each (EN 1998-1, Eq. 4.3); 1e-9 as above."""
+    whole = building(IRREGULAR, RIGID)
+    frame = space_frame(whole)
+    shift = np.zeros((len(frame.node_names), 2))
+    for level in (1, 2, 3):
+        of = frame.level_of_nodes == level
+        shift[of] = 0.05 * np.array(signs) * np.ptp(frame.coordinates[of, :2], axis=0)
+    expected = space_model(frame, whole.materials).modes(frame.node_mass, 9, mass_shift=shift)
+    built = build_building(straight(with_law(whole, law="elastic")), eccentricity=(0.05 * signs[0], 0.05 * signs[1]))
+    found = Analysis(built.model).modes(9)
+    np.testing.assert_allclose(found.period, expected.period, rtol=1e-9)
+    in_place = Analysis(build_building(straight(with_law(whole, law="elastic"))).model).modes(9)
+    assert np.abs(found.period / in_place.period - 1.0).max() > 1e-3
+
+
 def test_gravity_is_that_of_the_elastic_space_frame(rigid_in_shear: None) -> None:
     """Displacements, end forces and reactions of an irregular hall on springs, elastic and without P-Delta."""
     whole = building(IRREGULAR, RIGID)
