@@ -7,7 +7,14 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber, State
-from edesign.project.analysis.pushover import BuildingDirections, FrameDirections, Method, Pushover, Steps
+from edesign.project.analysis.pushover import (
+    BuildingDirections,
+    Eccentric,
+    FrameDirections,
+    Method,
+    Pushover,
+    Steps,
+)
 from edesign.project.analysis.shaking import IN_PLACE, Angles, EccentricityRatio, Position, Positions, eccentricity_of
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.notation.units import (
@@ -90,8 +97,8 @@ class FramePushover(PushoverAnalysis):
     direction: FrameDirections = "right"
 
 
-class BuildingPushover(PushoverAnalysis):
-    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement.
+class BuildingPushover(PushoverAnalysis, Eccentric):
+    """Pushovers: one of each pattern, direction and position of the masses, and to each target displacement one.
 
     Attributes:
         direction: in which the building is pushed; `x` stands for `x+` and `x-`, `y` likewise, `all` for all four.
@@ -100,7 +107,7 @@ class BuildingPushover(PushoverAnalysis):
     direction: BuildingDirections
 
 
-class TargetAnalysis(_Analysis, Pushover):
+class TargetAnalysis(_Analysis, Pushover, Eccentric):
     """A pushover up to the target displacement of one method and level; part of the plan, no kind of the file.
 
     Attributes:

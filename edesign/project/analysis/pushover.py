@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber
+from edesign.project.analysis.shaking import IN_PLACE, EccentricityRatio, Positions
 from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.units import Factor, PositiveRatio, PushedDrift
 from edesign.project.notation.written import Written, one_or_list
@@ -21,6 +22,15 @@ FrameDirections = Literal["right", "left", "both"]
 BuildingDirections = Literal["x+", "x-", "y+", "y-", "x", "y", "all"]
 SEVERAL = {"both": ("right", "left"), "x": ("x+", "x-"), "y": ("y+", "y-"), "all": ("x+", "x-", "y+", "y-")}
 """Directions that one word stands for."""
+WAYS = {
+    "right": ("", 1.0),
+    "left": ("", -1.0),
+    "x+": ("x", 1.0),
+    "x-": ("x", -1.0),
+    "y+": ("y", 1.0),
+    "y-": ("y", -1.0),
+}
+"""Axis, "" of a plane frame, and sign of each direction."""
 Method = Literal["n2", "fema356", "asce41"]
 SiteClass = Literal["A", "B", "C", "D", "E", "F"]
 
@@ -86,6 +96,30 @@ class Pushover(Model):
     def directions(self) -> tuple[str, ...]:
         """The directions in which the structure is pushed, one by one."""
         return SEVERAL.get(self.direction, (self.direction,))
+
+    @property
+    def axis(self) -> str:
+        """The axis along which the structure is pushed in its first direction; "" of a plane frame."""
+        return WAYS[self.directions[0]][0]
+
+    @property
+    def sign(self) -> float:
+        """1 if it is pushed to the right or along the axis in its first direction, -1 if against it."""
+        return WAYS[self.directions[0]][1]
+
+
+class Eccentric(Model):
+    """Accidental eccentricity of the lateral loads of a building.
+
+    Attributes:
+        eccentricity: where the masses of rigid floors stand, on which the loads act: `0` in place, `+x-y` beside it
+            towards x and against y; a list stands for several pushovers.
+        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`,
+            and 5 % without a design.
+    """
+
+    eccentricity: Positions = (IN_PLACE,)
+    eccentricity_ratio: EccentricityRatio = None
 
 
 class Pushovers(Pushover):

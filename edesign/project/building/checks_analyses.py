@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from edesign.project.analysis.analyses import BuildingHistory
+from edesign.project.analysis.analyses import BuildingHistory, BuildingPushover
 from edesign.project.analysis.damping import RayleighDamping
 from edesign.project.analysis.outputs import FibreOutput, SectionOutput
+from edesign.project.analysis.pushover import WAYS
+from edesign.project.analysis.shaking import IN_PLACE, eccentricity_of
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.members import BraceRun, ColumnRun
@@ -45,10 +47,40 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
         keys: Keys = ("outputs", "fibres", i)
         if _points(building, problems, check, keys, fibre) and isinstance(fibre.layers, NumberSelection):
             check.numbers((*keys, "layers"), fibre.layers, "fibre", 8 * building.fibres.half_flange)
+    for i, analysis in enumerate(building.analyses):
+        if isinstance(analysis, BuildingPushover):
+            _eccentricity(building, problems, ("analyses", i), analysis)
     if building.analyses:
         for keys, what in _plane_only(building):
             message = f"{what} in analyses of plane frames alone; a project file has them [E-BLDG-04]"
             problems.at_key(keys, message)
+
+
+def _eccentricity(building: Building, problems: Problems, keys: Keys, pushover: BuildingPushover) -> None:
+    """Positions of masses displace the loads of a push across it, and there are floors that turn."""
+    axes = dict.fromkeys(WAYS[direction][0] for direction in pushover.directions)
+    here = (*keys, "eccentricity")
+    for i, position in enumerate(pushover.eccentricity):
+        if position in pushover.eccentricity[:i]:
+            problems.at_item(here, i, f"`{position}` comes twice [E-NAME-02]")
+        across = dict(zip(("y", "x"), eccentricity_of(position, 1.0), strict=True))
+        if position != IN_PLACE and (still := [axis for axis in axes if not across[axis]]):
+            message = (
+                f"`{position}` does not displace the loads of a push along {still[0]}; name a side across it, or one "
+                "along both axes as `+x+y` [E-PUSH-04]"
+            )
+            problems.at_item(here, i, message)
+    if all(position == IN_PLACE for position in pushover.eccentricity):
+        if pushover.eccentricity_ratio is not None:
+            message = "all masses stand in place; name by `eccentricity` where they stand beside it [E-KEY-03]"
+            problems.at_key((*keys, "eccentricity_ratio"), message)
+        return
+    if not building.rigid_floors:
+        message = "loads beside the centres of mass turn rigid floors, and no floor is rigid (`diaphragms`) [E-PUSH-04]"
+        problems.at_key(here, message)
+    if not building.accidental_torsion and pushover.eccentricity_ratio is None:
+        message = "this key is missing, as `design.accidental_torsion` is `none` [E-KEY-02]"
+        problems.under(keys, "eccentricity_ratio", message)
 
 
 def _anchors(building: Building, problems: Problems) -> None:

@@ -110,6 +110,12 @@ def _given(project: AnalysisFile, problems: Problems, keys: Keys, i: int, patter
                 "storey shears of modes need one shape of spectrum, and each level of the hazard has its own [E-HAZ-04]"
             )
             problems.at_item(keys, i, message)
-    if pattern.mode is not None and pattern.mode > 1 and targets:
+    if pattern.mode is not None and targets and project.structure == "building":
+        message = (
+            "target displacements are of the mode that leads in the direction of the push; give `first_mode` for it, "
+            f"or mode {pattern.mode} without `targets` [E-PUSH-03]"
+        )
+        problems.at_item(keys, i, message)
+    elif pattern.mode is not None and pattern.mode > 1 and targets:
         message = f"target displacements are of the first mode; give mode {pattern.mode} without `targets` [E-PUSH-03]"
         problems.at_item(keys, i, message)

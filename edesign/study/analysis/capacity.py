@@ -24,7 +24,9 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.damper_stiffness import small_amplitude
 from edesign.study.analysis.dampers import goes_with_speed
 from edesign.study.analysis.lateral_patterns import by_floor, floor_masses, lateral_loads
-from edesign.study.analysis.push import Progress, Push, Stop, push
+from edesign.study.analysis.leading_mode import leading_mode
+from edesign.study.analysis.push import Progress, Push, Stop, push, pushed_along
+from edesign.study.analysis.second_order import second_order_slope
 from edesign.study.analysis.structure import device_stiffness, elastic_frame, make_frame
 
 PASSES = 8
@@ -49,7 +51,7 @@ class Target:
 
 
 class Basis:
-    """The lateral loads, masses and first mode that all pushes of a frame with one pattern share.
+    """The lateral loads, masses and leading mode that all pushes of a frame with one pattern and direction share.
 
     Attributes:
         loads: lateral, on the nodes by name; their sum is 1 N.
@@ -60,13 +62,14 @@ class Basis:
     def __init__(self, project: AnalysisFile, spec: PushoverAnalysis | TargetAnalysis) -> None:
         frame = make_frame(project, spec.dampers)
         self._project, self._dampers = project, spec.dampers
-        self.loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
+        self._direction = pushed_along(frame, spec)
+        self.loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers, self._direction)
         self.forces, self.masses = by_floor(frame, self.loads), floor_masses(frame)
         self.mass = frame.mass
 
     @cached_property
     def first_mode(self) -> tuple[float, float]:
-        """Period under gravity, s, and participation factor of the control node in the first mode.
+        """Period under gravity, s, and participation factor of the control node in the mode leading in the direction.
 
         The frame has the stiffness that displacement-dependent dampers have before they yield, which is in K_i, to
         which the period belongs (FEMA 356, 9.3.5.1).
@@ -79,9 +82,9 @@ class Basis:
                 if stiffness is None:
                     stiffness = np.zeros(len(structure.frame.model.damper_names))
                 stiffness[device.number] = device_stiffness(device, small_amplitude(device), 1.0).real  # at any speed
-        modes = structure.modes(1, stiffness)
-        moved = modes.shapes[0, structure.frame.control, 0]
-        return float(modes.period[0]), float(modes.participation_x[0] * moved)
+        along = structure.frame.directions[self._direction]
+        mode = leading_mode(structure, along, stiffness)
+        return mode.period, float(mode.participation * mode.shape[structure.frame.control, along.degree])
 
 
 @dataclass(frozen=True)
@@ -119,10 +122,6 @@ class Capacity:
     def second_order_slope(self, first: float, last: float) -> float | None:
         """Return the slope of the curve that is due to vertical loads between two displacements, N/m.
 
-        Virtual work: with du_j of the floors and dD_i of the storeys between the two states as the virtual
-        displacements, the loads P_i above storey i of height h_i take sum P_i dD_i^2 / h_i / sum s_j du_j from the
-        base shear, whose shares at the floors are s_j. So the slope is exact however the frame has moved.
-
         Args:
             first: displacement of the control node since gravity at which the part of the curve begins, m.
             last: displacement of the control node since gravity at which it ends, m.
@@ -132,12 +131,7 @@ class Capacity:
         """
         if self.project.elements.geometry.columns == "linear":
             return None
-        floors = self.push.sign * self.push.group.variables["floor_displacement"].values
-        du = np.array([np.diff(np.interp((first, last), self.push.displacement, u))[0] for u in floors.T])
-        dD, h = np.diff(du, prepend=0.0), np.array(self.project.grid.storey_heights)
-        above = np.cumsum([floor.gravity for floor in self.push.frame.floors[::-1]])[::-1]
-        moved = float(self.basis.forces @ du)
-        return float(-np.sum(above * dD**2 / h) / moved / (last - first)) if moved > 0.0 else None
+        return second_order_slope(self.push, self.basis.forces, first, last)
 
     def target(self, method: Method, level: str) -> Target:
         """Return a target displacement.
@@ -186,7 +180,7 @@ def capacity(
         CoreError: the frame is a mechanism.
     """
     basis = Basis(project, spec)
-    sign, height = (1.0 if spec.directions[0] == "right" else -1.0), project.grid.height
+    sign, height = spec.sign, project.grid.height
     if spec.roof_drift is not None:
         target = sign * spec.roof_drift * height
         return Capacity(project, spec, basis, push(project, spec, basis.loads, target, progress, stop))

@@ -18,11 +18,13 @@ from edesign.project.notation.names import MemberKind
 from edesign.study.analysis.collapse import collapse_reason
 from edesign.study.results.members import plastic_rotation
 from edesign.study.results.recording import Quantity, Terms, coordinate
-from edesign.study.results.storeys import drifts_in_words, line_drift_storeys, line_drifts
+from edesign.study.results.storeys import drifts_in_words, line_drifts
 
 MOST_STEPS = 10_000
 """Beyond it yielding is not followed: of each step six numbers of each member end are kept while the push runs, which
 for a frame of 90 members is 86 MB."""
+MOST_IN_SPACE = 1_000
+"""The same of a building, of which about 20 numbers of each member end are kept: of 570 members 182 MB."""
 
 KINDS: tuple[MemberKind, ...] = ("beam", "column")
 
@@ -33,8 +35,9 @@ class CapacityEvent:
 
     Attributes:
         step: the step, 0 is under gravity alone.
-        what: "first yield of a beam", ...
-        place: name of the member or of the node of the panel zone, or `storey 3`; "" where there is none.
+        what: "first yield of a beam", "first hinge in a column about z", ...
+        place: name of the member or of the node of the panel zone, `storey 3`, or `storey 3 along x at A1` of
+            a building; "" where there is none.
     """
 
     step: int
@@ -46,23 +49,24 @@ class CapacityEvent:
 class _Yielding:
     """Strains of the outer layers at the ends of members of a kind, over the yield strain, and plastic rotations.
 
-    Where hinges yield in place of fibres, `strains` has what `_hinge_yield` gives.
+    Where hinges yield in place of fibres, `strains` has what `_hinge_yield` gives. `rotations` are those about each
+    axis, whose words follow "first hinge in a column".
     """
 
     kind: str
     members: tuple[Member, ...]
     strains: Quantity
-    rotations: Quantity
+    rotations: dict[str, Quantity]
 
 
 class EventChannels:
     """The quantities that a push records to find its events."""
 
     def __init__(self, frame: FrameModel, steps: int) -> None:
-        self._storeys, self._words = line_drift_storeys(frame), drifts_in_words(frame)
+        self._words = drifts_in_words(frame)
         self._drifts = line_drifts(frame)
         self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
-        follows = steps <= MOST_STEPS
+        follows = steps <= (MOST_STEPS if frame.model.dimension == 2 else MOST_IN_SPACE)
         self._yielding = [found for kind in KINDS if follows and (found := _yielding(frame, kind))]
         self._braces = _Braces(frame) if follows and frame.of_kind("brace") else None
         self._panels = list(frame.panels) if follows else []
@@ -75,9 +79,13 @@ class EventChannels:
     @property
     def quantities(self) -> list[Quantity]:
         """The quantities to be recorded, none of which is archived."""
-        found = [self._followed, *(item for one in self._yielding for item in (one.strains, one.rotations))]
+        found = [self._followed, *(item for one in self._yielding for item in (one.strains, *one.rotations.values()))]
         found += [self._braces.forces, self._braces.elongations] if self._braces else []
         return [*found, self._distortions] if self._panels else found
+
+    def line_drifts(self, response: Response) -> np.ndarray:
+        """Return the drift ratio of each step on every column line, (steps, n), in the order of `line_drifts`."""
+        return self._followed.values(response)
 
     def events(self, response: Response, resistance: np.ndarray) -> list[CapacityEvent]:
         """Return the events of a push in their order.
@@ -92,20 +100,22 @@ class EventChannels:
         for one in self._yielding:
             names = [member.name for member in one.members]
             found += _first(f"first yield of a {one.kind}", one.strains.values(response), 1.0, names)
-            rotations = one.rotations.values(response)
-            found += _first(f"first hinge in a {one.kind}", rotations, ELASTIC_ROTATION, names)
+            for about, rotations in one.rotations.items():
+                what = f"first hinge in a {one.kind}{about}"
+                found += _first(what, rotations.values(response), ELASTIC_ROTATION, names)
         if self._panels:
             distortions = self._distortions.values(response)[..., np.newaxis]
             found += _first("first yield of a panel zone", distortions, 1.0, self._panels)
         if self._braces:
             found += self._braces.events(response)
-        drifts = np.abs(self._followed.values(response))
+        drifts = np.abs(self.line_drifts(response))
         for level in PERFORMANCE_LEVELS:
             limit = drift_limits(level).transient
             beyond = np.nonzero(drifts.max(axis=1) > limit)[0]
             if beyond.size:
-                storey = self._storeys[int(np.argmax(drifts[beyond[0]]))]
-                found.append(CapacityEvent(int(beyond[0]), f"drift of {level}, {100 * limit:g} %", f"storey {storey}"))
+                at = int(np.argmax(drifts[beyond[0]]))
+                place = self._words[at].removeprefix("drift of ")
+                found.append(CapacityEvent(int(beyond[0]), f"drift of {level}, {100 * limit:g} %", place))
         peak = int(np.argmax(resistance))
         if resistance[-1] < resistance[peak] * (1.0 - DESCENT):
             found.append(CapacityEvent(peak, "largest base shear"))
@@ -153,29 +163,36 @@ def _hinge_yield(member: Member, end: int) -> Terms:
 
 def _yielding(frame: FrameModel, kind: MemberKind) -> _Yielding | None:
     members: list[Member] = []
-    strains: list[Terms] = []
-    rotations: list[Terms] = []
+    strains: list[list[Terms]] = []
     for member in frame.of_kind(kind):
         steel = member.steel
         fibres = None if isinstance(steel, ElasticMaterial) else member.fibres
         if fibres is None and not any(spring.yields for end in member.springs for spring in end):
             continue
         members.append(member)
+        of_ends: list[Terms] = []
         for end, point in enumerate((0, member.points - 1)):
             if fibres is not None and not isinstance(steel, ElasticMaterial):
                 first, factor = point * len(fibres), steel.E / steel.fy
-                strains += [((factor, "fibre_strain", member.element, first + layer),) for layer in member.outer]
+                of_ends += [((factor, "fibre_strain", member.element, first + layer),) for layer in member.outer]
             else:
-                strains += [_hinge_yield(member, end), ()]
-            rotations += [plastic_rotation(member, end, bending) for bending in member.bending]
+                of_ends += [_hinge_yield(member, end), ()]
+        strains.append(of_ends)
     if not members:
         return None
-    shape = (len(members), 2)
+    places = max(len(of_ends) for of_ends in strains)
+    cells = tuple(terms for of_ends in strains for terms in (*of_ends, *[()] * (places - len(of_ends))))
+    rotations = {}
+    for axis, bending in enumerate(members[0].bending):
+        turned = tuple(plastic_rotation(member, end, member.bending[axis]) for member in members for end in (0, 1))
+        name, shape = f"event_{kind}_rotation{bending.axis}", (len(members), 2)
+        about = f" about {bending.axis}" if bending.axis else ""
+        rotations[about] = Quantity(name, (kind, "end"), shape, turned, "rad", "", True, ())
     return _Yielding(
         kind,
         tuple(members),
-        Quantity(f"event_{kind}_strain", (kind, "layer"), (len(members), 4), tuple(strains), "1", "", True, ()),
-        Quantity(f"event_{kind}_rotation", (kind, "end"), shape, tuple(rotations), "rad", "", True, ()),
+        Quantity(f"event_{kind}_strain", (kind, "layer"), (len(members), places), cells, "1", "", True, ()),
+        rotations,
     )
 
 

@@ -6,13 +6,16 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from edesign.codes.ec8.torsion import accidental_eccentricity
 from edesign.core import Modes
 from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
+from edesign.project.analysis.shaking import Position, eccentricity_of
 from edesign.project.analysis_file import AnalysisFile
-from edesign.study.analysis.structure import frame_alone
+from edesign.study.analysis.leading_mode import clusters, leading_mode
+from edesign.study.analysis.structure import Structure, frame_alone
 
 NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horizontally
 
@@ -25,8 +28,8 @@ def lateral_loads(
     Args:
         frame: its model; no analysis is made of it here.
         pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), "first_mode"
-            (mass times horizontal displacement in the first mode under gravity), or another mode, the storey shears of
-            several modes, or shares of the floors.
+            (mass times displacement in the mode under gravity that leads in the direction), or another mode, the
+            storey shears of several modes, or shares of the floors.
         dampers: whether it has its dampers, of which buckling-restrained braces count in modes.
         direction: index of that in which they act.
 
@@ -53,9 +56,11 @@ def lateral_loads(
         )
         weights = _spread(frame, floors, pattern.name)
     else:
-        mode = pattern.mode if isinstance(pattern, GivenPattern) and pattern.mode is not None else 1
-        modes = _modes(project, mode, dampers)
-        shape = modes.shapes[mode - 1, :, frame.directions[direction].degree]
+        structure, along = _under_gravity(project, dampers), frame.directions[direction]
+        if isinstance(pattern, GivenPattern) and pattern.mode is not None:
+            shape = structure.modes(pattern.mode).shapes[pattern.mode - 1, :, along.degree]
+        else:
+            shape = leading_mode(structure, along).shape[:, along.degree]
         weights = {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()}
     total = sum(weights.values())
     if abs(total) <= NO_RESULTANT * sum(abs(weight) for weight in weights.values()):
@@ -81,22 +86,56 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     return np.array([sum(values.get(name, 0.0) for name in floor.nodes) for floor in frame.floors])
 
 
-def _modes(project: AnalysisFile, count: int, dampers: bool) -> Modes:
-    """The first modes under gravity."""
-    structure = frame_alone(project, dampers)  # a second model, which has no lateral loads yet
+def eccentric_moments(
+    frame: FrameModel, loads: Mapping[str, float], position: Position, ratio: float, direction: int
+) -> dict[str, float]:
+    """Return the moments about the vertical of loads that act where accidental eccentricity puts the masses, N m.
+
+    Rigid floors turn about the vertical, and they alone have one. The dimension of a floor is that of its nodes.
+
+    Args:
+        frame: its model.
+        loads: on the nodes by name, N; those of rigid floors at their centres of mass.
+        position: where the masses are displaced to.
+        ratio: eccentricity over the dimension of the floor at right angles to the loads.
+        direction: index of that in which the loads act.
+
+    Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3, and 4.3.3.4.2.2(2)P.
+    """
+    across = 1 - direction
+    side = eccentricity_of(position, 1.0)[across]
+    if side == 0.0:
+        return {}
+    found = {}
+    for floor in frame.floors:
+        for _, node, _ in floor.turn:
+            name = frame.model.node_names[node]
+            if name in loads:
+                length = float(np.ptp([frame.places[one][across] for one in floor.nodes]))
+                arm = side * float(accidental_eccentricity(length, ratio))
+                found[name] = (-arm if direction == 0 else arm) * loads[name]
+    return found
+
+
+def _under_gravity(project: AnalysisFile, dampers: bool) -> Structure:
+    """A second model under gravity, which has no lateral loads yet, for its modes."""
+    structure = frame_alone(project, dampers)
     structure.apply_gravity()
-    return structure.modes(count)
+    return structure
 
 
 def _of_modes(project: AnalysisFile, frame: FrameModel, count: int, dampers: bool, direction: int) -> np.ndarray:
     """Forces of the floors whose storey shears are those of modes, combined by the root of the sum of squares."""
-    modes, degree = _modes(project, count, dampers), frame.directions[direction].degree
+    modes: Modes = _under_gravity(project, dampers).modes(count)
+    degree = frame.directions[direction].degree
     S_e = elastic_spectrum(checked_hazard(project)).acceleration(modes.period)
     inertia = [
         by_floor(frame, {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()})
         for shape in modes.shapes[:, :, degree]
     ]
     forces = (modes.participation[:, degree] * S_e)[:, None] * np.array(inertia)
+    if frame.directions[direction].name:  # modes of one frequency act as one, whatever way they are turned
+        forces = np.array([forces[cluster].sum(axis=0) for cluster in clusters(modes)])
     shears = np.sqrt(np.sum(np.cumsum(forces[:, ::-1], axis=1)[:, ::-1] ** 2, axis=0))
     return shears - np.append(shears[1:], 0.0)
 

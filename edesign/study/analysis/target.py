@@ -55,7 +55,10 @@ def run_target(
             f"the target displacement of {target.d_t:.4g} m is beyond the end of the capacity curve at {end:.4g} m{why}"
         )
         group = Group(attributes={"status": "failed", "reason": reason})
-        group.attributes |= {key: found.push.group.attributes[key] for key in ("pattern", "direction", "statistics")}
+        kept = found.push.group.attributes
+        group.attributes |= {
+            key: kept[key] for key in ("pattern", "direction", "eccentricity", "statistics") if key in kept
+        }
         warnings = []
     else:
         at = found.push.start + found.push.sign * target.d_t

@@ -6,6 +6,7 @@ import math
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 from edesign.errors import InputError
@@ -18,7 +19,8 @@ from edesign.project.analysis.analyses import (
     PushoverAnalysis,
     TargetAnalysis,
 )
-from edesign.project.analysis.pushover import pattern_name
+from edesign.project.analysis.pushover import Eccentric, pattern_name
+from edesign.project.analysis.shaking import Position
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.pairs import SuitePairs
@@ -216,26 +218,29 @@ def shakings(spec: HistoryAnalysis) -> list[HistoryAnalysis]:
 
 
 def pushover_parts(spec: PushoverAnalysis, hazard_levels: tuple[str, ...]) -> list[PushoverAnalysis | TargetAnalysis]:
-    """Return the pushovers of each pattern and direction, each followed by those to its target displacements.
+    """Return the pushovers of each pattern, direction and position of masses, each followed by those to its targets.
 
-    Several patterns stand in the names as `push.uniform`, both directions as `push.right`, targets as `push.n2.DBE`.
+    Several patterns stand in the names as `push.uniform`, directions as `push.right` or `push.x+`, positions as
+    `push.x+.+x+y`, targets as `push.n2.DBE`.
 
     Args:
-        spec: of one or several patterns, in one or both directions.
+        spec: of one or several patterns, directions and positions.
         hazard_levels: names of all levels, for which targets are found where `spec` names none.
     """
     found: list[PushoverAnalysis | TargetAnalysis] = []
-    for pattern in spec.pattern:
-        for direction in spec.directions:
-            name = [spec.name]
-            name += [pattern_name(pattern)] * (len(spec.pattern) > 1) + [direction] * (len(spec.directions) > 1)
-            one = spec.model_copy(update={"name": ".".join(name), "pattern": (pattern,), "direction": direction})
-            found.append(one)
-            values = {key: getattr(one, key) for key in PushoverAnalysis.model_fields if key not in ("kind", "name")}
-            for method in spec.targets:
-                for level in spec.levels if spec.levels is not None else hazard_levels:
-                    place = ".".join((one.name, method, level))
-                    found.append(
-                        TargetAnalysis.model_construct(kind="target", name=place, method=method, level=level, **values)
-                    )
+    positions: tuple[Position | None, ...] = spec.eccentricity if isinstance(spec, Eccentric) else (None,)
+    several = len(spec.pattern) > 1, len(spec.directions) > 1, len(positions) > 1
+    for pattern, direction, position in product(spec.pattern, spec.directions, positions):
+        parts = zip((pattern_name(pattern), direction, position), several, strict=True)
+        name = ".".join([spec.name, *(str(part) for part, named in parts if named)])
+        of = {"name": name, "pattern": (pattern,), "direction": direction}
+        one = spec.model_copy(update=of if position is None else {**of, "eccentricity": (position,)})
+        found.append(one)
+        values = {key: getattr(one, key) for key in type(one).model_fields if key not in ("kind", "name")}
+        for method in spec.targets:
+            for level in spec.levels if spec.levels is not None else hazard_levels:
+                place = ".".join((one.name, method, level))
+                found.append(
+                    TargetAnalysis.model_construct(kind="target", name=place, method=method, level=level, **values)
+                )
     return found

@@ -1,0 +1,75 @@
+"""The mode that leads in a horizontal direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.core import Modes
+from edesign.frame.frame_model import Direction
+from edesign.study.analysis.structure import Structure
+
+CLUSTER = 1e-6
+"""Relative distance of frequencies up to which modes are one cluster: within it any turn of them is as good."""
+_FIRST_ASKED = 6
+"""Modes that are asked for at first in space; as many more follow as may hide one with more mass."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A natural mode.
+
+    Attributes:
+        period: s.
+        shape: (n_nodes, 3 or 6), generalised mass 1.
+        participation: for ground motion in the direction, sqrt(kg).
+    """
+
+    period: float
+    shape: np.ndarray
+    participation: float
+
+
+def leading_mode(structure: Structure, direction: Direction, damper_stiffness: np.ndarray | None = None) -> Mode:
+    """Return the mode with most effective mass in a direction in the present state; of a plane frame the first one.
+
+    Modes of one frequency, as a building with equal stiffness along both axes has them, are turned within their
+    cluster so that one of them has all of its effective mass.
+
+    Args:
+        structure: the frame or building.
+        direction: in which the mass counts.
+        damper_stiffness: as of `Structure.modes`.
+
+    Raises:
+        AnalysisError: there is no mode, or the structure is unstable.
+    """
+    if not direction.name:
+        modes = structure.modes(1, damper_stiffness)
+        return _turned(modes, np.array([0]), direction)
+    most = int(np.count_nonzero(structure.analysis.masses()))
+    count = min(_FIRST_ASKED, most)
+    while True:
+        modes = structure.modes(count, damper_stiffness)
+        ratios = modes.effective_mass_ratio[:, direction.degree]
+        whole = [(float(ratios[cluster].sum()), cluster) for cluster in clusters(modes)]
+        ratio, leading = max(whole, key=lambda one: one[0])
+        if count == most or (leading[-1] < count - 1 and ratio >= 1.0 - ratios.sum()):
+            return _turned(modes, leading, direction)
+        count = min(2 * count, most)
+
+
+def clusters(modes: Modes) -> list[np.ndarray]:
+    """Return the numbers of the modes from 0, those of one frequency together."""
+    apart = np.diff(modes.omega) > CLUSTER * modes.omega[1:]
+    return np.split(np.arange(modes.omega.size), np.flatnonzero(apart) + 1)
+
+
+def _turned(modes: Modes, cluster: np.ndarray, direction: Direction) -> Mode:
+    first, factors = int(cluster[0]), modes.participation[cluster, direction.degree]
+    period = float(modes.period[first])
+    if cluster.size == 1:
+        return Mode(period, modes.shapes[first], float(factors[0]))
+    whole = float(np.linalg.norm(factors))
+    return Mode(period, np.tensordot(factors / whole, modes.shapes[cluster], axes=1), whole)
