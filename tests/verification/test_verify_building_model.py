@@ -231,8 +231,8 @@ masses: {given: [{floors: 1, mass: 20 t}, {floors: 2, mass: 16 t}]}
 """Columns shorten alike in both frames, so that nothing bends and moves across them."""
 
 
-def regular(along: str, braces: str) -> Building:
-    text = REGULAR
+def regular(along: str, braces: str, more: str = "") -> Building:
+    text = REGULAR + more
     if braces:
         run = f"braces: [{{along: @a@, frames: all, bays: 2, kind: {braces}, section: SHS80x4, material: S275}}]"
         text = text.replace("materials:", f"{run}\nmaterials:")
@@ -241,6 +241,11 @@ def regular(along: str, braces: str) -> Building:
 
 def plane_frame(whole: Building, along: str, monkeypatch: pytest.MonkeyPatch) -> FrameModel:
     """One of the frames, whose layers are the fibres of the sections in space."""
+    return make_frame(plane_project(whole, along, monkeypatch))
+
+
+def plane_project(whole: Building, along: str, monkeypatch: pytest.MonkeyPatch) -> Project:
+    """The file of one of the frames, whose layers are the fibres of the sections in space."""
 
     def layers(project: Project, name: str, axis: str = "strong") -> CrossSection:
         fibres = space_section(name)
@@ -250,7 +255,7 @@ def plane_frame(whole: Building, along: str, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(core_sections, "cross_section", layers)
     name = "X1" if along == "x" else "YA"
     text = project_text(frame_row(whole, space_frame(whole), name))
-    return make_frame(parse_project(text, "frame.yaml", BuildingSections()))
+    return parse_project(text, "frame.yaml", BuildingSections())
 
 
 def watched(frame: FrameModel, direction: int, count: float, lines: tuple[str, ...]) -> list[Channel]:
@@ -354,6 +359,10 @@ masses: {from_loads: {}}
 
 
 def leaning(along: str, mirrored: bool) -> FrameModel:
+    return build_building(leaning_building(along, mirrored))
+
+
+def leaning_building(along: str, mirrored: bool) -> Building:
     """A building with its first direction along x or y, as it is or seen in a mirror across that direction."""
     values = {
         "a": along,
@@ -365,7 +374,7 @@ def leaning(along: str, mirrored: bool) -> FrameModel:
     text = LEANING
     for name, value in values.items():
         text = text.replace(f"@{name}@", value)
-    return build_building(building(text))
+    return building(text)
 
 
 @pytest.mark.parametrize(("along", "mirrored"), [("x", True), ("y", False), ("y", True)])

@@ -166,6 +166,20 @@ SHAKEN = "kind: history, record: far"
         ("directions: both", "directions: @all", "masses.directions `both` E-VALUE-03"),
         ("direction: all", "direction: @right", "analyses[2].direction `x+` `y-` `all` E-VALUE-03"),
         (", direction: all", "", "analyses[2].direction E-KEY-02"),
+        ("direction: all", "direction: @30 deg", "analyses[2].direction `x+` E-VALUE-03"),
+        ("direction: all", "direction: all, eccentricity: @+z", "analyses[2].eccentricity E-VALUE-03"),
+        ("direction: all", "direction: all, eccentricity: @1", "analyses[2].eccentricity E-VALUE-03"),
+        ("direction: all", "direction: all, eccentricity: @[]", "analyses[2].eccentricity E-VALUE-01"),
+        ("direction: all", "direction: all, eccentricity: [0, 0]", "analyses[2].eccentricity[1] E-NAME-02"),
+        ("direction: all", "direction: all, eccentricity: [0, @+x]", "analyses[2].eccentricity[1] `+x+y` E-PUSH-04"),
+        ("direction: all", "direction: y, eccentricity: @+y", "analyses[2].eccentricity along y E-PUSH-04"),
+        ("direction: all", "direction: x, @eccentricity_ratio: 5 %", "analyses[2].eccentricity_ratio E-KEY-03"),
+        ("direction: all", "direction: x, eccentricity: -y, eccentricity_ratio: @0", "eccentricity_ratio E-VALUE-02"),
+        (
+            "[first_mode, {floors: [1, 2]}], direction: all",
+            "@{mode: 1}, direction: all, targets: n2",
+            "analyses[2].pattern `first_mode` E-PUSH-03",
+        ),
         ("floors: [1, 2]", "floors: [1, 2, 3]", "analyses[2].pattern[1] 2 3 E-VALUE-04"),
         ("roof_drift: 2 %", "roof_drift: 2 %, targets: n2, levels: [@MCE]", "analyses[2].levels E-NAME-01"),
         ("archive: shaken.h5", "archive: @shaken.zip", "outputs.archive E-FILE-08"),
@@ -192,6 +206,20 @@ SHAKEN = "kind: history, record: far"
 )
 def test_mistakes_of_analyses_are_reported_with_their_place(old: str, new: str, said: str) -> None:
     _is_reported(ANALYSED, old, new, said)
+
+
+ASIDE = ANALYSED.replace("direction: all", "direction: all, eccentricity: -x-y")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [  # as above, of a building whose loads act beside its centres of mass
+        ("columns: [{s", "diaphragms: none\ncolumns: [{s", "analyses[2].eccentricity `diaphragms` E-PUSH-04"),
+        ("medium", "medium\n  accidental_torsion: none", "analyses[2].eccentricity_ratio E-KEY-02"),
+    ],
+)
+def test_mistakes_of_eccentric_pushovers_are_reported(old: str, new: str, said: str) -> None:
+    _is_reported(ASIDE, old, new, said)
 
 
 CHEVRONS = "along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]"

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import pytest
+from building_examples import ANALYSED, building
 from messages import says
 from unit.study.frames import project
 from unit.study.test_target_displacements import HAZARD, PORTAL
 
 from edesign.project import ProjectError
+from edesign.project.analysis.analyses import PushoverAnalysis
 from edesign.study.check.advice import pattern_warnings
-from edesign.study.plan.plan import make_plan
+from edesign.study.plan.plan import make_plan, pushover_parts
 
 HEAD = PORTAL.partition("analyses:")[0].replace("mass: 1 t", "mass: 10 t")
 WITH = HEAD + HAZARD.replace("@a@", "1 g")
@@ -40,6 +42,27 @@ def test_what_pushovers_stand_for() -> None:
         "push.left.asce41.MCE",
     ]
     assert plan("pattern: {floors: [1]}, targets: fema356") == ["push", "push.fema356.DBE", "push.fema356.MCE"]
+
+
+def test_what_pushovers_of_buildings_stand_for() -> None:
+    """Directions and positions are in the names where there are several."""
+
+    def names(direction: str) -> list[str]:
+        whole = building(ANALYSED, ("[first_mode, {floors: [1, 2]}], direction: all", f"uniform, {direction}"))
+        (spec,) = (one for one in whole.analyses if isinstance(one, PushoverAnalysis))
+        return [part.name for part in pushover_parts(spec, ("DBE",))]
+
+    assert names("direction: x+") == ["push"]
+    assert names("direction: y") == ["push.y+", "push.y-"]
+    assert names("direction: x-, eccentricity: +y") == ["push"]
+    assert names("direction: x+, eccentricity: [0, +x+y], targets: n2") == [
+        "push.0",
+        "push.0.n2.DBE",
+        "push.+x+y",
+        "push.+x+y.n2.DBE",
+    ]
+    both = [f"push.{way}.{at}" for way in ("x+", "x-", "y+", "y-") for at in ("+x+y", "-x-y")]
+    assert names("direction: all, eccentricity: [+x+y, -x-y]") == both
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,347 @@
+"""Pushes of buildings along x and y against plastic theory, plane frames, statics of rigid floors and symmetry.
+
+References: mechanism loads and rotations of rigid floors by hand; plane frames by the core of plane frames, extracted
+from the building; energies that the core counts.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from building_examples import building
+from verification.test_verify_building_model import SHARP, leaning_building, plane_project, regular
+
+from edesign.archive.dataset import Group
+from edesign.core import Analysis, Modes
+from edesign.frame.sections.steel_section import steel_section
+from edesign.project.analysis.analyses import BuildingPushover, FramePushover, TargetAnalysis
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building import Building
+from edesign.study.analysis import structure
+from edesign.study.analysis.capacity import Basis, capacity
+from edesign.study.analysis.leading_mode import leading_mode
+from edesign.study.analysis.pushover import run_pushover
+from edesign.study.analysis.structure import make_structure
+from edesign.study.analysis.target import run_target
+from edesign.study.plan.plan import pushover_parts
+
+
+@pytest.fixture
+def sharp(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Answers are iterated to rounding, so that what is left between them is the difference of the models."""
+
+    def analysis(model: Any, tolerance: float) -> Analysis:
+        return Analysis(model, **SHARP)
+
+    monkeypatch.setattr(structure, "Analysis", analysis)
+
+
+def pushover(direction: str, **more: Any) -> BuildingPushover:
+    values = {"name": "push", "kind": "pushover", "pattern": "uniform", "steps": 40, "direction": direction, **more}
+    return BuildingPushover.model_validate(values)
+
+
+def pushed(of: Building, direction: str, **more: Any) -> Group:
+    group = run_pushover(of, pushover(direction, **more))
+    assert group.attributes["status"] == "completed", group.attributes["reason"]
+    return group
+
+
+def values(group: Group, name: str) -> np.ndarray:
+    return np.asarray(group.variables[name].values)
+
+
+# --- plastic theory
+
+PORTAL = """\
+edesign_building: 1
+title: A table of four columns under stiff beams
+plan: {x: [@x@], y: [@y@]}
+storeys: [4 m]
+columns: [{section: HEB200, material: S275, strong: x}]
+beams:
+  - {along: x, section: HEB600, material: stiff}
+  - {along: y, section: HEB600, material: stiff}
+materials: {S275: {fy: 275 MPa}, stiff: {fy: 275 MPa, law: elastic}}
+loads: {self_weight: false, nodes: [{at: all, floors: 1, G: @G@}]}
+masses: {given: [{floors: 1, mass: 10 t}]}
+elements: {geometry: {columns: @geometry@}}
+"""
+W_Y, W_Z, H, FY = 642.5e-6, 305.8e-6, 4.0, 275e6
+"""Plastic section moduli of an HEB200 about both axes, m3 (tables of the producers), height and yield stress."""
+
+
+def portal(x: str = "12 m", y: str = "12 m", G: str = "0 kN", geometry: str = "linear") -> Building:
+    text = PORTAL
+    for name, value in {"x": x, "y": y, "G": G, "geometry": geometry}.items():
+        text = text.replace(f"@{name}@", value)
+    return building(text)
+
+
+@pytest.mark.parametrize(("direction", "modulus"), [("x+", W_Y), ("x-", W_Y), ("y+", W_Z), ("y-", W_Z)])
+def test_mechanism_load_of_a_space_portal(direction: str, modulus: float) -> None:
+    """Hinges at both ends of four columns: V = 8 W_pl f_y / h, about the strong axis and about the weak one.
+
+    1 %: fibres have the area and second moments of the section with its fillets, not its plastic modulus, and the
+    columns get 1 % of N_pl from the beams.
+    """
+    group = pushed(portal(), direction, roof_drift=0.08)
+    sign = 1.0 if direction.endswith("+") else -1.0
+    along = "xy".index(direction[0])
+    shear = sign * values(group, "base_shear")
+    assert shear[-1, along] == pytest.approx(8.0 * modulus * FY / H, rel=0.01)
+    assert abs(shear[:, 1 - along]).max() < 1e-6 * shear[-1, along]
+    assert values(group, "control_displacement")[-1] == pytest.approx(0.08 * H)
+    assert group.attributes["direction"] == direction
+    happened = values(group, "capacity_event_what").tolist()
+    about, other = ("y", "z") if along == 0 else ("z", "y")
+    assert f"first hinge in a column about {about}" in happened
+    assert f"first hinge in a column about {other}" not in happened
+    place = values(group, "capacity_event_place")[happened.index("drift of CP, 5 %")]
+    assert place.startswith(f"storey 1 along {direction[0]} at ")
+
+
+# --- statics of a rigid floor
+
+
+@pytest.mark.parametrize(("direction", "position", "way"), [("x+", "+y", -1), ("x+", "-x-y", 1), ("y-", "+x", -1)])
+def test_loads_beside_the_centre_of_mass_turn_the_floor(direction: str, position: str, way: int) -> None:
+    """A turn of V e / K of the floor, K = k_x B^2 / 4 + k_y L^2 / 4 + 4 G I_t / h with the stiffness of both axes.
+
+    The stiffness k is that of a push without eccentricity. 2e-3: corner columns shorten otherwise when the floor turns.
+    """
+    of = portal("10 m", "6 m")
+    k = {}
+    for axis in ("x", "y"):
+        group = pushed(of, f"{axis}+", roof_drift=1e-5, steps=1)
+        k[axis] = values(group, "base_shear")[-1, "xy".index(axis)] / values(group, "control_displacement")[-1]
+    group = pushed(of, direction, roof_drift=1e-5, steps=1, eccentricity=position, eccentricity_ratio=0.1)
+    torsion = 4.0 * 210e9 / 2.6 * steel_section("HEB200").I_t / H
+    K = k["x"] * 6.0**2 / 4.0 + k["y"] * 10.0**2 / 4.0 + torsion
+    e, shear = (0.6, k["x"] * 4e-5) if direction[0] == "x" else (1.0, k["y"] * 4e-5)
+    assert values(group, "base_shear")[-1, "xy".index(direction[0])] == pytest.approx(
+        shear * (1 if direction.endswith("+") else -1), rel=1e-6
+    )
+    assert values(group, "floor_rotation")[-1, 0] == pytest.approx(way * shear * e / K, rel=2e-3)
+    moment = values(group, "storey_torque")[-1, 0] / values(group, "lateral_load")[-1]
+    assert moment == pytest.approx(values(group, "lateral_load_moment")[0], rel=1e-6)
+    assert moment * (1 if direction.endswith("+") else -1) == pytest.approx(way * e, rel=1e-6)
+    assert group.attributes["eccentricity"] == position
+
+
+# --- plane frames
+
+HAZARD = """\
+hazard: {code: ec8-2004, a_gR: 0.6 g, ground: C, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
+"""
+SHARED = ("base_shear", "storey_shear", "curve_base_shear", "idealised_base_shear", "lateral_load")
+"""What two equal frames have together."""
+ALONE = ("roof_drift", "control_displacement", "floor_displacement", "storey_drift", "curve_displacement")
+TARGETS = (
+    "T",
+    "Gamma",
+    "d_t",
+    "q_u",
+    "T_i",
+    "T_e",
+    "C_0",
+    "C_1",
+    "alpha",
+    "mu_strength",
+    "mu_max",
+    "alpha_PDelta",
+    "R",
+)
+
+
+@pytest.mark.parametrize(("along", "pattern"), [("x", "first_mode"), ("y", "first_mode"), ("y", "triangular")])
+def test_pushes_of_plane_frames(along: str, pattern: str, sharp: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A building of two equal frames is pushed as one of them is in its plane, with its targets and events.
+
+    1e-9 of the largest value: both iterate to 1e-12 of the forces.
+    """
+    whole = regular(along, "", HAZARD)
+    plane = plane_project(whole, along, monkeypatch)
+    shared = {"name": "push", "kind": "pushover", "pattern": pattern, "steps": 60, "roof_drift": 0.06}
+    shared |= {"targets": ("n2", "fema356", "asce41")}
+    for of_building, of_frame in ((f"{along}+", "right"), (f"{along}-", "left")):
+        found = results(whole, BuildingPushover.model_validate({**shared, "direction": of_building}))
+        expected = results(plane, FramePushover.model_validate({**shared, "direction": of_frame}))
+        assert list(found) == list(expected)
+        for name, group in expected.items():
+            own = found[name]
+            assert own.attributes["status"] == "completed", own.attributes["reason"]
+            assert own.attributes["direction"] == of_building
+            for keys, count in ((ALONE, 1.0), (SHARED, 2.0)):
+                for key in (key for key in keys if key in group.variables):
+                    same(of_axis(own, key, along), count * values(group, key), key)
+            for key in (f"{name.split('.')[1]}_{key}" for key in TARGETS if "." in name):
+                if key in group.variables:
+                    same(values(own, key), values(group, key), key)
+            assert [(step, word.partition(" about")[0]) for step, word in events(own)] == events(group)
+        assert len(events(expected["push"])) > 5
+
+
+def same(own: np.ndarray, expected: np.ndarray, what: str) -> None:
+    scale = np.abs(expected).max()
+    np.testing.assert_allclose(own, expected, rtol=0.0, atol=1e-9 * scale, err_msg=what)
+
+
+def of_axis(group: Group, name: str, along: str) -> np.ndarray:
+    variable = group.variables[name]
+    return np.asarray(variable.values[..., "xy".index(along)] if "direction" in variable.dims else variable.values)
+
+
+def results(of: AnalysisFile, spec: BuildingPushover | FramePushover) -> dict[str, Group]:
+    parts = pushover_parts(spec, tuple(of.hazard_levels))
+    return {
+        part.name: run_target(of, part) if isinstance(part, TargetAnalysis) else run_pushover(of, part)
+        for part in parts
+    }
+
+
+def events(group: Group) -> list[tuple[int, str]]:
+    if "capacity_event_what" not in group.variables:
+        return []
+    return list(zip(*(values(group, f"capacity_event_{key}").tolist() for key in ("step", "what")), strict=True))
+
+
+# --- symmetry
+
+
+@pytest.mark.parametrize("pattern", ["first_mode", {"modes": 6}])
+def test_a_mirrored_and_a_turned_building_are_pushed_alike(sharp: None, pattern: Any) -> None:
+    """A setback, weak columns and one brace: floors, their turns, drifts, forces and events follow the axes.
+
+    Turned by its diagonal x becomes y, which is a mirror too, so that turns about the vertical change their sign.
+    1e-9 of the largest value: iterated to 1e-12 of the forces.
+    """
+    hazard = building(
+        PORTAL.replace("@x@", "6 m").replace("@y@", "6 m").replace("@G@", "1 kN").replace("@geometry@", "linear")
+        + HAZARD
+    ).hazard
+    of = {
+        key: leaning_building(*key).model_copy(update={"hazard": hazard})
+        for key in (("x", False), ("x", True), ("y", False))
+    }
+    for direction, position in (("x+", "-x+y"), ("y-", "+x+y")):
+        expected = pushed(of["x", False], direction, pattern=pattern, eccentricity=position, roof_drift=0.03)
+        assert np.abs(values(expected, "floor_rotation")).max() > 1e-3
+        assert np.abs(values(expected, "column_plastic_rotation_max")).max() > 1e-3
+        mirror = str.maketrans("+-", "-+")
+        seen = direction.translate(mirror) if direction[0] == "x" else direction
+        own = pushed(
+            of["x", True],
+            seen,
+            pattern=pattern,
+            eccentricity=position[:2].translate(mirror) + position[2:],
+            roof_drift=0.03,
+        )
+        alike(own, expected, (-1.0, 1.0), (0, 1))
+        swap = str.maketrans("xy", "yx")
+        turned = position[2:].translate(swap) + position[:2].translate(swap)
+        own = pushed(of["y", False], direction.translate(swap), pattern=pattern, eccentricity=turned, roof_drift=0.03)
+        alike(own, expected, (1.0, 1.0), (1, 0))
+
+
+def alike(own: Group, expected: Group, signs: tuple[float, float], axes: tuple[int, int]) -> None:
+    """What was pushed in a mirror that changes signs along x and y, or takes one axis for the other."""
+    for name in ("floor_displacement", "storey_drift", "base_shear", "storey_shear"):
+        same(values(own, name)[..., axes] * signs, values(expected, name), name)
+    same(-values(own, "floor_rotation"), values(expected, "floor_rotation"), "turn")
+    same(values(own, "control_displacement"), values(expected, "control_displacement"), "control")
+    same(values(own, "lateral_load_share"), values(expected, "lateral_load_share"), "shares")
+    assert events(own) == events(expected)
+
+
+# --- leading modes
+
+SQUARE = """\
+edesign_building: 1
+title: A square table
+plan: {x: [6 m], y: [6 m]}
+storeys: [4 m, 4 m]
+columns: [{section: SHS200x10, material: S275, strong: x}]
+beams: [{along: x, section: IPE300, material: S275}, {along: y, section: IPE300, material: S275}]
+materials: {S275: {fy: 275 MPa, law: elastic}}
+loads: {self_weight: false}
+masses: {given: [{floors: all, mass: 10 t}]}
+"""
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.25, 1.0])
+def test_modes_of_one_frequency_lead_each_in_its_direction(angle: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both axes of a square building have one frequency: in each direction one mode leads, with equal shapes.
+
+    So it is whichever turn, as a share of 90 degrees, the solution gives these two modes. Two storeys have some 90 % of
+    their mass in the first mode; with half of them turned by 45 degrees it would be 45 %.
+    """
+    of = building(SQUARE)
+
+    def turned(analysis: Analysis, count: int, stiffness: Any = None) -> Modes:
+        modes = whole(analysis, count, stiffness)
+        c, s = np.cos(angle * np.pi / 2.0), np.sin(angle * np.pi / 2.0)
+        mixed = {}
+        for name in ("shapes", "participation"):
+            mixed[name] = getattr(modes, name).copy()
+            mixed[name][:2] = np.tensordot(np.array([[c, s], [-s, c]]), mixed[name][:2], axes=1)
+        return replace(modes, **mixed, effective_mass_ratio=mixed["participation"] ** 2 / 80e3)
+
+    whole = Analysis.modes
+    monkeypatch.setattr(Analysis, "modes", turned)
+    made = make_structure(of)
+    made.apply_gravity()
+    for direction, other in zip(made.frame.directions, made.frame.directions[::-1], strict=True):
+        mode = leading_mode(made, direction)
+        assert 0.85 < mode.participation**2 / 80e3 < 0.99
+        across = mode.shape[:, other.degree]
+        assert np.abs(across).max() < 1e-6 * np.abs(mode.shape[:, direction.degree]).max()
+    first, second = (Basis(of, pushover(f"{axis}+", pattern="first_mode")) for axis in ("x", "y"))
+    assert first.forces == pytest.approx(second.forces, rel=1e-9)
+    assert first.first_mode == pytest.approx(second.first_mode, rel=1e-9)
+
+
+def test_the_leading_mode_is_not_the_first_one() -> None:
+    """HEB columns are weaker about z: mode 1 is along y, and the pattern along x is still that of a mode along x."""
+    of = building(SQUARE, ("SHS200x10", "HEB200"))
+    made = make_structure(of)
+    made.apply_gravity()
+    x, y = (leading_mode(made, direction) for direction in made.frame.directions)
+    assert made.modes(1).period[0] == pytest.approx(y.period, rel=1e-12)
+    assert x.period < 0.8 * y.period
+    assert Basis(of, pushover("x+", pattern="first_mode")).first_mode[0] == pytest.approx(x.period, rel=1e-9)
+
+
+# --- second order
+
+
+@pytest.mark.parametrize("direction", ["x+", "y-"])
+def test_the_descent_of_a_mechanism(direction: str) -> None:
+    """Four columns with hinges at both ends lose P / h of their base shear for each metre, all by vertical loads."""
+    found = capacity(portal(G="150 kN", geometry="p_delta"), pushover(direction, roof_drift=0.08, steps=80))
+    u, V = found.curve.displacement, found.curve.force
+    slope = found.second_order_slope(0.24, 0.32)
+    assert slope == pytest.approx(-4 * 150e3 / H, rel=1e-3)
+    assert np.interp(0.32, u, V) - np.interp(0.24, u, V) == pytest.approx(0.08 * slope, rel=0.1)
+
+
+def test_the_second_order_slope_of_a_floor_that_turns() -> None:
+    """The work of vertical loads that the core counts is half of the slope's part times the work of the loads.
+
+    An elastic frame moves in proportion to its loads. 1e-3: gravity has moved it before.
+    """
+    of = portal("10 m", "6 m", "150 kN", "p_delta")
+    elastic = of.model_copy(
+        update={"materials": {n: s.model_copy(update={"law": "elastic"}) for n, s in of.materials.items()}}
+    )
+    found = capacity(elastic, pushover("y+", roof_drift=0.01, steps=4, eccentricity="+x", eccentricity_ratio=0.3))
+    one = found.push
+    end = one.displacement[-1]
+    work = one.response.energy["p_delta"][-1] - one.response.energy["p_delta"][0]
+    name = one.frame.model.node_names[one.frame.control]
+    moved = one.floors[-1, 0] - one.floors[0, 0] + one.moments[name] * (one.turned[-1, 0] - one.turned[0, 0])
+    assert abs(one.turned[-1, 0]) > 1e-3
+    assert found.second_order_slope(0.0, end) == pytest.approx(2.0 * work / moved / end, rel=1e-3)
