@@ -31,6 +31,11 @@ WAYS = {
     "y-": ("y", -1.0),
 }
 """Axis, "" of a plane frame, and sign of each direction."""
+SIDES = {"right": "to the right", "left": "to the left"} | {
+    **{axis: f"along {axis}" for axis in ("x", "y")},
+    **{f"{axis}{sign}": f"towards {sign}{axis}" for axis in ("x", "y") for sign in ("+", "-")},
+}
+"""Directions of pushes, as people read them."""
 Method = Literal["n2", "fema356", "asce41"]
 SiteClass = Literal["A", "B", "C", "D", "E", "F"]
 

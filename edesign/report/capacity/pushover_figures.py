@@ -13,9 +13,9 @@ from edesign.archive.reader import Archive
 from edesign.assess.sets import TARGET
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.ground_motion.hazard import elastic_spectrum
-from edesign.project.analysis.pushover import METHODS
-from edesign.project.project import Project
-from edesign.report.archived import archived_project
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis.pushover import METHODS, SIDES, WAYS
+from edesign.report.archived import archived_building, archived_project
 from edesign.report.drawing.captions import file_name
 from edesign.report.drawing.style import (
     BEFORE,
@@ -51,8 +51,8 @@ MARKERS = {
 }
 """Of events, by how their names begin."""
 
-SIDES = {"right": "to the right", "left": "to the left"}
-DASHES = {"right": (), "left": (4, 1.5)}
+DASHES = {1.0: (), -1.0: (4, 1.5)}
+"""By the sign of the push: to the right or along its axis, or against it."""
 LONGEST = 4.0  # s: EN 1998-1 gives the spectrum up to it, 3.2.2.2(1)P
 HIGHEST = 3.0  # spectra are drawn up to this multiple of the demand: the plateau says nothing of flexible frames
 ELEVATIONS = 4  # side by side
@@ -69,7 +69,7 @@ class Curve:
     Attributes:
         variant: "" where it has none.
         label: name of the pushover without that of the variant.
-        direction: right or left.
+        direction: right or left, of a building x+, x-, y+ or y-.
     """
 
     variant: str
@@ -79,13 +79,26 @@ class Curve:
 
     @property
     def loading(self) -> str:
-        """The label without the direction; pushes to both sides share its color."""
-        return self.label.removesuffix(f".{self.direction}")
+        """The label without the direction; pushes to both sides share its color. Of a building its axis stays."""
+        axis = WAYS[self.direction][0]
+        if not axis:
+            return self.label.removesuffix(f".{self.direction}")
+        return ".".join(axis if part == self.direction else part for part in self.label.split("."))
 
     @property
     def sign(self) -> float:
-        """1 to the right, -1 to the left."""
-        return -1.0 if self.direction == "left" else 1.0
+        """1 to the right or along the axis, -1 to the other side."""
+        return WAYS[self.direction][1]
+
+    @property
+    def base_shear(self) -> np.ndarray:
+        """Base shear in the direction of the push, (steps,) kN."""
+        variable = self.group.variables["base_shear"]
+        axis = WAYS[self.direction][0]
+        along = (
+            variable.values[:, self.group.coords["direction"].values.tolist().index(axis)] if axis else variable.values
+        )
+        return np.asarray(1e-3 * self.sign * along)
 
 
 def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
@@ -110,9 +123,9 @@ def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             "of the push. Marks stand where each event has happened for the first time."
         )
         yield "capacity_curves", caption, capacity_figure(curves)
-    project = archived_project(archive)
+    file = archived_project(archive) or archived_building(archive)
     found = [one for one in targets if "n2_d_t" in one.group.variables]
-    if project is None or project.hazard is None:
+    if file is None or file.hazard is None:
         return
     for variant in dict.fromkeys(one.variant for one in found):
         caption = (
@@ -120,7 +133,7 @@ def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             "Dashed is its idealisation, thin the line of its period T*; points are the target displacements d_t*."
         )
         chosen = [one for one in found if one.variant == variant]
-        yield file_name("n2", variant), caption, adrs_figure(project, chosen)
+        yield file_name("n2", variant), caption, adrs_figure(file.hazard, chosen)
 
 
 def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
@@ -168,14 +181,15 @@ def capacity_figure(curves: Sequence[Curve]) -> Figure:
         panel, line = (curve.loading, curve.variant) if over else (curve.variant, curve.loading)
         here, color = axes[panels.index(panel)], VARIANTS[lines.index(line) % len(VARIANTS)]
         variables = curve.group.variables
-        x, y = 1e3 * variables["control_displacement"].values, 1e-3 * curve.sign * variables["base_shear"].values
-        here.plot(x, y, color=color, dashes=DASHES[curve.direction])
+        here.plot(
+            1e3 * variables["control_displacement"].values, curve.base_shear, color=color, dashes=DASHES[curve.sign]
+        )
         drawn[line, curve.direction] = color
         happened |= _events(here, curve, color)
     for here, panel in zip(axes, panels, strict=True):
         here.set_title(in_words(panel) if over else panel, loc="left")
     right = max(float(1e3 * curve.group.variables["control_displacement"].values[-1]) for curve in curves)
-    shears = [1e-3 * curve.sign * curve.group.variables["base_shear"].values for curve in curves]
+    shears = [curve.base_shear for curve in curves]
     bottom, top = min(float(shear.min()) for shear in shears), max(float(shear.max()) for shear in shears)
     for here in axes:
         here.set_xlim(0.0, 1.03 * right)
@@ -194,7 +208,7 @@ def _legend(figure: Figure, drawn: Mapping[tuple[str, str], str], happened: Mapp
     for (line, direction), color in drawn.items():
         words = line if over else in_words(line)
         label = f"{words}, {SIDES[direction]}" if both else words
-        handles.append(Line2D([], [], color=color, dashes=DASHES[direction], label=legend_label(label)))
+        handles.append(Line2D([], [], color=color, dashes=DASHES[WAYS[direction][1]], label=legend_label(label)))
     handles += [
         Line2D([], [], ls="none", marker=marker, color=MEAN, ms=4.5, mfc="none", label=what)
         for what, marker in happened.items()
@@ -222,11 +236,11 @@ def _events(here: Axes, curve: Curve, color: str) -> dict[str, str]:
 
 
 @styled
-def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
+def adrs_figure(hazard: Hazard, targets: Sequence[Curve]) -> Figure:
     """Draw equivalent oscillators against elastic spectra, acceleration against displacement, a panel for each push.
 
     Args:
-        project: with the hazard.
+        hazard: whose levels they are of.
         targets: of the N2 method and one variant, at least one.
     """
     from matplotlib.lines import Line2D
@@ -238,7 +252,7 @@ def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
     columns = 2 if len(pushes) == 4 else COLUMNS
     figure, axes = grid_figure(len(pushes), columns, 3.0 if len(pushes) > 1 else 5.0, 2.9)
     right = top = 0.0
-    spectra = {str(one.group.attributes["level"]): _spectrum(project, one.group) for one in targets}
+    spectra = {str(one.group.attributes["level"]): _spectrum(hazard, one.group) for one in targets}
     for here, (push, chosen) in zip(axes, pushes.items(), strict=True):
         for one in chosen:
             level = str(one.group.attributes["level"])
@@ -286,7 +300,6 @@ def _of_n2(group: Group) -> dict[str, float]:
     return {name.removeprefix("n2_"): float(group.variables[name].values) for name in names}
 
 
-def _spectrum(project: Project, group: Group) -> Spectrum:
-    assert project.hazard is not None
-    spectrum = elastic_spectrum(project.hazard, str(group.attributes["level"]))
+def _spectrum(hazard: Hazard, group: Group) -> Spectrum:
+    spectrum = elastic_spectrum(hazard, str(group.attributes["level"]))
     return spectrum.with_damping(float(group.attributes["spectrum_damping"]))

@@ -9,13 +9,13 @@ from dataclasses import replace
 from functools import partial
 
 from edesign.archive.dataset import Group
+from edesign.project.analysis.pushover import SIDES
 from edesign.report.drawing.captions import record_label
 from edesign.report.html.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Viewer, Warnings
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+/-]*")
-_SIDES = {"right": "to the right", "left": "to the left"}
 _METHODS = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE/SEI 41"}
 
 
@@ -38,7 +38,7 @@ def analysis_words(name: str, group: Group) -> str:
         before = before.strip(".")
         parts = [f"{own}{warm}", level if level and before.endswith(level) else before]
         return ", ".join(part for part in (*parts, record_label(record), after.strip(".")) if part)
-    words = [_METHODS.get(part, _SIDES.get(part, part.replace("_", " "))) for part in rest.split(".")]
+    words = [_METHODS.get(part, SIDES.get(part, part.replace("_", " "))) for part in rest.split(".")]
     return ", ".join(part for part in (own, *words) if part)
 
 

@@ -81,7 +81,7 @@ def _build(building: Building, model: Model, eccentricity: tuple[float, float]) 
         members=members.by_name,
         floors=floors,
         storeys=building_storeys(building, frame, nodes, members.by_name),
-        control=floors[-1].movers[0][0][0][1],
+        control=max(floors[-1].movers[0][0], key=lambda term: term[0])[1],
         directions=DIRECTIONS,
         up=UP,
         still=still_beams(building, frame, loads),
