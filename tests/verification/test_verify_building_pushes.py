@@ -345,3 +345,38 @@ def test_the_second_order_slope_of_a_floor_that_turns() -> None:
     moved = one.floors[-1, 0] - one.floors[0, 0] + one.moments[name] * (one.turned[-1, 0] - one.turned[0, 0])
     assert abs(one.turned[-1, 0]) > 1e-3
     assert found.second_order_slope(0.0, end) == pytest.approx(2.0 * work / moved / end, rel=1e-3)
+
+
+# --- torsion
+
+FLEXIBLE = """\
+edesign_building: 1
+title: A strong cross of columns in the middle of a wide floor
+plan: {x: [6 m, 6 m], y: [6 m, 6 m]}
+storeys: [4 m]
+columns:
+  - {section: SHS120x8, material: S275, strong: x}
+  - {at: B2, section: @section@, material: S275, strong: x}
+beams: [{along: x, section: IPE300, material: S275}, {along: y, section: IPE300, material: S275}]
+materials: {S275: {fy: 275 MPa}}
+loads: {self_weight: false}
+masses: {given: [{at: @at@, floors: all, mass: 10 t}]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("section", "at", "numbers"), [("SHS120x8", "[A2, B1, B2, B3, C2]", []), ("HEM400", "all", [1])]
+)
+def test_warnings_of_torsionally_flexible_buildings(section: str, at: str, numbers: list[int]) -> None:
+    """A column in the middle holds the floor against displacements and not against turns: the first mode is a turn.
+
+    Of nine equal columns turns are stiffer, as masses have a radius of 5.4 m about the middle and columns one of 6.9 m.
+    """
+    of = building(FLEXIBLE.replace("@section@", section).replace("@at@", at) + HAZARD)
+    (spec,) = pushover_parts(pushover("x+", targets=("n2",)), ("DBE",))[1:]
+    assert isinstance(spec, TargetAnalysis)
+    basis = Basis(of, spec)
+    assert list(basis.torsional_modes) == numbers
+    assert all(part == pytest.approx(1.0, abs=1e-6) for part in basis.torsional_modes.values())
+    said = [warning["kind"] for warning in run_target(of, spec).attributes["warnings"]]
+    assert ("target_torsion" in said) == bool(numbers)

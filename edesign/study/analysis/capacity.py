@@ -24,10 +24,10 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.damper_stiffness import small_amplitude
 from edesign.study.analysis.dampers import goes_with_speed
 from edesign.study.analysis.lateral_patterns import by_floor, floor_masses, lateral_loads
-from edesign.study.analysis.leading_mode import leading_mode
+from edesign.study.analysis.leading_mode import leading_mode, torsional_ratios
 from edesign.study.analysis.push import Progress, Push, Stop, push, pushed_along
 from edesign.study.analysis.second_order import second_order_slope
-from edesign.study.analysis.structure import device_stiffness, elastic_frame, make_frame
+from edesign.study.analysis.structure import Structure, device_stiffness, elastic_frame, make_frame
 
 PASSES = 8
 """Pushes until one reaches far enough; each goes as far as the last one asked, which two or three do."""
@@ -74,8 +74,7 @@ class Basis:
         The frame has the stiffness that displacement-dependent dampers have before they yield, which is in K_i, to
         which the period belongs (FEMA 356, 9.3.5.1).
         """
-        structure = elastic_frame(self._project, self._dampers)
-        structure.apply_gravity()
+        structure = self._elastic
         stiffness = structure.frame.brace_stiffness
         for device in structure.frame.devices:
             if device.restrained is None and not goes_with_speed(device):
@@ -85,6 +84,26 @@ class Basis:
         along = structure.frame.directions[self._direction]
         mode = leading_mode(structure, along, stiffness)
         return mode.period, float(mode.participation * mode.shape[structure.frame.control, along.degree])
+
+    @cached_property
+    def torsional_modes(self) -> dict[int, float]:
+        """Of the first two modes of a building those that are mostly turns about the vertical, and how much, by number.
+
+        A mode is one if its effective part in turns is larger than those along x and y.
+        """
+        frame = self._elastic.frame
+        if not frame.turning:
+            return {}
+        modes = self._elastic.modes(2, frame.brace_stiffness)
+        turns, others = torsional_ratios(frame, modes), modes.effective_mass_ratio[:, :2].max(axis=1)
+        return {i + 1: float(turns[i]) for i in range(2) if turns[i] > others[i]}
+
+    @cached_property
+    def _elastic(self) -> Structure:
+        """The frame with its dampers, under gravity."""
+        structure = elastic_frame(self._project, self._dampers)
+        structure.apply_gravity()
+        return structure
 
 
 @dataclass(frozen=True)

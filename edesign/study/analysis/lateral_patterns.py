@@ -94,7 +94,6 @@ def eccentric_moments(
     Rigid floors turn about the vertical, and they alone have one. The dimension of a floor is that of its nodes.
 
     Args:
-        frame: its model.
         loads: on the nodes by name, N; those of rigid floors at their centres of mass.
         position: where the masses are displaced to.
         ratio: eccentricity over the dimension of the floor at right angles to the loads.

@@ -1,4 +1,4 @@
-"""The mode that leads in a horizontal direction."""
+"""The mode that leads in a horizontal direction, and modes that turn a building."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.core import Modes
-from edesign.frame.frame_model import Direction
+from edesign.frame.frame_model import Direction, FrameModel
 from edesign.study.analysis.structure import Structure
 
 CLUSTER = 1e-6
@@ -38,7 +38,6 @@ def leading_mode(structure: Structure, direction: Direction, damper_stiffness: n
     cluster so that one of them has all of its effective mass.
 
     Args:
-        structure: the frame or building.
         direction: in which the mass counts.
         damper_stiffness: as of `Structure.modes`.
 
@@ -58,6 +57,26 @@ def leading_mode(structure: Structure, direction: Direction, damper_stiffness: n
         if count == most or (leading[-1] < count - 1 and ratio >= 1.0 - ratios.sum()):
             return _turned(modes, leading, direction)
         count = min(2 * count, most)
+
+
+def torsional_ratios(frame: FrameModel, modes: Modes) -> np.ndarray:
+    """Return the part of each mode of a building in turns about the vertical, (n,).
+
+    The effective mass is that for a turn of the ground about the vertical through the centre of all masses, over the
+    moment of inertia about it: Chopra, Dynamics of Structures, 13.3.
+
+    Args:
+        frame: its model, with rigid floors.
+        modes: as the core returns them.
+    """
+    nodes = [frame.nodes[name] for name in frame.masses]
+    mass = np.array(list(frame.masses.values()))
+    polar = np.array([frame.turning.get(name, 0.0) for name in frame.masses])
+    plan = np.array([frame.places[name][:2] for name in frame.masses])
+    x, y = (plan - np.average(plan, axis=0, weights=mass)).T
+    along_x, along_y, turn = (modes.shapes[:, nodes, degree] for degree in (0, 1, 5))
+    taking_part = (mass * (x * along_y - y * along_x) + polar * turn).sum(axis=1)
+    return np.asarray(taking_part**2 / float(np.sum(mass * (x**2 + y**2) + polar)))
 
 
 def clusters(modes: Modes) -> list[np.ndarray]:

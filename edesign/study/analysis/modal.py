@@ -13,6 +13,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.damper_stiffness import damped_modes, store_damper_stiffness
 from edesign.study.analysis.footings import interaction, store_footings, store_interaction
 from edesign.study.analysis.isolation_estimate import store_isolation_estimate
+from edesign.study.analysis.leading_mode import torsional_ratios
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
 from edesign.study.results.coordinates import direction_coordinate
 from edesign.study.results.recording import coordinate, directed
@@ -148,19 +149,8 @@ def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
 
 
 def _store_torsion(group: Group, frame: FrameModel, modes: Modes, scale: np.ndarray) -> None:
-    """Add the turns of rigid floors in the modes, and the part of each mode in turns about the vertical.
-
-    The effective mass is that for a turn of the ground about the vertical through the centre of all masses, over the
-    moment of inertia about it: Chopra, Dynamics of Structures, 13.3.
-    """
-    nodes = [frame.nodes[name] for name in frame.masses]
-    mass = np.array(list(frame.masses.values()))
-    polar = np.array([frame.turning.get(name, 0.0) for name in frame.masses])
-    plan = np.array([frame.places[name][:2] for name in frame.masses])
-    x, y = (plan - np.average(plan, axis=0, weights=mass)).T
-    along_x, along_y, turn = (modes.shapes[:, nodes, degree] for degree in (0, 1, 5))
-    taking_part = (mass * (x * along_y - y * along_x) + polar * turn).sum(axis=1)
-    ratios = taking_part**2 / float(np.sum(mass * (x**2 + y**2) + polar))
+    """Add the turns of rigid floors in the modes, and the part of each mode in turns about the vertical."""
+    ratios = torsional_ratios(frame, modes)
     label = "effective modal moment of inertia for a turn about the vertical / moment of inertia of all masses"
     group.add("effective_mass_ratio_rz", ("mode",), ratios, "1", label)
     group.add("cumulative_mass_ratio_rz", ("mode",), np.cumsum(ratios), "1", f"sum up to this mode of: {label}")

@@ -25,7 +25,6 @@ def second_order_slope(push: Push, forces: np.ndarray, first: float, last: float
     of mass the s_j have moments, which do work on the turns of the floors.
 
     Args:
-        push: with second-order forces in its columns.
         forces: shares of the floors in the base shear, from the lowest.
         first: displacement of the control node since gravity at which the part of the curve begins, m.
         last: displacement of the control node since gravity at which it ends, m.
@@ -66,7 +65,6 @@ def line_shares(frame: FrameModel, gravity: Response) -> np.ndarray:
     Drifts are those of `line_drifts`, both ways. Of a storey without columns all lines have the same part.
 
     Args:
-        frame: its model.
         gravity: response under it, with `column_forces`; of a plane frame anything.
     """
     forces: dict[str, float] = {}

@@ -79,6 +79,13 @@ def _warnings(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, targ
             f"{wanted:.4g} m (EN 1998-1, 4.3.3.4.2.3)"
         )
         warnings.append(AnalysisWarning("target_range", text, wanted / reached))
+    for mode, part in found.basis.torsional_modes.items() if spec.method == "n2" else ():
+        text = (
+            f"mode {mode} is mostly a turn of the building about the vertical ({100 * part:.3g} % of its moment of "
+            "inertia): EN 1998-1, 4.3.3.4.2.7, has displacements at the stiff side amplified by an elastic modal "
+            "analysis, which is left to you"
+        )
+        warnings.append(AnalysisWarning("target_torsion", text, part))
     if target.mu is not None and target.mu[0] > target.mu[1]:
         text = (
             f"mu_strength is {target.mu[0]:.3g}, more than mu_max = {target.mu[1]:.3g}: ASCE/SEI 41-17, 7.3.2.1, "

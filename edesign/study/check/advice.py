@@ -10,9 +10,10 @@ from edesign.ground_motion.hazard import objective_level
 from edesign.ground_motion.plausibility import record_warnings
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
-from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.analyses import BuildingPushover, HistoryAnalysis, PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
+from edesign.project.analysis.shaking import IN_PLACE
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.designs import design_warnings
 from edesign.project.checks.placement import placement_warnings
@@ -201,15 +202,19 @@ def _equal_variants(study: Study) -> list[str]:
 
 
 def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
-    """Return which of the two load patterns of EN 1998-1, 4.3.3.4.2.2(1) are missing for targets of the N2 method."""
-    names = [pattern_name(pattern) for spec in pushovers if "n2" in spec.targets for pattern in spec.pattern]
+    """Return what EN 1998-1, 4.3.3.4.2.2, asks for with targets of the N2 method: two load patterns, eccentricity."""
+    asked = [spec for spec in pushovers if "n2" in spec.targets]
+    names = [pattern_name(pattern) for spec in asked for pattern in spec.pattern]
     modal = [name for name in names if name in MODAL or name.startswith("modes_")]
     missing = ["`uniform`"] * ("uniform" not in names) + ["a modal one such as `first_mode`"] * (not modal)
-    if not names or not missing:
-        return []
-    return [
-        f"N2: EN 1998-1, 4.3.3.4.2.2(1), asks for a uniform and a modal pattern; {' and '.join(missing)} is missing"
-    ]
+    found = []
+    if names and missing:
+        which = " and ".join(missing)
+        found.append(f"N2: EN 1998-1, 4.3.3.4.2.2(1), asks for a uniform and a modal pattern; {which} is missing")
+    positions = {position for spec in asked if isinstance(spec, BuildingPushover) for position in spec.eccentricity}
+    if positions == {IN_PLACE}:
+        found.append("N2: EN 1998-1, 4.3.3.4.2.2(2)P, asks for accidental eccentricity; `eccentricity` is missing")
+    return found
 
 
 def _unknown_events(project: AnalysisFile, records: Iterable[str]) -> list[str]:

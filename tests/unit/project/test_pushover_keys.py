@@ -44,6 +44,19 @@ def test_what_pushovers_stand_for() -> None:
     assert plan("pattern: {floors: [1]}, targets: fema356") == ["push", "push.fema356.DBE", "push.fema356.MCE"]
 
 
+def test_accidental_eccentricity_is_missed() -> None:
+    """EN 1998-1, 4.3.3.4.2.2(2)P, asks for it with targets of the N2 method; plane frames have none."""
+
+    def missed(more: str) -> list[str]:
+        pushover = "[first_mode, {floors: [1, 2]}], direction: all, roof_drift: 2 %"
+        whole = building(ANALYSED, (pushover, f"[uniform, first_mode], direction: x, {more}"))
+        return pattern_warnings([one for one in whole.analyses if isinstance(one, PushoverAnalysis)])
+
+    (said,) = missed("targets: n2")
+    assert says(said, "4.3.3.4.2.2(2)P `eccentricity`")
+    assert missed("targets: n2, eccentricity: [0, +y]") == missed("targets: fema356") == []
+
+
 def test_what_pushovers_of_buildings_stand_for() -> None:
     """Directions and positions are in the names where there are several."""
 
