@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from building_examples import building
+from building_examples import SMALL, building
 from verification.test_verify_building_model import SHARP, leaning_building, plane_project, regular
 
 from edesign.archive.dataset import Group
@@ -345,6 +345,21 @@ def test_the_second_order_slope_of_a_floor_that_turns() -> None:
     moved = one.floors[-1, 0] - one.floors[0, 0] + one.moments[name] * (one.turned[-1, 0] - one.turned[0, 0])
     assert abs(one.turned[-1, 0]) > 1e-3
     assert found.second_order_slope(0.0, end) == pytest.approx(2.0 * work / moved / end, rel=1e-3)
+
+
+def test_a_roof_that_is_not_rigid() -> None:
+    """Its heaviest node is the control node, and its nodes share the forces by their masses; it has no moments."""
+    of = building(SMALL, ("columns: [{s", "diaphragms: none\ncolumns: [{s"))
+    made = make_structure(of)
+    heaviest = max(
+        (name for name in made.frame.masses if name.endswith(".2")), key=lambda name: made.frame.masses[name]
+    )
+    assert made.frame.model.node_names[made.frame.control] == heaviest == "B2.2"
+    group = pushed(of, "y+", pattern="first_mode", roof_drift=0.005, steps=10)
+    loads = dict(zip(group.coords["loaded_node"].values.tolist(), values(group, "lateral_load_share"), strict=True))
+    assert len(loads) == len(made.frame.masses) and min(loads.values()) > 0.0
+    assert "floor_rotation" not in group.variables
+    assert values(group, "base_shear")[-1, 1] == pytest.approx(values(group, "lateral_load")[-1], rel=1e-6)
 
 
 # --- torsion
