@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import final, peak, residual
-from edesign.project.criteria.measures import MEASURES
+from edesign.assess.spread import EVERYWHERE, Spread, in_frames, place_of_line, spread, stored_dims
+from edesign.project.criteria.measures import ELSEWHERE, MEASURES, RESULTANTS, InSpace, short_name
 from edesign.project.notation.names import storey_of
 
 Where = Literal["roof", "first storey", "anywhere"]
@@ -26,6 +27,9 @@ class Located:
         member: name of the column, beam, brace, damper or support, "" where there is none.
         floor: number of the floor, of quantities of floors.
         remark: what else is to be said of it.
+        direction: "x" or "y" in a building, "" where there is none.
+        line: column line of a building, "" where there is none.
+        axis: local axis of a member of a building, about which it bends, "" where there is none.
     """
 
     value: float
@@ -33,6 +37,9 @@ class Located:
     member: str = ""
     floor: int | None = None
     remark: str = ""
+    direction: str = ""
+    line: str = ""
+    axis: str = ""
 
 
 @dataclass(frozen=True)
@@ -86,14 +93,19 @@ def response_measures(group: Group) -> dict[str, float | None]:
         One value in SI for each name of MEASURES; None where it does not apply: everything of a modal analysis, the
         acceleration of a static one, residual and final values of anything but a completed history.
     """
-    found = {measure: _components(group, measure) for measure in MEASURES}
-    return {
-        measure: max(each[at] for at in _eligible(measure, each)) if each else None for measure, each in found.items()
-    }
+    found: dict[str, float | None] = {}
+    for measure in MEASURES:
+        _, each = _components(group, measure)
+        found[measure] = None if each is None else max(each.values[at].item() for at in _eligible(measure, each))
+    return found
 
 
 def located_measure(
-    group: Group, measure: str, storeys: Collection[int] | None = None, members: Collection[str] | None = None
+    group: Group,
+    measure: str,
+    storeys: Collection[int] | None = None,
+    members: Collection[str] | None = None,
+    chosen: InSpace = EVERYWHERE,
 ) -> Located | None:
     """Compute one response measure, over all of the frame or a part of it, and say where it occurs.
 
@@ -102,66 +114,85 @@ def located_measure(
         measure: a name of MEASURES.
         storeys: only drifts of these storeys, only columns and dampers in them and beams at their floors; None: all.
         members: only these columns, beams or dampers; None: all.
+        chosen: where in a building.
 
     Returns:
         The measure; None where it does not apply (see `response_measures`) or nothing is selected. A measure of the
         whole frame, such as a base shear, knows no selection.
     """
-    each = _components(group, measure)
+    dimension, each = _components(group, measure, chosen)
+    if each is None:
+        return None
     at: Collection[int] = _eligible(measure, each)
-    dimension = _dimension(measure)
-    if dimension is not None:
-        at = _selected(group, dimension, at, storeys, members)
+    place = MEASURES[measure].place
+    if place is not None:
+        at = [i for i in at if _is_chosen(group, dimension, i, storeys, members, chosen)]
     if not at:
         return None
-    worst = max(at, key=each.__getitem__)
-    if dimension is None:
-        return Located(each[worst], None if SOURCES[measure].at == "anywhere" else worst + 1)
-    name = "" if dimension == "storey" else _label(group, dimension, worst)
-    return Located(each[worst], _storey(group, dimension, worst) or None, name)
+    worst = max(at, key=each.values.__getitem__)
+    value = each.values[worst].item()
+    if value == -np.inf:  # no line of the frames in this direction
+        return None
+    found = Located(value, direction=each.direction[worst], axis=each.axis[worst])
+    if place is None:
+        return found if SOURCES[measure].at == "anywhere" else replace(found, storey=worst + 1)
+    label = _label(group, dimension, worst)
+    if dimension == "drift_line":
+        line, storey = place_of_line(label)
+        return replace(found, storey=storey, line=line)
+    return replace(
+        found,
+        storey=_storey(group, dimension, worst) or None,
+        member="" if dimension == "storey" else label,
+    )
 
 
-def _dimension(measure: str) -> str | None:
-    """What the archive calls the places that a measure may be chosen among; None: it is one of the whole frame."""
+def _components(group: Group, measure: str, chosen: InSpace = EVERYWHERE) -> tuple[str, Spread | None]:
+    """Where the values of a measure are, and the largest at each floor, storey or member; None: there is none.
+
+    Storeys of a building drift on each of their column lines.
+    """
+    source, name = SOURCES[measure], SOURCES[measure].quantity
     place = MEASURES[measure].place
-    return "buckling_brace" if place == "brace" else place
-
-
-def _components(group: Group, measure: str) -> list[float]:
-    """The values of all floors, storeys or members, of these the larger of both ends; [] where there are none."""
-    source = SOURCES[measure]
-    values = source.of(group, source.quantity)
+    dimension: str = "buckling_brace" if place == "brace" else place or ""
+    if chosen.direction == "resultant":
+        name = RESULTANTS[short_name(measure)]
+    elif name in ELSEWHERE and dimension == "storey" and "drift_line" in group.coords:
+        name, dimension = ELSEWHERE[name], "drift_line"
+    values = source.of(group, name)
     if values is None or values.size == 0:
-        return []
+        return dimension, None
     if measure == "roof_drift":
         height = group.attributes.get("height")
         if not height or group.attributes.get("isolated"):  # most of that displacement is the base's
-            return []
+            return dimension, None
         values = values / float(height)
-    each: list[float] = values.reshape(len(values) if values.ndim else 1, -1).max(axis=1).tolist()
-    return each
+    return dimension, spread(group, values, stored_dims(group, name), chosen)
 
 
-def _eligible(measure: str, each: Sequence[float]) -> range:
+def _eligible(measure: str, each: Spread) -> range:
     """Which of all components a measure is the largest of; floors and storeys are stored from the bottom to the top."""
-    places = range(len(each))
-    chosen: dict[Where, range] = {"roof": places[-1:], "first storey": places[:1]}
-    return chosen.get(SOURCES[measure].at, places)
+    places = range(len(each.values))
+    where: dict[Where, range] = {"roof": places[-1:], "first storey": places[:1]}
+    return where.get(SOURCES[measure].at, places)
 
 
-def _selected(
+def _is_chosen(
     group: Group,
     dimension: str,
-    among: Collection[int],
+    at: int,
     storeys: Collection[int] | None,
     members: Collection[str] | None,
-) -> list[int]:
-    return [
-        at
-        for at in among
-        if (storeys is None or _storey(group, dimension, at) in storeys)
-        and (members is None or dimension == "storey" or _label(group, dimension, at) in members)
-    ]
+    chosen: InSpace,
+) -> bool:
+    if storeys is not None and _storey(group, dimension, at) not in storeys:
+        return False
+    if dimension == "drift_line":
+        return not chosen.at or place_of_line(_label(group, dimension, at))[0] in chosen.at
+    if dimension == "storey":
+        return True
+    named = members is None or _label(group, dimension, at) in members
+    return named and in_frames(group, dimension, at, chosen.frames)
 
 
 def _storey(group: Group, dimension: str, at: int) -> int:
@@ -171,7 +202,8 @@ def _storey(group: Group, dimension: str, at: int) -> int:
     if dimension == "damper":
         stored = group.variables.get("damper_storey")
         return 0 if stored is None else int(stored.values[at])
-    return storey_of(_label(group, dimension, at))
+    label = _label(group, dimension, at)
+    return place_of_line(label)[1] if dimension == "drift_line" else storey_of(label)
 
 
 def _label(group: Group, dimension: str, at: int) -> str:

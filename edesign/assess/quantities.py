@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -12,10 +12,13 @@ from edesign.archive.dataset import Group
 from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located
+from edesign.assess.section_use import section_use
+from edesign.assess.spread import Spread, in_frames, place_of_line, place_of_point, spread, stored_dims
 from edesign.ground_motion.response_spectrum import response_spectra
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.criteria.measures import ELSEWHERE, RESULTANTS
 from edesign.project.notation.names import isolator_name, storey_of
 
 
@@ -29,26 +32,46 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: AnalysisFi
     Returns:
         The largest value over the chosen places; None where it does not apply, see `lacking`.
     """
+    asked = _on_lines(group, asked)
     place = QUANTITIES[asked.quantity].place
-    if place == "frame":
-        of_frame = _source(asked).of(group, asked)
-        return None if of_frame is None else Located(float(of_frame))
     chosen = _chosen(group, asked, project)
-    each = _values(group, asked, chosen) if chosen else None
-    if each is None:
+    each = _values(group, asked, project, chosen) if chosen else None
+    if each is None or each.values.size == 0:
         return None
-    at = int(np.argmax(each))
-    label, number = group.coords[place].values[chosen[at]], None
-    if place in ("floor", "storey"):
-        number = int(label)
-    elif place == "damper":
+    at = int(np.argmax(each.values))
+    value = float(each.values[at])
+    if value == -np.inf:  # no line of the frames in this direction
+        return None
+    found = Located(value, direction=each.direction[at], axis=each.axis[at])
+    if place == "frame":
+        return found
+    label = str(group.coords[place].values[chosen[at]])
+    if place == "floor":
+        return replace(found, floor=int(label))
+    if place == "storey":
+        return replace(found, storey=int(label))
+    if place == "point":
+        line, floor = place_of_point(label)
+        return replace(found, floor=floor, line=line)
+    if place == "drift_line":
+        line, storey = place_of_line(label)
+        return replace(found, storey=storey, line=line)
+    number = None
+    if place == "damper":
         number = int(group.variables["damper_storey"].values[chosen[at]]) or None
     elif place not in ("support", "isolator"):
-        number = storey_of(str(label))
-    value = float(each[at])
-    if place == "floor":
-        return Located(value, floor=number)
-    return Located(value, number, "" if place == "storey" else str(label))
+        number = storey_of(label)
+    return replace(found, storey=number, member=label)
+
+
+def _on_lines(group: Group, asked: QuantityCriterion) -> QuantityCriterion:
+    """The criterion on column lines of a building, where it names some, and of the drift of a storey in any case."""
+    name = asked.quantity
+    if name in ELSEWHERE and (
+        asked.in_space.lines or asked.frames or (name == "storey_drift" and "drift_line" in group.coords)
+    ):
+        return asked.model_copy(update={"quantity": ELSEWHERE[name]})
+    return asked
 
 
 def lacking(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> str:
@@ -57,17 +80,21 @@ def lacking(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> st
     Args:
         group: of the analysis in the archive.
     """
+    asked = _on_lines(group, asked)
     quantity = QUANTITIES[asked.quantity]
     if asked.traits.of_dampers and "damper" not in group.coords:
         return "there are no dampers"
     if quantity.isolated and not group.attributes.get("isolated"):
         return "the base is not isolated"
     if quantity.place != "frame" and quantity.place not in group.coords:
-        return f"there are no {quantity.place}s"
+        return f"there are no {_IN_WORDS.get(quantity.place, quantity.place)}s"
     if quantity.place != "frame" and not _chosen(group, asked, project):
-        return f"there is no {quantity.place} in the places chosen"
+        return f"there is no {_IN_WORDS.get(quantity.place, quantity.place)} in the places chosen"
     variable, why = _source(asked).needs
     return why if variable and variable not in group.variables else ""
+
+
+_IN_WORDS = {"drift_line": "column line", "point": "corner of a floor", "recorded_member": "member that is recorded"}
 
 
 def missing_history(group: Group, asked: QuantityCriterion) -> str:
@@ -78,6 +105,9 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
     Args:
         group: of the analysis in the archive.
     """
+    if asked.in_space.direction == "resultant":
+        name = RESULTANTS[asked.quantity]
+        return "" if f"{name}_max" in group.variables else name
     needed = asked.traits.over_time
     if needed:
         return "" if needed in group.variables else needed
@@ -87,42 +117,64 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
 def _chosen(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> list[int]:
     """Indices of the places that a criterion chooses."""
     place = QUANTITIES[asked.quantity].place
-    labels = group.coords[place].values.tolist() if place in group.coords else []
-    grid, places = project.grid, range(len(labels))
+    if place == "frame":
+        return [0]
+    labels = [str(label) for label in group.coords[place].values.tolist()] if place in group.coords else []
+    grid, at = project.grid, asked.in_space.lines
+    places = list(range(len(labels)))
     if place == "floor":
         return [i for i in places if int(labels[i]) in asked.floors.numbers(1, grid.n_storeys)]
+    if place == "point":
+        floors, points = asked.floors.numbers(1, grid.n_storeys), [place_of_point(label) for label in labels]
+        return [i for i, (line, floor) in enumerate(points) if floor in floors and (not at or line in at)]
     if place in ("support", "isolator"):
         name_of = isolator_name if place == "isolator" else partial(grid.node_name, floor=0)
-        there = [name_of(line) for line in asked.lines.names(grid.lines)]
-        return [i for i in places if str(labels[i]) in there]
+        there = [name_of(line) for line in at or asked.lines.names(grid.lines)]
+        return [i for i in places if labels[i] in there]
     names = asked.dampers if place == "damper" else asked.members
     if place == "damper":
         storeys = [int(number) for number in group.variables["damper_storey"].values] if labels else []
+    elif place == "drift_line":
+        lines = [place_of_line(label) for label in labels]
+        storeys = [storey for _, storey in lines]
+        places = [i for i in places if not at or lines[i][0] in at]
     else:
-        storeys = [storey_of(str(label)) for label in labels]
+        storeys = [storey_of(label) for label in labels]
+        places = [i for i in places if place == "storey" or in_frames(group, place, i, asked.frames)]
+    if place == "damper":
+        places = [i for i in places if in_frames(group, place, i, asked.frames)]
     wanted = asked.storeys.numbers(1, grid.n_storeys)
-    return [
-        i for i in places if (asked.storeys.is_all or storeys[i] in wanted) and (not names or str(labels[i]) in names)
-    ]
+    return [i for i in places if (asked.storeys.is_all or storeys[i] in wanted) and (not names or labels[i] in names)]
 
 
-def _values(group: Group, asked: QuantityCriterion, chosen: list[int]) -> np.ndarray | None:
+def _values(group: Group, asked: QuantityCriterion, project: AnalysisFile, chosen: list[int]) -> Spread | None:
     """The value at each of the chosen places, of members the larger of both ends."""
     source, name = _source(asked), asked.traits.over_time
     if source.over_time is None:
-        found = source.of(group, asked)
-        return None if found is None else found.reshape(len(found), -1).max(axis=1)[chosen]
+        found = source.of(group, asked, project)
+        if found is None or found.size == 0:
+            return None
+        quantity = asked.quantity if asked.in_space.direction != "resultant" else RESULTANTS[asked.quantity]
+        dims = source.dims if source.dims is not None else stored_dims(group, quantity)
+        each = spread(group, found, dims, asked.in_space)
+        direction, axis = (tuple(of[i] for i in chosen) for of in (each.direction, each.axis))
+        return Spread(each.values[chosen], direction, axis)
     if name not in group.variables:
         return None
-    over_time = np.asarray(group.variables[name].values, dtype=float)[:, chosen]
-    return source.over_time(np.asarray(group.coords["time"].values, dtype=float), over_time, asked)
+    variable = group.variables[name]
+    over_time = np.asarray(variable.values, dtype=float)[:, chosen]
+    flat = over_time.reshape(len(over_time), -1)
+    values = source.over_time(np.asarray(group.coords["time"].values, dtype=float), flat, asked)
+    return spread(group, values.reshape(over_time.shape[1:]), variable.dims[1:], asked.in_space)
 
 
-def _extreme(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+def _extreme(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     """The largest absolute value over time, or tension or compression alone.
 
     Of a side it is 0 where there is none; supports pull the frame down where it would lift.
     """
+    if asked.in_space.direction == "resultant":
+        return peak(group, RESULTANTS[asked.quantity])
     if asked.side is None:
         return peak(group, asked.quantity)
     upper = (asked.side == "tension") != (QUANTITIES[asked.quantity].place == "support")
@@ -133,17 +185,17 @@ def _extreme(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
     return np.maximum(values if upper else -values, 0.0)
 
 
-def _residual(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+def _residual(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     return residual(group, asked.quantity.removeprefix("residual_"))
 
 
-def _sum(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+def _sum(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     """The value at the end."""
     final = group.variables.get(f"{asked.quantity}_final")
     return None if final is None else np.asarray(final.values, dtype=float)
 
 
-def _energy_share(group: Group, asked: QuantityCriterion) -> np.ndarray | None:
+def _energy_share(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     share = energy_share(group, str(asked.term))
     return None if share is None else np.asarray(share)
 
@@ -196,17 +248,44 @@ def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(CubicSpline(time, deformations).derivative()(time)).max(axis=0))
 
 
+def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
+    """Return the largest drift of the worst column line over the largest mean drift of all lines, by its own peak each.
+
+    The mean is that of the histories that are kept. Without a direction in the criterion those directions count in
+    which the mean drift of the storey is at least a tenth of that in the other one: where the building is hardly pushed
+    the ratio means nothing.
+
+    Args:
+        group: of a history of a building.
+        asked: has the direction.
+
+    Returns:
+        (storeys, directions); None without the drifts.
+    """
+    lines = peak(group, "line_drift")
+    if lines is None or "storey_drift" not in group.variables:
+        return None
+    mean = np.abs(np.asarray(group.variables["storey_drift"].values, dtype=float)).max(axis=0)
+    storeys = group.coords["storey"].values.tolist()
+    of = np.array([place_of_line(str(label))[1] for label in group.coords["drift_line"].values])
+    worst = np.array([lines[of == storey].max(axis=0) for storey in storeys])
+    counts = (mean > 0.0) & ((mean >= 0.1 * mean.max(axis=1, keepdims=True)) | (asked.direction is not None))
+    return np.divide(worst, mean, out=np.zeros_like(mean), where=counts)
+
+
 @dataclass(frozen=True)
 class Source:
     """How a quantity is taken of an analysis.
 
     Attributes:
         of: its values at all of its places, of a frame one.
+        dims: of these values; None: those of the archived quantity.
         over_time: its values out of the time, (nt,) s, and of the variable over time of its places, (nt, n).
         needs: a variable without which it does not apply, and why.
     """
 
-    of: Callable[[Group, QuantityCriterion], np.ndarray | None] = _extreme
+    of: Callable[[Group, QuantityCriterion, AnalysisFile], np.ndarray | None] = _extreme
+    dims: tuple[str, ...] | None = None
     over_time: Callable[[np.ndarray, np.ndarray, QuantityCriterion], np.ndarray] | None = None
     needs: tuple[str, str] = ("", "")
 
@@ -216,6 +295,7 @@ _CORES = ("core_strain_max", "no damper is a buckling-restrained brace")
 SOURCES = {
     "residual_floor_displacement": Source(_residual),
     "residual_storey_drift": Source(_residual),
+    "residual_line_drift": Source(_residual),
     "residual_base_displacement": Source(_residual),
     "floor_spectral_acceleration": Source(over_time=floor_spectral_acceleration),
     "damper_velocity": Source(over_time=damper_velocity),
@@ -224,7 +304,9 @@ SOURCES = {
     "core_ductility": Source(needs=_CORES),
     "cumulative_ductility": Source(_sum, needs=_CORES),
     "damper_work": Source(_sum),
-    "energy_share": Source(_energy_share),
+    "energy_share": Source(_energy_share, dims=()),
+    "torsional_ratio": Source(torsional_ratio, dims=("storey", "direction")),
+    "section_use": Source(section_use, dims=("recorded_member",)),
 }
 """Of those that are more than an extreme over time which is always there."""
 

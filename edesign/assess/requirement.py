@@ -12,6 +12,7 @@ from edesign.assess.measures import Located, lacking_measure, located_measure
 from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import usage
 from edesign.assess.quantities import lacking, located_quantity, missing_history
+from edesign.assess.spread import EVERYWHERE
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import (
@@ -23,7 +24,7 @@ from edesign.project.criteria.criteria import (
     QuantityCriterion,
 )
 from edesign.project.criteria.criterion_quantities import QUANTITIES, SELECTIONS
-from edesign.project.criteria.measures import short_name
+from edesign.project.criteria.measures import InSpace, short_name
 from edesign.project.notation.names import storey_of
 from edesign.project.notation.selections import NumberSelection
 
@@ -105,8 +106,9 @@ def _of_measure(criterion: MeasureCriterion, members: Mapping[str, FrameMember],
         measures=[criterion.measure],
         storeys=_numbers(criterion.storeys, project),
         members=criterion.members or None,
+        chosen=criterion.in_space,
     )
-    where = _where(criterion.storeys, criterion.members)
+    where = _where(criterion.storeys, criterion.members) + _in_space(criterion)
     return Requirement(
         criterion.name,
         f"{short_name(criterion.measure).replace('_', ' ')} {_range(criterion)}{where}",
@@ -139,6 +141,7 @@ def _of_quantity(
         chosen = getattr(criterion, key)
         text = ", ".join(chosen) if isinstance(chosen, tuple) else "" if chosen.is_all else str(chosen)
         words += f", {key if set(',-') & set(text) else key.removesuffix('s')} {text}" if text else ""
+    words += _in_space(criterion)
     return Requirement(
         criterion.name,
         words,
@@ -210,9 +213,13 @@ def bare(value: float, unit: str, digits: int) -> str:
 
 
 def _worst(
-    group: Group, measures: Sequence[str], storeys: tuple[int, ...] | None, members: tuple[str, ...] | None
+    group: Group,
+    measures: Sequence[str],
+    storeys: tuple[int, ...] | None,
+    members: tuple[str, ...] | None,
+    chosen: InSpace = EVERYWHERE,
 ) -> Located | None:
-    places = [located_measure(group, measure, storeys, members) for measure in measures]
+    places = [located_measure(group, measure, storeys, members, chosen) for measure in measures]
     there = [place for place in places if place is not None]
     return max(there, key=lambda place: place.value, default=None)
 
@@ -224,6 +231,18 @@ def _numbers(chosen: NumberSelection, project: AnalysisFile) -> tuple[int, ...] 
 def _where(storeys: NumberSelection, members: tuple[str, ...]) -> str:
     text = "" if storeys.is_all else f", storeys {storeys}"
     return text + (f", members {', '.join(members)}" if members else "")
+
+
+def _in_space(criterion: LimitCriterion) -> str:
+    """Where in a building, in words."""
+    place = criterion.in_space
+    parts = (
+        "resultant" if place.direction == "resultant" else f"along {place.direction}" if place.direction else "",
+        f"at {', '.join(place.at)}" if place.at else "",
+        f"in frame{'s' * (len(place.frames) > 1)} {', '.join(place.frames)}" if place.frames else "",
+        f"about {place.axis}" if place.axis else "",
+    )
+    return "".join(f", {part}" for part in parts if part)
 
 
 def _range(criterion: LimitCriterion) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from edesign.archive.dataset import Group
@@ -58,12 +58,26 @@ class HistorySet:
         """Names of histories whose results are still to come."""
         return tuple(name for name, group in self.histories.items() if _status(group) == NOT_RUN)
 
+    @cached_property
+    def motion_of(self) -> dict[str, str]:
+        """The motion of each history, by name: that of the first one with its record at other angles, other masses.
+
+        One without angle and eccentricity, as of every plane frame, is a motion of its own.
+        """
+        first: dict[str, str] = {}
+        return {
+            name: first.setdefault(str(group.attributes.get("record") or name), name)
+            if any(turned(group.attributes))
+            else name
+            for name, group in self.histories.items()
+        }
+
     @property
     def motions(self) -> int:
         """Number of ground motions: a record and its reverse, shaking to both sides, are one."""
         about = [
             (str(group.attributes.get("record_checksum")), str(group.attributes.get("record_source")))
-            for group in self.histories.values()
+            for group in (self.histories[name] for name in dict.fromkeys(self.motion_of.values()))
         ]
         plain = {motion for motion in about if REVERSED not in motion[1]}
         return sum(
@@ -83,7 +97,46 @@ class HistorySet:
             measure: gives the value of one history, None where it has none.
         """
         completed = self.completed
-        return statistics({name: measure(completed[name]) if name in completed else None for name in self.histories})
+        values = {name: measure(completed[name]) if name in completed else None for name in self.histories}
+        return self.statistics_of(values)
+
+    def statistics_of(self, values: Mapping[str, float | None]) -> Statistics:
+        """Return the statistics of values of its histories, in which the worst one of each motion counts.
+
+        Args:
+            values: by history; None where it has none.
+        """
+        there = {name: value for name, value in values.items() if value is not None}
+        missing = tuple(name for name in values if name not in there)
+        return replace(statistics(self.worst_of_motions(there)), missing=missing)
+
+    def worst_of_motions(
+        self, values: Mapping[str, float | None], from_below: bool = False
+    ) -> dict[str, float | None]:
+        """Return the worst value of each motion by the history that has it.
+
+        A motion counts as failed if one of its histories has no value, else as not run if one has not run.
+
+        Args:
+            values: by history; None: it failed, or has not run.
+            from_below: whether the smallest value is the worst.
+        """
+        of: dict[str, list[str]] = {}
+        for name in values:
+            of.setdefault(self.motion_of[name], []).append(name)
+        found: dict[str, float | None] = {}
+        for names in of.values():
+            without = sorted((name for name in names if values[name] is None), key=self.not_run.__contains__)
+            there = {name: value for name in names if (value := values[name]) is not None}
+            worst = without[0] if without else (min if from_below else max)(there, key=there.__getitem__)
+            found[worst] = values[worst]
+        return found
+
+
+def turned(about: Mapping[str, object]) -> tuple[str, str]:
+    """Return angle and eccentricity of a history of a building by its attributes; "" and "" of a plane frame."""
+    angle, eccentricity = (about.get(key) for key in ("angle_deg", "eccentricity"))
+    return "" if angle is None else f"{float(str(angle)):g}", str(eccentricity or "")
 
 
 def measure_statistics(histories: HistorySet, names: Collection[str] | None = None) -> dict[str, Statistics]:
@@ -98,7 +151,7 @@ def measure_statistics(histories: HistorySet, names: Collection[str] | None = No
     measures = histories.measures
     chosen = [name for name in histories.histories if names is None or name in names]
     return {
-        measure: statistics({name: measures[name][measure] if name in measures else None for name in chosen})
+        measure: histories.statistics_of({name: measures[name][measure] if name in measures else None for name in chosen})
         for measure in MEASURES
     }
 
@@ -107,7 +160,7 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
     """Sort the histories of an archive by variant and level, in the order in which they come.
 
     A variant at another temperature than its own is a variant of its own: `damped at 35 degC`. Where two without a
-    variant have the same level and record, as one record at two scales, the names of the analyses, without that of the
+    variant have the same level and record, angle and eccentricity, as one record at two scales, the names of the analyses, without that of the
     record, stand for variants. Histories of incremental analyses, and everything that is
     no history, are left out.
 
@@ -115,6 +168,7 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
         histories: groups of the archive, by name.
     """
     labelled: dict[str, tuple[str, str, str]] = {}
+    same: Counter[tuple[str, ...]] = Counter()
     for name, group in histories.items():
         about = group.attributes
         if about.get("kind") != "history" or about.get("incremental"):
@@ -123,15 +177,26 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
         if temperature is not None:
             variant = warm_variant(variant, float(temperature))
         labelled[name] = variant, str(about.get("level") or ""), str(about.get("record") or "")
-    counts = Counter(label for label in labelled.values() if label[2] and not label[0])
-    mixed = {variant for (variant, *_), count in counts.items() if count > 1}
+        same[*labelled[name], *turned(about)] += 1
+    mixed = {variant for (variant, _, record, *_), count in same.items() if count > 1 and record and not variant}
     found: dict[tuple[str, str], HistorySet] = {}
-    for name, (variant, level, record) in labelled.items():
+    for name, (variant, level, _) in labelled.items():
         group = histories[name]
-        own = name.removesuffix(f".{record.rpartition('/')[2]}") if variant in mixed else variant
+        own = without_motion(name, group.attributes) if variant in mixed else variant
         key = (own, level)
         found.setdefault(key, HistorySet(*key)).histories[name] = group
     return tuple(found.values())
+
+
+def without_motion(name: str, about: Mapping[str, object]) -> str:
+    """Return the name of a history without that of its record, and the angle and eccentricity after it.
+
+    Args:
+        about: its attributes.
+    """
+    for text in (str(about.get("eccentricity") or ""), f"{turned(about)[0]}deg"):
+        name = name.removesuffix(f".{text}")
+    return name.removesuffix(f".{str(about.get('record') or '').rpartition('/')[2]}")
 
 
 def target_sets(groups: Mapping[str, Group]) -> tuple[HistorySet, ...]:

@@ -43,6 +43,7 @@ class Verdict:
         remark: "better than the range", "failed histories count as infinite", why it does not apply, ...
         governing_history, governing_storey, governing_member, governing_floor: of the largest value (smallest for
             `least`); the member may be a damper or a support.
+        governing_line, governing_direction, governing_axis: of it in a building, "" where there is none.
         count: histories with a value.
         missing: histories without.
         applies: False: it means nothing of this variant, or the study runs no history of it at this level.
@@ -65,6 +66,9 @@ class Verdict:
     count: int
     missing: tuple[str, ...]
     governing_floor: int | None = None
+    governing_line: str = ""
+    governing_direction: str = ""
+    governing_axis: str = ""
     applies: bool = True
     from_below: bool = False
 
@@ -95,12 +99,18 @@ class Verdict:
 
     @property
     def place(self) -> str:
-        """The floor, storey, member, damper or support that governs, "" where there is none."""
-        if self.governing_member:
-            return self.governing_member
-        if self.governing_floor is not None:
-            return f"floor {self.governing_floor}"
-        return f"storey {self.governing_storey}" if self.governing_storey is not None else ""
+        """The floor, storey, member, damper or support that governs, "" where there is none.
+
+        In a building with its column line and direction, or the axis about which a member bends: `storey 3, line A4, y`.
+        """
+        where = self.governing_member
+        if not where and self.governing_floor is not None:
+            where = f"floor {self.governing_floor}"
+        if not where and self.governing_storey is not None:
+            where = f"storey {self.governing_storey}"
+        line = f"line {self.governing_line}" if self.governing_line else ""
+        axis = f"about {self.governing_axis}" if self.governing_axis else ""
+        return ", ".join(filter(None, (where, line, self.governing_direction, axis)))
 
 
 def judge(
@@ -117,6 +127,9 @@ def judge(
     not apply, and what it should have run is open; so is a quantity that a variant has not, such as the force of
     dampers of a bare frame. Objectives are judged for all
     variants at their hazard level by the mean, by drift and by members apart.
+
+    Histories of one motion at several angles, and with masses at several places of a building, count as the worst of
+    them, before the statistic is taken.
 
     A failed history counts as infinitely far beyond the limit: a mean or a maximum over it is not met, a median is as
     long as fewer than half of the histories failed.
@@ -194,16 +207,17 @@ def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verd
         why = _STATIC if found.method is not None else "its histories have no such result"
         return _unanswered(asked, found, why, applies=False)
     bad = math.inf if asked.most is not None else -math.inf
+    worst = found.worst_of_motions(values, from_below=bad < 0.0)
     if asked.share is not None:
         statistic = "share"
-        value, met = share_met(asked.share, values, found.not_run, asked.most, asked.least)
+        value, met = share_met(asked.share, worst, found.not_run, asked.most, asked.least)
     else:
         statistic = code_statistic(asked.statistic, found.motions)
         ended = {name: value for name, value in values.items() if name not in found.not_run}
-        value = statistic_of(statistic, ended, bad)
+        value = statistic_of(statistic, found.worst_of_motions(ended, bad < 0.0), bad)
         if value is not None and not math.isfinite(value):
-            value = statistic_of(statistic, there, bad)
-        met = within(statistic, values, found.not_run, asked.most, asked.least) if values else None
+            value = statistic_of(statistic, found.worst_of_motions(there, bad < 0.0), bad)
+        met = within(statistic, worst, found.not_run, asked.most, asked.least) if values else None
     governing = ""
     if there:
         governing = max(there, key=lambda name: there[name]) if bad > 0.0 else min(there, key=lambda name: there[name])
@@ -217,6 +231,9 @@ def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verd
         governing_storey=place.storey if place is not None else None,
         governing_member=place.member if place is not None else "",
         governing_floor=place.floor if place is not None else None,
+        governing_line=place.line if place is not None else "",
+        governing_direction=place.direction if place is not None else "",
+        governing_axis=place.axis if place is not None else "",
         count=len(there),
         missing=tuple(name for name, one in values.items() if one is None),
     )

@@ -7,9 +7,11 @@ from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.checks.criteria_in_space import check_in_space
 from edesign.project.checks.criterion_quantities import check_members, check_quantity
 from edesign.project.checks.names import check_names
-from edesign.project.checks.selections import Selections
+from edesign.project.checks.selections import GridSelections
 from edesign.project.criteria.criteria import (
     Criterion,
     LimitCriterion,
@@ -27,7 +29,7 @@ def check_criteria(
     keys: Keys,
     criteria: Sequence[Criterion],
     objectives: Objectives,
-    project: Project,
+    project: AnalysisFile,
     variants: Collection[str],
     problems: Problems,
     kept: Collection[HistoryKind] | None = None,
@@ -39,7 +41,7 @@ def check_criteria(
         keys: path of the mapping that has `criteria` and `objectives`; () for the root of a study file.
         criteria: as read; they have no schema problems.
         objectives: letters.
-        project: whose frame and hazard levels they mean.
+        project: whose structure and hazard levels they mean.
         variants: names of the variants of the study.
         problems: collects what is wrong.
         kept: histories that the study keeps of every record; None: not known.
@@ -52,20 +54,21 @@ def check_criteria(
             problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already [E-NAME-02]")
         check_names(problems, (*at, "variants"), "variant", criterion.variants, variants)
         check_names(problems, (*at, "levels"), "level", criterion.levels, levels)
-        Selections(project.frame, problems).storeys(at, criterion.storeys)
+        GridSelections(problems, project.grid.n_storeys, project.structure).storeys(at, criterion.storeys)
         if criterion.share is not None and "statistic" in criterion.model_fields_set:
             problems.at_key(
                 (*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both [E-KEY-03]"
             )
         if isinstance(criterion, LimitCriterion):
             _limits(problems, at, criterion)
+            check_in_space(at, criterion, project, problems)
         if isinstance(criterion, QuantityCriterion):
             check_quantity(at, criterion, project, problems, kept, dampers)
         if isinstance(criterion, MeasureCriterion) and not _measured(problems, at, criterion, project):
             continue
         traits = criterion.traits
         if traits.members_of is not None:
-            check_members((*at, "members"), traits.members, project.grid, traits.members_of, problems)
+            check_members((*at, "members"), traits.members, project, traits.members_of, problems)
     _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
     for i, letter in enumerate(objectives):
         at = (*keys, "objectives", i)
@@ -84,19 +87,25 @@ def _limits(problems: Problems, at: Keys, criterion: LimitCriterion) -> None:
         problems.at_value((*at, "least"), message)
 
 
-def _measured(problems: Problems, at: Keys, criterion: MeasureCriterion, project: Project) -> bool:
-    """Whether the frame has a measure at all; selections that mean nothing for it are reported."""
+def _measured(problems: Problems, at: Keys, criterion: MeasureCriterion, project: AnalysisFile) -> bool:
+    """Whether the structure has a measure at all; selections that mean nothing for it are reported."""
     place = MEASURES[criterion.measure].place
     if place is None or place == "storey":
         if criterion.members:
             problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from [E-CRIT-04]")
         if not criterion.storeys.is_all and place is None:
-            problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame [E-CRIT-04]")
-    elif place == "brace" and all(run.buckling is None for run in project.frame.braces):
-        message = f"`{criterion.measure}` is one of braces with `buckling`, and this frame has none [E-CRIT-04]"
+            whole = f"`{criterion.measure}` is one of the whole {project.structure} [E-CRIT-04]"
+            problems.at_key((*at, "storeys"), whole)
+    elif place == "brace" and not _buckle(project):
+        whose = f"braces with `buckling`, and this {project.structure} has none"
+        message = f"`{criterion.measure}` is one of {whose} [E-CRIT-04]"
         problems.at_value((*at, "measure"), message)
         return False
     return True
+
+
+def _buckle(project: AnalysisFile) -> bool:
+    return isinstance(project, Project) and any(run.buckling is not None for run in project.frame.braces)
 
 
 def _contradictions(
@@ -132,6 +141,8 @@ def _same(one: LimitCriterion, other: LimitCriterion) -> bool:
     if one.subject != other.subject or type(one) is not type(other):
         return False
     keys = ("storeys", "members") if isinstance(one, MeasureCriterion) else keys_of(one.quantity)
+    if one.in_space != other.in_space:
+        return False
     return all(getattr(one, key) == getattr(other, key) for key in ("statistic", "share", *keys))
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.names import check_names
-from edesign.project.checks.selections import Selections
+from edesign.project.checks.selections import GridSelections, Selections
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
-from edesign.project.notation.grid import Grid
 from edesign.project.notation.names import member_kind
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
@@ -20,7 +20,7 @@ _CHOOSING = ("floors", "storeys", "members", "dampers", "lines", "side", "freque
 def check_quantity(
     keys: Keys,
     criterion: QuantityCriterion,
-    project: Project,
+    project: AnalysisFile,
     problems: Problems,
     kept: Collection[HistoryKind] | None,
     dampers: Mapping[str, Sequence[str]],
@@ -29,16 +29,20 @@ def check_quantity(
 
     Args:
         criterion: as read; it has no schema problems.
-        project: whose frame it means.
+        project: whose structure it means.
         problems: collects what is wrong.
         kept: histories that the study keeps of every record; None: not known.
         dampers: names of the dampers of each variant.
     """
     name = criterion.quantity
-    quantity, own = QUANTITIES[name], keys_of(name)
+    plane, quantity = project.structure == "frame", QUANTITIES[name]
+    own = keys_of(name, not plane)
+    if plane and quantity.of_buildings:
+        problems.at_value((*keys, "quantity"), f"`{name}` is of buildings; a plane frame has none [E-CRIT-04]")
+        return
     for key in _CHOOSING:
         if key in criterion.model_fields_set and key not in own:
-            problems.at_key((*keys, key), f"`{name}` has no `{key}`; {_allowed(own)} [E-CRIT-04]")
+            problems.at_key((*keys, key), f"`{name}` has no `{key}`; {_allowed(own, project)} [E-CRIT-04]")
     for key in quantity.own:
         if getattr(criterion, key) is None:
             problems.under(keys, key, f"this key is missing; `{name}` is not known without it [E-KEY-02]")
@@ -48,14 +52,13 @@ def check_quantity(
             f"add `{quantity.kept}` to `outputs: histories` [E-CRIT-05]"
         )
         problems.at_value((*keys, "quantity"), message)
-    check = Selections(project.frame, problems)
     if "floors" in own:
-        check.floors(keys, criterion.floors)
-    if "lines" in own:
-        check.lines((*keys, "lines"), criterion.lines)
+        GridSelections(problems, project.grid.n_storeys, project.structure).floors(keys, criterion.floors)
+    if "lines" in own and isinstance(project, Project):
+        Selections(project.frame, problems).lines((*keys, "lines"), criterion.lines)
     if "members" in own:
-        what = "column or beam" if quantity.place == "member" else quantity.place
-        check_members((*keys, "members"), criterion.members, project.grid, what, problems)
+        what = "column or beam" if quantity.place in ("member", "recorded_member") else quantity.place
+        check_members((*keys, "members"), criterion.members, project, what, problems)
     if "dampers" in own and criterion.dampers:
         chosen = criterion.variants or tuple(dampers)
         known = dict.fromkeys(damper for variant in chosen for damper in dampers.get(variant, ()))
@@ -63,12 +66,12 @@ def check_quantity(
             check_names(problems, (*keys, "dampers"), "damper", criterion.dampers, known)
 
 
-def _allowed(own: Sequence[str]) -> str:
-    return f"allowed here: {listed(own)}" if own else "it is one of the whole frame"
+def _allowed(own: Sequence[str], project: AnalysisFile) -> str:
+    return f"allowed here: {listed(own)}" if own else f"it is one of the whole {project.structure}"
 
 
-def check_members(keys: Keys, given: Sequence[str], grid: Grid, what: str, problems: Problems) -> None:
-    """Check that members are of a kind and stand in a grid, each given once.
+def check_members(keys: Keys, given: Sequence[str], project: AnalysisFile, what: str, problems: Problems) -> None:
+    """Check that members are of a kind and stand in a frame or building, each given once.
 
     Where no such member stands, the criterion does not apply, which is reported with its verdict.
 
@@ -76,13 +79,14 @@ def check_members(keys: Keys, given: Sequence[str], grid: Grid, what: str, probl
         what: kind of the members: `column`, `beam`, `brace`, or `column or beam`.
         problems: the problems of the file, to which those found are added.
     """
-    allowed = [name for name in grid.members if member_kind(name) in what.split(" or ")]
+    allowed = [name for name in project.grid.members if member_kind(name) in what.split(" or ")]
     if not allowed:
         return
     for i, name in enumerate(given):
         if name not in allowed:
             hint = did_you_mean(name, allowed)
             named = f"they are named `{allowed[0]}` to `{allowed[-1]}`"
-            problems.at_item(keys, i, f"there is no {what} `{name}` in this frame{hint} ({named}) [E-NAME-01]")
+            where = f"in this {project.structure}{hint} ({named})"
+            problems.at_item(keys, i, f"there is no {what} `{name}` {where} [E-NAME-01]")
         elif name in given[:i]:
             problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")

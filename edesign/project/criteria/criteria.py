@@ -16,7 +16,7 @@ from pydantic import (
 
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
-from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, add_limits, parse_limit
+from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, InSpace, add_limits, parse_limit
 from edesign.project.document import LONGEST
 from edesign.project.notation.quantities import Kind
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
@@ -150,7 +150,29 @@ _KINDS |= {short: _KINDS[name] for short, name in SHORT_NAMES.items()}
 _Limit = Annotated[float, WithJsonSchema({"title": "limit with its unit", "type": ["number", "string"]})]
 
 
-class MeasureCriterion(_Criterion):
+class _SomewhereInSpace(_Criterion):
+    """What criteria with limits say of where in a building; plane frames have none of these keys.
+
+    Attributes:
+        direction: direction of a building, `x` or `y`, or `resultant`, of both at one instant; without the key the
+            larger of x and y counts.
+        at: column lines of a building, such as `[A1, A4]`; of floors also `centre`, the centre of mass.
+        frames: plane frames of a building, such as `[X1, YA]`.
+        axis: local axis about which members of a building bend: `y` is the strong one of an I section.
+    """
+
+    direction: Literal["x", "y", "resultant"] | None = None
+    at: Names = ()
+    frames: Names = ()
+    axis: Literal["y", "z"] | None = None
+
+    @property
+    def in_space(self) -> InSpace:
+        """Where in a building it looks."""
+        return InSpace(self.direction, self.at, self.frames, self.axis)
+
+
+class MeasureCriterion(_SomewhereInSpace):
     """Limits of a response measure.
 
     Attributes:
@@ -196,7 +218,7 @@ class MeasureCriterion(_Criterion):
         return None if measure is None else parse_limit(MEASURES[measure].kind, value)
 
 
-class QuantityCriterion(_Criterion):
+class QuantityCriterion(_SomewhereInSpace):
     """Limits of an archived quantity at some of its places.
 
     The largest absolute value over time counts, or that on one side, over the places that are chosen.

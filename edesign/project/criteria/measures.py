@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Literal
 
 from edesign.project.notation.quantities import ACCELERATION, FORCE, LENGTH, ROTATION, Kind
@@ -15,6 +15,45 @@ MULTIPLE = Kind("multiple", "", "12")
 """A ratio of which one is little, and which is not printed in per cent."""
 
 
+CENTRE = "centre"
+"""What stands for the centre of mass of a floor where column lines are named."""
+
+
+@dataclass(frozen=True)
+class InSpace:
+    """Where in a building something is looked for; without anything everywhere.
+
+    Attributes:
+        direction: "x", "y", or "resultant": of both at the same instant; None: the larger of x and y counts.
+        at: names of column lines, or `CENTRE`.
+        frames: names of plane frames.
+        axis: local axis of members about which they bend, "y" or "z"; None: the larger of both counts.
+    """
+
+    direction: str | None = None
+    at: tuple[str, ...] = ()
+    frames: tuple[str, ...] = ()
+    axis: str | None = None
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """The column lines of `at`."""
+        return tuple(name for name in self.at if name != CENTRE)
+
+
+SPACE_KEYS = tuple(field.name for field in fields(InSpace))
+"""The keys of a criterion that say where in a building; plane frames have none of them."""
+ELSEWHERE = {
+    "floor_displacement": "point_displacement",
+    "floor_acceleration": "point_acceleration",
+    "storey_drift": "line_drift",
+    "residual_storey_drift": "residual_line_drift",
+}
+"""Quantities of floors and storeys of a building, and what they are on column lines."""
+RESULTANTS = {"base_shear": "base_shear_resultant", "roof_displacement": "roof_displacement_resultant"}
+"""Quantities of both directions of a building, and their resultants at each instant."""
+
+
 @dataclass(frozen=True)
 class Measure:
     """A response measure that a criterion may limit.
@@ -22,32 +61,40 @@ class Measure:
     Attributes:
         kind: what its values are.
         place: what it is the largest of, and what a criterion may choose among; None: it is one of the whole frame.
+        in_space: keys of a criterion that say where in a building.
     """
 
     kind: Kind
     place: Literal["storey", "column", "beam", "brace", "damper"] | None = None
+    in_space: tuple[str, ...] = ()
+
+
+DIRECTED = ("direction",)
+ON_LINES = ("direction", "at", "frames")
+BENT = ("frames", "axis")
+FRAMED = ("frames",)
 
 
 MEASURES: dict[str, Measure] = {
-    "roof_displacement_m": Measure(LENGTH),
-    "residual_roof_displacement_m": Measure(LENGTH),
-    "final_roof_displacement_m": Measure(LENGTH),
-    "roof_drift": Measure(RATIO),
-    "interstorey_drift": Measure(RATIO, "storey"),
-    "residual_interstorey_drift": Measure(RATIO, "storey"),
-    "final_interstorey_drift": Measure(RATIO, "storey"),
-    "base_shear_N": Measure(FORCE),
-    "column_base_shear_N": Measure(FORCE),
-    "roof_acceleration_m_s2": Measure(ACCELERATION),
-    "relative_roof_acceleration_m_s2": Measure(ACCELERATION),
-    "beam_plastic_rotation_rad": Measure(ROTATION, "beam"),
-    "column_plastic_rotation_rad": Measure(ROTATION, "column"),
-    "column_axial_force_N": Measure(FORCE, "column"),
-    "brace_ductility": Measure(RATIO, "brace"),
-    "brace_damage": Measure(RATIO, "brace"),
-    "damper_strain": Measure(RATIO, "damper"),
-    "damper_deformation_m": Measure(LENGTH, "damper"),
-    "damper_force_N": Measure(FORCE, "damper"),
+    "roof_displacement_m": Measure(LENGTH, in_space=DIRECTED),
+    "residual_roof_displacement_m": Measure(LENGTH, in_space=DIRECTED),
+    "final_roof_displacement_m": Measure(LENGTH, in_space=DIRECTED),
+    "roof_drift": Measure(RATIO, in_space=DIRECTED),
+    "interstorey_drift": Measure(RATIO, "storey", ON_LINES),
+    "residual_interstorey_drift": Measure(RATIO, "storey", ON_LINES),
+    "final_interstorey_drift": Measure(RATIO, "storey", ON_LINES),
+    "base_shear_N": Measure(FORCE, in_space=DIRECTED),
+    "column_base_shear_N": Measure(FORCE, in_space=DIRECTED),
+    "roof_acceleration_m_s2": Measure(ACCELERATION, in_space=DIRECTED),
+    "relative_roof_acceleration_m_s2": Measure(ACCELERATION, in_space=DIRECTED),
+    "beam_plastic_rotation_rad": Measure(ROTATION, "beam", BENT),
+    "column_plastic_rotation_rad": Measure(ROTATION, "column", BENT),
+    "column_axial_force_N": Measure(FORCE, "column", FRAMED),
+    "brace_ductility": Measure(RATIO, "brace", FRAMED),
+    "brace_damage": Measure(RATIO, "brace", FRAMED),
+    "damper_strain": Measure(RATIO, "damper", FRAMED),
+    "damper_deformation_m": Measure(LENGTH, "damper", FRAMED),
+    "damper_force_N": Measure(FORCE, "damper", FRAMED),
 }
 """By name; the unit ends the name, ratios have none."""
 

@@ -76,6 +76,26 @@ Frames = Annotated[
 ALL_FRAMES = FrameSelection()
 
 
+_LINE = re.compile(r"([A-Z]+)([0-9]+)")
+
+
+def frames_of_line(line: str) -> tuple[str, ...]:
+    """Return the plane frames that a column line stands in: X2 and YA of A2; none of a line of a plane frame."""
+    found = _LINE.fullmatch(line)
+    return (f"X{found[2]}", f"Y{found[1]}") if found is not None else ()
+
+
+def frames_of_member(name: str) -> tuple[str, ...]:
+    """Return the plane frames of a building that a member or damper stands in, by its name.
+
+    A column C_A2_3 stands in two, X2 and YA; BX_2_1_5, DX_2_1_3_r and VX_2_1_3 in X2; members of a plane frame in none.
+    """
+    kind, *parts = name.split("_")
+    if kind == "C":
+        return frames_of_line(parts[0])
+    return (kind[1] + parts[0],) if kind[1:] in ("X", "Y") else ()
+
+
 def within(number: int, span: Span | None) -> bool:
     """Return whether a number is in a span; None takes all."""
     return span is None or span[0] <= number <= span[1]

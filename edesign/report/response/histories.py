@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.sets import turned, without_motion
 from edesign.report.drawing.captions import record_label
 from edesign.report.drawing.style import AFTER, MEAN, VARIANTS
 from edesign.study.results.kinds import ANALYSES, DIRECT
@@ -51,10 +52,11 @@ class History:
 def histories(archive: Archive) -> list[History]:
     """Return all histories with results, in the archive's order, without those of incremental analyses.
 
-    Where two of a variant have the same level, record and temperature, they are not of one variant: then the names of
-    the analyses, without that of the record, stand for variants.
+    Where two of a variant have the same level, record, temperature, angle and eccentricity, they are not of one
+    variant: then the names of the analyses, without that of the record, stand for variants.
     """
-    found = []
+    found, stems = [], {}
+    same: Counter[tuple[object, ...]] = Counter()
     for name in archive.names(ANALYSES):
         about = archive.group_attributes(f"{ANALYSES}/{name}")
         if about.get("kind") != "history" or about.get("incremental"):
@@ -64,14 +66,10 @@ def histories(archive: Archive) -> list[History]:
         temperature = None if degrees is None else float(str(degrees))
         completed = about.get("status") == "completed"
         found.append(History(name, variant, level, record, temperature, completed, str(about.get("reason") or "")))
-    places = Counter((one.variant, one.level, one.record, one.temperature) for one in found)
-    mixed = {variant for (variant, *_), count in places.items() if count > 1}
-    return [
-        replace(one, variant=one.name.removesuffix(f".{one.record.rpartition('/')[2]}"))
-        if one.variant in mixed
-        else one
-        for one in found
-    ]
+        same[variant, level, record, temperature, *turned(about)] += 1
+        stems[name] = without_motion(name, about)
+    mixed = {variant for (variant, *_), count in same.items() if count > 1}
+    return [replace(one, variant=stems[one.name]) if one.variant in mixed else one for one in found]
 
 
 def variant_colors(archive: Archive) -> dict[str, str]:

@@ -1,0 +1,50 @@
+"""Cross checks of where in a building a criterion looks: directions, column lines, frames, axes of bending."""
+
+from __future__ import annotations
+
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.checks.names import check_names
+from edesign.project.criteria.criteria import LimitCriterion, MeasureCriterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.criteria.measures import CENTRE, ELSEWHERE, MEASURES, ON_LINES, RESULTANTS, SPACE_KEYS, short_name
+from edesign.project.notation.frames import frames_of_line
+from edesign.project.reading.problems import Keys, Problems, listed
+
+
+def check_in_space(keys: Keys, criterion: LimitCriterion, project: AnalysisFile, problems: Problems) -> None:
+    """Check that what is limited has the directions, lines, frames and axes that are asked for, and so the building.
+
+    Args:
+        keys: of the criterion.
+        criterion: as read; it has no schema problems.
+        problems: collects what is wrong.
+    """
+    subject, place = criterion.subject, criterion.in_space
+    given = [key for key in SPACE_KEYS if key in criterion.model_fields_set]
+    if project.structure == "frame":
+        for key in given:
+            problems.at_key((*keys, key), f"`{key}` chooses places of a building; a plane frame has one [E-CRIT-04]")
+        return
+    measured = isinstance(criterion, MeasureCriterion)
+    own = MEASURES[subject].in_space if measured else QUANTITIES[subject].in_space
+    for key in given:
+        if key not in own:
+            allowed = f"of a building it has {listed(own)}" if own else "it is alike in all directions"
+            problems.at_key((*keys, key), f"`{subject}` has no `{key}`; {allowed} [E-CRIT-04]")
+    name = short_name(subject) if measured else subject
+    if place.direction == "resultant" and name not in RESULTANTS:
+        message = f"`{subject}` has no resultant, {listed(RESULTANTS)} have one; write `x` or `y` [E-CRIT-04]"
+        problems.at_value((*keys, "direction"), message)
+    lines = project.grid.lines
+    floors = subject in ELSEWHERE and QUANTITIES[subject].place == "floor"
+    check_names(problems, (*keys, "at"), "column line", place.at, (CENTRE, *lines) if floors else lines)
+    if floors and CENTRE in place.at and place.lines:
+        message = f"`{CENTRE}` stands alone; for column lines too write a second criterion [E-KEY-03]"
+        problems.at_value((*keys, "at"), message)
+    frames = dict.fromkeys(frame for line in lines for frame in frames_of_line(line))
+    check_names(problems, (*keys, "frames"), "frame", place.frames, frames)
+    if own == ON_LINES and place.direction is not None:
+        across = [frame for frame in place.frames if frame in frames and frame[0].lower() != place.direction]
+        if across:
+            message = f"{listed(across)} is across {place.direction}, and the drift of a frame is along it [E-VALUE-04]"
+            problems.at_value((*keys, "frames"), message)
