@@ -30,6 +30,7 @@ class Located:
         direction: "x" or "y" in a building, "" where there is none.
         line: column line of a building, "" where there is none.
         axis: local axis of a member of a building, about which it bends, "" where there is none.
+        not_judged: plastic rotation about a weak axis, rad, that no limit is known of, and its member.
     """
 
     value: float
@@ -40,6 +41,7 @@ class Located:
     direction: str = ""
     line: str = ""
     axis: str = ""
+    not_judged: tuple[float, str] = (0.0, "")
 
 
 @dataclass(frozen=True)

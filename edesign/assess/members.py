@@ -13,10 +13,13 @@ from edesign.assess.envelopes import peak
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
-from edesign.frame.sections.i_shape import i_section
-from edesign.project.notation.names import column_name
+from edesign.frame.sections.i_shape import i_section, is_i_section, rolled_i_section
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
+from edesign.project.notation.names import column_name, member_kind, storey_of
 from edesign.project.project import Project
 from edesign.project.study.study import Study, own_variant
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 Kind = Literal["column", "beam"]
 
@@ -36,6 +39,7 @@ class FrameMember:
         storey: of a column; of a beam the one below its floor.
         length: between the nodes, m; rigid ends are not deducted.
         strength: P_CL of a column, N; infinite for a beam.
+        axis: about which its rotation is limited: "y" of a member of a building, "" of a plane frame, which has one.
     """
 
     name: str
@@ -44,6 +48,7 @@ class FrameMember:
     length: float
     section: ISection
     strength: float = math.inf
+    axis: str = ""
 
     def limits(self, compression: float) -> RotationLimits | None:
         """Return the allowed plastic rotations, rad; None for a force-controlled column.
@@ -79,6 +84,8 @@ class MemberUsage:
         rotation: largest plastic rotation of the member's ends, rad.
         allowed: rad.
         axial_ratio: P/P_CL with the peak compression, 0 for beams.
+        axis: about which it rotates, "" in a plane frame.
+        other: largest rotation about the weak axis, which nothing limits, rad.
     """
 
     member: FrameMember
@@ -86,6 +93,8 @@ class MemberUsage:
     rotation: float
     allowed: float
     axial_ratio: float = 0.0
+    axis: str = ""
+    other: float = 0.0
 
 
 class VariantMembers:
@@ -96,12 +105,12 @@ class VariantMembers:
         study: whose variants may have other values of the project; None: there is none.
     """
 
-    def __init__(self, project: Project, study: Study | None = None) -> None:
+    def __init__(self, project: AnalysisFile, study: Study | None = None) -> None:
         self._project, self._study = project, study
         self._found: dict[int, dict[str, FrameMember]] = {}
 
-    def project(self, variant: str) -> Project:
-        """Return the project of a variant, which may be named with a temperature.
+    def project(self, variant: str) -> AnalysisFile:
+        """Return the file of a variant, which may be named with a temperature.
 
         Args:
             variant: its name, also with a temperature.
@@ -119,13 +128,19 @@ class VariantMembers:
         return self._found[id(project)]
 
 
-def frame_members(project: Project) -> dict[str, FrameMember]:
-    """Return the columns and beams of a project that Table 5-6 knows, by name.
+def frame_members(project: AnalysisFile) -> dict[str, FrameMember]:
+    """Return the columns and beams of a frame or building that Table 5-6 knows, by name.
 
-    The project's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
-    nodes in and out of the plane of the frame (K = 1: P-Delta is part of the analysis). Left out are braces, members
-    that stay elastic, sections that are no I section, and columns that bend about their weak axis.
+    The file's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
+    nodes about both axes (K = 1: P-Delta is part of the analysis). Left out are braces, members that stay elastic,
+    sections that are no I section, and columns of a plane frame that bend about their weak axis.
+
+    Members of a building are judged about their strong axis. What the table asks of rotations about the weak axis, and
+    of both at once, is not known here; a force-controlled column stays elastic about both.
     """
+    if isinstance(project, Building):
+        return _building_members(project)
+    assert isinstance(project, Project)
     found = {}
     frame = project.frame
     for (line, storey), column in frame.column_at.items():
@@ -139,6 +154,20 @@ def frame_members(project: Project) -> dict[str, FrameMember]:
         section = i_section(project, frame.beam_at[beam.bay, beam.floor])
         if section is not None:
             found[name] = FrameMember(name, "beam", beam.floor, beam.length, section)
+    return found
+
+
+def _building_members(building: Building) -> dict[str, FrameMember]:
+    found = {}
+    building, layout = with_steel_by_thickness(building), building.layout
+    for name, run in building.layout.members.items():
+        kind, steel = member_kind(name), building.materials[run.material]
+        if kind == "brace" or steel.law == "elastic" or not is_i_section(run.section):
+            continue
+        section = rolled_i_section(run.section, steel.E, steel.fy)
+        length = math.dist(*(layout.nodes[end] for end in layout.ends[name]))
+        strength = lower_bound_axial_strength(section, length, length) if kind == "column" else math.inf
+        found[name] = FrameMember(name, kind, storey_of(name), length, section, strength, "y")
     return found
 
 
@@ -171,20 +200,27 @@ def member_usages(
             continue
         stored = True
         of_columns = compressions(group) if kind == "column" else {}
-        largest = rotations.reshape(len(rotations), -1).max(axis=1).tolist()
-        for label, rotation in zip(group.coords[kind].values.tolist(), largest, strict=True):
+        if "axis" in group.coords:
+            about = [str(axis) for axis in group.coords["axis"].values]
+            largest, others = (rotations[..., about.index(axis)].max(axis=1).tolist() for axis in ("y", "z"))
+        else:
+            largest = rotations.reshape(len(rotations), -1).max(axis=1).tolist()
+            others = [0.0] * len(largest)
+        for label, rotation, other in zip(group.coords[kind].values.tolist(), largest, others, strict=True):
             member = members.get(str(label))
             if member is not None and (storeys is None or member.storey in storeys):
                 compression = of_columns.get(member.name, 0.0)
-                found.append(_usage(member, rotation, compression, level))
+                found.append(_usage(member, rotation, other, compression, level))
     return found if stored else None
 
 
-def _usage(member: FrameMember, rotation: float, compression: float, level: str) -> MemberUsage:
-    allowed = member.allowed(level, compression)
+def _usage(member: FrameMember, rotation: float, other: float, compression: float, level: str) -> MemberUsage:
+    allowed, axis = member.allowed(level, compression), member.axis
     ratio = compression / member.strength if member.kind == "column" else 0.0
+    if other > rotation and member.kind == "column" and member.limits(compression) is None:
+        rotation, axis = other, "z"  # it stays elastic about both
     usage = rotation / allowed if allowed > 0.0 else math.inf if rotation > 0.0 else 0.0
-    return MemberUsage(member, usage, rotation, allowed, ratio)
+    return MemberUsage(member, usage, rotation, allowed, ratio, axis, other)
 
 
 def compressions(group: Group) -> dict[str, float]:

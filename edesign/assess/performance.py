@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import located_measure
-from edesign.assess.members import FrameMember, Kind, member_usages
+from edesign.assess.members import ELASTIC_ROTATION, FrameMember, Kind, member_usages
 from edesign.assess.sets import TARGET, HistorySet
 from edesign.assess.statistics import STATISTICS, statistics
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
@@ -28,6 +28,9 @@ class Usage:
         member: the column or beam that governs, "" for a drift.
         rotation: largest plastic rotation of the member, rad.
         axial_ratio: P/P_CL of a column that is force-controlled, above 0.5; None: nothing is.
+        line, direction: of a drift of a building, "" where there is none.
+        axis: about which the member of a building rotates, "" where there is none.
+        not_judged: largest plastic rotation about a weak axis, rad, and its member; 0 and "" where nothing rotates so.
     """
 
     ratio: float
@@ -36,6 +39,10 @@ class Usage:
     member: str = ""
     rotation: float = 0.0
     axial_ratio: float | None = None
+    line: str = ""
+    direction: str = ""
+    axis: str = ""
+    not_judged: tuple[float, str] = (0.0, "")
 
     @property
     def of_force(self) -> str:
@@ -55,7 +62,7 @@ class SetPerformance:
     Attributes:
         statistic: over the histories, of the usages of each level.
         by_drift, by_members: the level of the statistic, None without any result.
-        drift_counts, member_counts: how many histories are at IO, LS, CP and beyond.
+        drift_counts, member_counts: how many motions, by their worst histories, are at IO, LS, CP and beyond.
         worst_drift, worst_members: (history, its usage of CP) with the largest usage of CP.
         count: completed histories.
         missing: the others; they are in no count and in no statistic.
@@ -94,7 +101,7 @@ def drift_performance(group: Group, level: str, storeys: Collection[int] | None 
             if measure.startswith("residual") and group.attributes.get("kind") == TARGET:
                 continue
             return None
-        found.append(Usage(place.value / limit, governing, place.storey))
+        found.append(Usage(place.value / limit, governing, place.storey, line=place.line, direction=place.direction))
     return max(found, key=lambda usage: usage.ratio)
 
 
@@ -119,6 +126,7 @@ def member_performance(
         return None
     worst = max(usages, key=lambda usage: usage.ratio)
     member = worst.member
+    weak = max(usages, key=lambda usage: usage.other)
     force_controlled = member.kind == "column" and member.limits(worst.axial_ratio * member.strength) is None
     return Usage(
         worst.ratio,
@@ -127,6 +135,8 @@ def member_performance(
         member.name,
         worst.rotation,
         worst.axial_ratio if force_controlled else None,
+        axis=worst.axis,
+        not_judged=(weak.other, weak.member.name) if weak.other > ELASTIC_ROTATION else (0.0, ""),
     )
 
 
@@ -153,7 +163,9 @@ def usage(
     if by != "drift":
         found.append(member_performance(group, members, level, kinds, storeys))
     there = [item for item in found if item is not None]
-    return max(there, key=lambda item: item.ratio) if len(there) == len(found) else None
+    if len(there) < len(found):
+        return None
+    return replace(max(there, key=lambda item: item.ratio), not_judged=max(item.not_judged for item in there))
 
 
 def set_performance(
@@ -173,13 +185,16 @@ def set_performance(
             name: {level: usage(group, members, level, by) for level in PERFORMANCE_LEVELS}
             for name, group in completed.items()
         }
-        levels = {name: _reached(usages) for name, usages in kept.items()}
+        of_motions = _of_motions(kept, histories)
+        levels = {name: _reached(usages) for name, usages in of_motions.items()}
         counts = {
             level: sum(reached == level for reached in levels.values()) for level in (*PERFORMANCE_LEVELS, BEYOND)
         }
         together = {}
         for level in PERFORMANCE_LEVELS:
-            ratios = {name: None if (item := usages[level]) is None else item.ratio for name, usages in kept.items()}
+            ratios = {
+                name: None if (item := usages[level]) is None else item.ratio for name, usages in of_motions.items()
+            }
             value = STATISTICS[statistic](statistics(ratios))
             together[level] = None if value is None else Usage(value, statistic)
         worst = [(name, item) for name, usages in kept.items() if (item := usages["CP"]) is not None]
@@ -202,6 +217,20 @@ def set_performance(
         len(completed),
         tuple(name for name in histories.histories if name not in completed),
     )
+
+
+def _of_motions(
+    kept: Mapping[str, dict[str, Usage | None]], histories: HistorySet
+) -> dict[str, dict[str, Usage | None]]:
+    """The worst usage of each level over the histories of a motion, by the name of its first one."""
+    found: dict[str, dict[str, Usage | None]] = {}
+    for name, usages in kept.items():
+        one = found.setdefault(histories.motion_of[name], dict(usages))
+        for level, item in usages.items():
+            other = one[level]
+            if item is None or (other is not None and item.ratio > other.ratio):
+                one[level] = item
+    return found
 
 
 def _reached(usages: Mapping[str, Usage | None]) -> str | None:

@@ -174,7 +174,18 @@ def _of_performance(
 
     def place(group: Group) -> Located | None:
         found = usage(group, members, level, by, KINDS[of], storeys)
-        return None if found is None else Located(found.ratio, found.storey, found.member, remark=found.of_force)
+        if found is None:
+            return None
+        return Located(
+            found.ratio,
+            found.storey,
+            found.member,
+            remark=found.of_force,
+            direction=found.direction,
+            line=found.line,
+            axis=found.axis,
+            not_judged=found.not_judged,
+        )
 
     ways = {"drift": "drift", "members": "plastic rotation", "both": "drift and plastic rotation"}
     whose = f" of {of}" if by != "drift" and of != "all" else ""

@@ -62,15 +62,19 @@ class HistorySet:
     def motion_of(self) -> dict[str, str]:
         """The motion of each history, by name: that of the first one with its record at other angles, other masses.
 
-        One without angle and eccentricity, as of every plane frame, is a motion of its own.
+        One without angle and eccentricity, as of every plane frame, is a motion of its own. Of what has not run the name
+        alone is known.
         """
+        ends = {name: _ending(name, group.attributes) for name, group in self.histories.items()}
+        known = sorted({end for end in ends.values() if end}, key=len, reverse=True)
+        waiting = set(self.not_run)
         first: dict[str, str] = {}
-        return {
-            name: first.setdefault(str(group.attributes.get("record") or name), name)
-            if any(turned(group.attributes))
-            else name
-            for name, group in self.histories.items()
-        }
+        for name, end in ends.items():
+            if name in waiting:
+                end = next((end for end in known if name.endswith(end)), "")
+                ends[name] = end
+            first.setdefault(name.removesuffix(end), name)
+        return {name: first[name.removesuffix(end)] for name, end in ends.items()}
 
     @property
     def motions(self) -> int:
@@ -110,9 +114,7 @@ class HistorySet:
         missing = tuple(name for name in values if name not in there)
         return replace(statistics(self.worst_of_motions(there)), missing=missing)
 
-    def worst_of_motions(
-        self, values: Mapping[str, float | None], from_below: bool = False
-    ) -> dict[str, float | None]:
+    def worst_of_motions(self, values: Mapping[str, float | None], from_below: bool = False) -> dict[str, float | None]:
         """Return the worst value of each motion by the history that has it.
 
         A motion counts as failed if one of its histories has no value, else as not run if one has not run.
@@ -125,8 +127,9 @@ class HistorySet:
         for name in values:
             of.setdefault(self.motion_of[name], []).append(name)
         found: dict[str, float | None] = {}
+        waiting = set(self.not_run)
         for names in of.values():
-            without = sorted((name for name in names if values[name] is None), key=self.not_run.__contains__)
+            without = sorted((name for name in names if values[name] is None), key=waiting.__contains__)
             there = {name: value for name in names if (value := values[name]) is not None}
             worst = without[0] if without else (min if from_below else max)(there, key=there.__getitem__)
             found[worst] = values[worst]
@@ -151,7 +154,9 @@ def measure_statistics(histories: HistorySet, names: Collection[str] | None = No
     measures = histories.measures
     chosen = [name for name in histories.histories if names is None or name in names]
     return {
-        measure: histories.statistics_of({name: measures[name][measure] if name in measures else None for name in chosen})
+        measure: histories.statistics_of(
+            {name: measures[name][measure] if name in measures else None for name in chosen}
+        )
         for measure in MEASURES
     }
 
@@ -188,15 +193,23 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
     return tuple(found.values())
 
 
+def _ending(name: str, about: Mapping[str, object]) -> str:
+    """Angle and eccentricity at the end of the name of a history, where it has several: .90deg.+x+y."""
+    angle, eccentricity = turned(about)
+    whole = name
+    for text in (eccentricity, f"{angle}deg" if angle else ""):
+        name = name.removesuffix(f".{text}") if text else name
+    return whole[len(name) :]
+
+
 def without_motion(name: str, about: Mapping[str, object]) -> str:
     """Return the name of a history without that of its record, and the angle and eccentricity after it.
 
     Args:
         about: its attributes.
     """
-    for text in (str(about.get("eccentricity") or ""), f"{turned(about)[0]}deg"):
-        name = name.removesuffix(f".{text}")
-    return name.removesuffix(f".{str(about.get('record') or '').rpartition('/')[2]}")
+    record = str(about.get("record") or "").rpartition("/")[2]
+    return name.removesuffix(_ending(name, about)).removesuffix(f".{record}")
 
 
 def target_sets(groups: Mapping[str, Group]) -> tuple[HistorySet, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -17,8 +17,8 @@ from edesign.assess.statistics import code_statistic
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.frame.masses import STILL_BEAMS
 from edesign.ground_motion.hazard import objective_level
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
-from edesign.project.project import Project
 from edesign.project.reading.problems import listed
 from edesign.project.study.study import Study, own_variant
 
@@ -117,7 +117,7 @@ def judge(
     criteria: Sequence[Criterion],
     objectives: Objectives,
     histories: Mapping[str, Group],
-    project: Project,
+    project: AnalysisFile,
     study: Study | None = None,
 ) -> tuple[Verdict, ...]:
     """Judge the histories of a study.
@@ -223,7 +223,7 @@ def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verd
         governing = max(there, key=lambda name: there[name]) if bad > 0.0 else min(there, key=lambda name: there[name])
     place = places.get(governing)
     return replace(
-        _unanswered(asked, found, _remark(asked, found, value, met, place), applies=True),
+        _unanswered(asked, found, _remark(asked, found, value, met, place, places.values()), applies=True),
         statistic=statistic,
         value=value,
         met=met,
@@ -273,6 +273,7 @@ def _remark(
     value: float | None = None,
     met: bool | None = None,
     place: Located | None = None,
+    places: Iterable[Located | None] = (),
 ) -> str:
     remarks = [place.remark] if place is not None and place.remark and met is False else []
     if not found.histories:
@@ -283,6 +284,10 @@ def _remark(
         remarks.append("failed histories count as beyond the limit")
     if found.not_run:
         remarks.append("histories not run yet")
+    rotation, member = max((place.not_judged for place in places if place is not None), default=(0.0, ""))
+    if member:
+        rotates = f"up to {1e3 * rotation:.3g} mrad ({member})"
+        remarks.append(f"rotations about weak axes, {rotates}, are not judged: no limit is known")
     still_beams = {name: None for group in found.completed.values() for name in group.attributes.get(STILL_BEAMS) or ()}
     if still := [name for name in map(str, still_beams) if asked.bends(name)]:
         remarks.append(f"vertical motion does not bend {listed(still, 3)}: masses stand at the ends of beams")

@@ -136,9 +136,7 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         of_buildings=True,
     ),
     "floor_rotation": ArchivedQuantity(ROTATION, "floor", "of a rigid floor about the vertical", of_buildings=True),
-    "storey_shear": ArchivedQuantity(
-        FORCE, "storey", "of the columns and braces, without dampers", in_space=DIRECTED
-    ),
+    "storey_shear": ArchivedQuantity(FORCE, "storey", "of the columns and braces, without dampers", in_space=DIRECTED),
     "storey_torque": ArchivedQuantity(
         MOMENT, "storey", "of the columns and braces about the vertical", of_buildings=True
     ),
@@ -149,9 +147,7 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     "column_plastic_rotation": ArchivedQuantity(ROTATION, "column", "of the worse end", in_space=BENT),
     "beam_plastic_rotation": ArchivedQuantity(ROTATION, "beam", "of the worse end", bends=True, in_space=BENT),
     "brace_axial_force": ArchivedQuantity(FORCE, "brace", "gravity included", sides=True, in_space=FRAMED),
-    "member_axial_force": ArchivedQuantity(
-        FORCE, "member", "of columns and beams, of the worse end", in_space=FRAMED
-    ),
+    "member_axial_force": ArchivedQuantity(FORCE, "member", "of columns and beams, of the worse end", in_space=FRAMED),
     "member_shear_force": ArchivedQuantity(
         FORCE, "member", "of columns and beams, of the worse end", bends=True, in_space=BENT
     ),
@@ -177,7 +173,9 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         in_space=FRAMED,
     ),
     "damper_strain": ArchivedQuantity(RATIO, "damper", "shear strain of its layers", in_space=FRAMED),
-    "core_strain": ArchivedQuantity(RATIO, "damper", "of the steel core of a buckling-restrained brace", sides=True, in_space=FRAMED),
+    "core_strain": ArchivedQuantity(
+        RATIO, "damper", "of the steel core of a buckling-restrained brace", sides=True, in_space=FRAMED
+    ),
     "core_ductility": ArchivedQuantity(
         MULTIPLE,
         "damper",

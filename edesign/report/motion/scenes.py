@@ -102,7 +102,9 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
         for (variant, (history, group)), ends, table in zip(first, rotations, tables, strict=True):
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
             masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
-            geometry = moving_frame(of.project(variant).frame, tuple(names_of(group, "damper")), masses)
+            project_of = of.project(variant)
+            assert isinstance(project_of, Project)
+            geometry = moving_frame(project_of.frame, tuple(names_of(group, "damper")), masses)
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]

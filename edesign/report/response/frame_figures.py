@@ -14,8 +14,8 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.frame.frame import Frame
-from edesign.project.project import Project
 from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.drawing.captions import at_level, file_name, plain
@@ -106,7 +106,7 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             yield file_name("hinges", level, "acceptance"), f"{caption}{_counts(classes)}{missing}", figure
 
 
-def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
+def acceptance(project: AnalysisFile, groups: Sequence[Group]) -> dict[End, float]:
     """Return the class of `ACCEPTANCE` of each member end, by its mean peak plastic rotation and axial force.
 
     Members that Table 5-6 does not know are left out; a column that it makes force-controlled must stay elastic.
