@@ -10,8 +10,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import final, peak, residual
-from edesign.assess.spread import EVERYWHERE, Spread, in_frames, place_of_line, spread, stored_dims
-from edesign.project.criteria.measures import ELSEWHERE, MEASURES, RESULTANTS, InSpace, short_name
+from edesign.assess.spread import EVERYWHERE, Spread, in_frames, line_and_number, resultant, spread, stored_dims
+from edesign.project.criteria.measures import ELSEWHERE, MEASURES, InSpace
 from edesign.project.notation.names import storey_of
 
 Where = Literal["roof", "first storey", "anywhere"]
@@ -140,7 +140,7 @@ def located_measure(
         return found if SOURCES[measure].at == "anywhere" else replace(found, storey=worst + 1)
     label = _label(group, dimension, worst)
     if dimension == "drift_line":
-        line, storey = place_of_line(label)
+        line, storey = line_and_number(label)
         return replace(found, storey=storey, line=line)
     return replace(
         found,
@@ -157,11 +157,13 @@ def _components(group: Group, measure: str, chosen: InSpace = EVERYWHERE) -> tup
     source, name = SOURCES[measure], SOURCES[measure].quantity
     place = MEASURES[measure].place
     dimension: str = "buckling_brace" if place == "brace" else place or ""
+    dims: tuple[str, ...] | None = None
     if chosen.direction == "resultant":
-        name = RESULTANTS[short_name(measure)]
+        values, dims = resultant(group, MEASURES[measure].resultant or "")
     elif name in ELSEWHERE and dimension == "storey" and "drift_line" in group.coords:
         name, dimension = ELSEWHERE[name], "drift_line"
-    values = source.of(group, name)
+    if dims is None:
+        values, dims = source.of(group, name), stored_dims(group, name)
     if values is None or values.size == 0:
         return dimension, None
     if measure == "roof_drift":
@@ -169,7 +171,7 @@ def _components(group: Group, measure: str, chosen: InSpace = EVERYWHERE) -> tup
         if not height or group.attributes.get("isolated"):  # most of that displacement is the base's
             return dimension, None
         values = values / float(height)
-    return dimension, spread(group, values, stored_dims(group, name), chosen)
+    return dimension, spread(group, values, dims, chosen)
 
 
 def _eligible(measure: str, each: Spread) -> range:
@@ -190,7 +192,7 @@ def _is_chosen(
     if storeys is not None and _storey(group, dimension, at) not in storeys:
         return False
     if dimension == "drift_line":
-        return not chosen.at or place_of_line(_label(group, dimension, at))[0] in chosen.at
+        return not chosen.at or line_and_number(_label(group, dimension, at))[0] in chosen.at
     if dimension == "storey":
         return True
     named = members is None or _label(group, dimension, at) in members
@@ -205,7 +207,7 @@ def _storey(group: Group, dimension: str, at: int) -> int:
         stored = group.variables.get("damper_storey")
         return 0 if stored is None else int(stored.values[at])
     label = _label(group, dimension, at)
-    return place_of_line(label)[1] if dimension == "drift_line" else storey_of(label)
+    return line_and_number(label)[1] if dimension == "drift_line" else storey_of(label)
 
 
 def _label(group: Group, dimension: str, at: int) -> str:

@@ -13,12 +13,12 @@ from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located
 from edesign.assess.section_use import section_use
-from edesign.assess.spread import Spread, in_frames, place_of_line, place_of_point, spread, stored_dims
+from edesign.assess.spread import Spread, in_frames, line_and_number, resultant, spread, stored_dims
 from edesign.ground_motion.response_spectrum import response_spectra
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
-from edesign.project.criteria.measures import ELSEWHERE, RESULTANTS
+from edesign.project.criteria.measures import ELSEWHERE
 from edesign.project.notation.names import isolator_name, storey_of
 
 
@@ -51,10 +51,10 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: AnalysisFi
     if place == "storey":
         return replace(found, storey=int(label))
     if place == "point":
-        line, floor = place_of_point(label)
+        line, floor = line_and_number(label)
         return replace(found, floor=floor, line=line)
     if place == "drift_line":
-        line, storey = place_of_line(label)
+        line, storey = line_and_number(label)
         return replace(found, storey=storey, line=line)
     number = None
     if place == "damper":
@@ -105,9 +105,6 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
     Args:
         group: of the analysis in the archive.
     """
-    if asked.in_space.direction == "resultant":
-        name = RESULTANTS[asked.quantity]
-        return "" if f"{name}_max" in group.variables else name
     needed = asked.traits.over_time
     if needed:
         return "" if needed in group.variables else needed
@@ -125,7 +122,7 @@ def _chosen(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> li
     if place == "floor":
         return [i for i in places if int(labels[i]) in asked.floors.numbers(1, grid.n_storeys)]
     if place == "point":
-        floors, points = asked.floors.numbers(1, grid.n_storeys), [place_of_point(label) for label in labels]
+        floors, points = asked.floors.numbers(1, grid.n_storeys), [line_and_number(label) for label in labels]
         return [i for i, (line, floor) in enumerate(points) if floor in floors and (not at or line in at)]
     if place in ("support", "isolator"):
         name_of = isolator_name if place == "isolator" else partial(grid.node_name, floor=0)
@@ -135,7 +132,7 @@ def _chosen(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> li
     if place == "damper":
         storeys = [int(number) for number in group.variables["damper_storey"].values] if labels else []
     elif place == "drift_line":
-        lines = [place_of_line(label) for label in labels]
+        lines = [line_and_number(label) for label in labels]
         storeys = [storey for _, storey in lines]
         places = [i for i in places if not at or lines[i][0] in at]
     else:
@@ -151,11 +148,14 @@ def _values(group: Group, asked: QuantityCriterion, project: AnalysisFile, chose
     """The value at each of the chosen places, of members the larger of both ends."""
     source, name = _source(asked), asked.traits.over_time
     if source.over_time is None:
-        found = source.of(group, asked, project)
+        dims: tuple[str, ...]
+        if of_both := asked.resultant or _RESULTANTS.get(asked.quantity):
+            found, dims = resultant(group, of_both)
+        else:
+            found = source.of(group, asked, project)
+            dims = source.dims if source.dims is not None else stored_dims(group, asked.quantity)
         if found is None or found.size == 0:
             return None
-        quantity = asked.quantity if asked.in_space.direction != "resultant" else RESULTANTS[asked.quantity]
-        dims = source.dims if source.dims is not None else stored_dims(group, quantity)
         each = spread(group, found, dims, asked.in_space)
         direction, axis = (tuple(of[i] for i in chosen) for of in (each.direction, each.axis))
         return Spread(each.values[chosen], direction, axis)
@@ -173,8 +173,6 @@ def _extreme(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> n
 
     Of a side it is 0 where there is none; supports pull the frame down where it would lift.
     """
-    if asked.in_space.direction == "resultant":
-        return peak(group, RESULTANTS[asked.quantity])
     if asked.side is None:
         return peak(group, asked.quantity)
     upper = (asked.side == "tension") != (QUANTITIES[asked.quantity].place == "support")
@@ -267,7 +265,7 @@ def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFil
         return None
     mean = np.abs(np.asarray(group.variables["storey_drift"].values, dtype=float)).max(axis=0)
     storeys = group.coords["storey"].values.tolist()
-    of = np.array([place_of_line(str(label))[1] for label in group.coords["drift_line"].values])
+    of = np.array([line_and_number(str(label))[1] for label in group.coords["drift_line"].values])
     worst = np.array([lines[of == storey].max(axis=0) for storey in storeys])
     counts = (mean > 0.0) & ((mean >= 0.1 * mean.max(axis=1, keepdims=True)) | (asked.direction is not None))
     return np.divide(worst, mean, out=np.zeros_like(mean), where=counts)
@@ -309,6 +307,10 @@ SOURCES = {
     "section_use": Source(section_use, dims=("recorded_member",)),
 }
 """Of those that are more than an extreme over time which is always there."""
+
+
+_RESULTANTS = {"base_shear_resultant": "base_shear"}
+"""Quantities that are resultants by their name."""
 
 
 def _source(asked: QuantityCriterion) -> Source:

@@ -62,8 +62,8 @@ class HistorySet:
     def motion_of(self) -> dict[str, str]:
         """The motion of each history, by name: that of the first one with its record at other angles, other masses.
 
-        One without angle and eccentricity, as of every plane frame, is a motion of its own. Of what has not run the name
-        alone is known.
+        One without angle and eccentricity, as of every plane frame, is a motion of its own. What has not run is known
+        by its name alone.
         """
         ends = {name: _ending(name, group.attributes) for name, group in self.histories.items()}
         known = sorted({end for end in ends.values() if end}, key=len, reverse=True)
@@ -165,9 +165,9 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
     """Sort the histories of an archive by variant and level, in the order in which they come.
 
     A variant at another temperature than its own is a variant of its own: `damped at 35 degC`. Where two without a
-    variant have the same level and record, angle and eccentricity, as one record at two scales, the names of the analyses, without that of the
-    record, stand for variants. Histories of incremental analyses, and everything that is
-    no history, are left out.
+    variant have the same level, record, angle and eccentricity, as one record at two scales, the names of the analyses,
+    without that of the record, stand for variants. Histories of incremental analyses, and everything that is no
+    history, are left out.
 
     Args:
         histories: groups of the archive, by name.

@@ -76,16 +76,26 @@ def spread(group: Group, values: np.ndarray, dims: tuple[str, ...], chosen: InSp
     return Spread(flat[np.arange(len(values)), at], named("direction"), named("axis"))
 
 
-def place_of_line(label: str) -> tuple[str, int]:
-    """Return line and storey of a drift line: A1.3."""
-    line, _, storey = label.rpartition(".")
-    return line, int(storey)
+def line_and_number(label: str) -> tuple[str, int]:
+    """Return the column line of a drift line or point, and its storey or floor: A1.3."""
+    line, _, number = label.rpartition(".")
+    return line, int(number)
 
 
-def place_of_point(label: str) -> tuple[str, int]:
-    """Return line and floor of a point: 3.A1."""
-    floor, _, line = label.partition(".")
-    return line, int(floor)
+def resultant(group: Group, quantity: str) -> tuple[np.ndarray | None, tuple[str, ...]]:
+    """Return the largest resultant of a quantity in both directions at instants that are kept, and its dimensions.
+
+    Args:
+        group: results of a history of a building, as archived.
+
+    Returns:
+        The values in the unit of the quantity; None without its history.
+    """
+    variable = group.variables.get(quantity)
+    if variable is None or variable.dims[-1:] != ("direction",):
+        return None, ()
+    over_time = np.asarray(variable.values, dtype=float)
+    return np.sqrt((over_time**2).sum(axis=-1)).max(axis=0), variable.dims[1:-1]
 
 
 def in_frames(group: Group, dimension: str, at: int, frames: Collection[str]) -> bool:

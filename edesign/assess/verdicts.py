@@ -101,7 +101,7 @@ class Verdict:
     def place(self) -> str:
         """The floor, storey, member, damper or support that governs, "" where there is none.
 
-        In a building with its column line and direction, or the axis about which a member bends: `storey 3, line A4, y`.
+        In a building with its column line and direction, or the axis of bending of a member: `storey 3, line A4, y`.
         """
         where = self.governing_member
         if not where and self.governing_floor is not None:

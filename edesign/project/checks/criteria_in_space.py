@@ -6,7 +6,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.names import check_names
 from edesign.project.criteria.criteria import LimitCriterion, MeasureCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
-from edesign.project.criteria.measures import CENTRE, ELSEWHERE, MEASURES, ON_LINES, RESULTANTS, SPACE_KEYS, short_name
+from edesign.project.criteria.measures import CENTRE, ELSEWHERE, MEASURES, ON_LINES, RESULTANTS, SPACE_KEYS
 from edesign.project.notation.frames import frames_of_line
 from edesign.project.reading.problems import Keys, Problems, listed
 
@@ -31,9 +31,9 @@ def check_in_space(keys: Keys, criterion: LimitCriterion, project: AnalysisFile,
         if key not in own:
             allowed = f"of a building it has {listed(own)}" if own else "it is alike in all directions"
             problems.at_key((*keys, key), f"`{subject}` has no `{key}`; {allowed} [E-CRIT-04]")
-    name = short_name(subject) if measured else subject
-    if place.direction == "resultant" and name not in RESULTANTS:
-        message = f"`{subject}` has no resultant, {listed(RESULTANTS)} have one; write `x` or `y` [E-CRIT-04]"
+    if place.direction == "resultant" and criterion.resultant is None:
+        have = [name for name, of in MEASURES.items() if of.resultant] if measured else list(RESULTANTS)
+        message = f"`{subject}` has no resultant, {listed(have)} have one; write `x` or `y` [E-CRIT-04]"
         problems.at_value((*keys, "direction"), message)
     lines = project.grid.lines
     floors = subject in ELSEWHERE and QUANTITIES[subject].place == "floor"

@@ -16,7 +16,15 @@ from pydantic import (
 
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
-from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, InSpace, add_limits, parse_limit
+from edesign.project.criteria.measures import (
+    ELSEWHERE,
+    MEASURES,
+    RESULTANTS,
+    SHORT_NAMES,
+    InSpace,
+    add_limits,
+    parse_limit,
+)
 from edesign.project.document import LONGEST
 from edesign.project.notation.quantities import Kind
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
@@ -200,6 +208,11 @@ class MeasureCriterion(_SomewhereInSpace):
         return MEASURES[self.measure].kind
 
     @property
+    def resultant(self) -> str | None:
+        """The quantity whose resultant of both directions is limited; None: it is not asked for, or there is none."""
+        return MEASURES[self.measure].resultant if self.direction == "resultant" else None
+
+    @property
     def traits(self) -> Traits:
         """What is to be known of it."""
         place = MEASURES[self.measure].place
@@ -208,6 +221,8 @@ class MeasureCriterion(_SomewhereInSpace):
             bends_beams=place == "beam",
             members=self.members,
             members_of=place if place == "column" or place == "beam" or place == "brace" else None,
+            kept=RESULTANTS[resultant] if (resultant := self.resultant) else None,
+            over_time=resultant or "",
             from_below=self.most is None,
         )
 
@@ -266,6 +281,12 @@ class QuantityCriterion(_SomewhereInSpace):
         return QUANTITIES[self.quantity].kind
 
     @property
+    def resultant(self) -> str | None:
+        """The quantity whose resultant of both directions is limited; None: it is not asked for, or there is none."""
+        found = ELSEWHERE.get(self.quantity, self.quantity) if self.in_space.lines else self.quantity
+        return found if self.direction == "resultant" and found in RESULTANTS else None
+
+    @property
     def traits(self) -> Traits:
         """What is to be known of it."""
         quantity = QUANTITIES[self.quantity]
@@ -273,8 +294,8 @@ class QuantityCriterion(_SomewhereInSpace):
             of_dampers=quantity.place == "damper" or quantity.of_dampers or self.term == "dampers",
             bends_beams=quantity.bends,
             members=self.members,
-            kept=quantity.kept,
-            over_time=quantity.over_time,
+            kept=RESULTANTS[resultant] if (resultant := self.resultant) else quantity.kept,
+            over_time=resultant or quantity.over_time,
             from_below=self.most is None,
         )
 

@@ -211,7 +211,12 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         FORCE, "frame", "sum of the horizontal reactions, those of dampers included", in_space=DIRECTED
     ),
     "base_shear_resultant": ArchivedQuantity(
-        FORCE, "frame", "of the base shears along x and y at one instant", of_buildings=True
+        FORCE,
+        "frame",
+        "of the base shears along x and y at one instant",
+        kept="storeys",
+        over_time="base_shear",
+        of_buildings=True,
     ),
     "overturning_moment": ArchivedQuantity(
         MOMENT,

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Literal
 
+from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.notation.quantities import ACCELERATION, FORCE, LENGTH, ROTATION, Kind
 from edesign.project.notation.units import parse_quantity, parse_ratio
 from edesign.project.notation.written import Json, quantity, ratio
@@ -50,8 +51,15 @@ ELSEWHERE = {
     "residual_storey_drift": "residual_line_drift",
 }
 """Quantities of floors and storeys of a building, and what they are on column lines."""
-RESULTANTS = {"base_shear": "base_shear_resultant", "roof_displacement": "roof_displacement_resultant"}
-"""Quantities of both directions of a building, and their resultants at each instant."""
+RESULTANTS: dict[str, HistoryKind] = {
+    "floor_displacement": "floors",
+    "floor_acceleration": "floors",
+    "point_displacement": "floors",
+    "point_acceleration": "floors",
+    "storey_shear": "storeys",
+    "base_shear": "storeys",
+}
+"""Quantities whose resultants of both directions are computed, with the histories that must be kept for them."""
 
 
 @dataclass(frozen=True)
@@ -62,11 +70,13 @@ class Measure:
         kind: what its values are.
         place: what it is the largest of, and what a criterion may choose among; None: it is one of the whole frame.
         in_space: keys of a criterion that say where in a building.
+        resultant: the quantity whose resultant of both directions it may be; None: it has none.
     """
 
     kind: Kind
     place: Literal["storey", "column", "beam", "brace", "damper"] | None = None
     in_space: tuple[str, ...] = ()
+    resultant: str | None = None
 
 
 DIRECTED = ("direction",)
@@ -76,16 +86,16 @@ FRAMED = ("frames",)
 
 
 MEASURES: dict[str, Measure] = {
-    "roof_displacement_m": Measure(LENGTH, in_space=DIRECTED),
+    "roof_displacement_m": Measure(LENGTH, in_space=DIRECTED, resultant="floor_displacement"),
     "residual_roof_displacement_m": Measure(LENGTH, in_space=DIRECTED),
     "final_roof_displacement_m": Measure(LENGTH, in_space=DIRECTED),
     "roof_drift": Measure(RATIO, in_space=DIRECTED),
     "interstorey_drift": Measure(RATIO, "storey", ON_LINES),
     "residual_interstorey_drift": Measure(RATIO, "storey", ON_LINES),
     "final_interstorey_drift": Measure(RATIO, "storey", ON_LINES),
-    "base_shear_N": Measure(FORCE, in_space=DIRECTED),
-    "column_base_shear_N": Measure(FORCE, in_space=DIRECTED),
-    "roof_acceleration_m_s2": Measure(ACCELERATION, in_space=DIRECTED),
+    "base_shear_N": Measure(FORCE, in_space=DIRECTED, resultant="base_shear"),
+    "column_base_shear_N": Measure(FORCE, in_space=DIRECTED, resultant="storey_shear"),
+    "roof_acceleration_m_s2": Measure(ACCELERATION, in_space=DIRECTED, resultant="floor_acceleration"),
     "relative_roof_acceleration_m_s2": Measure(ACCELERATION, in_space=DIRECTED),
     "beam_plastic_rotation_rad": Measure(ROTATION, "beam", BENT),
     "column_plastic_rotation_rad": Measure(ROTATION, "column", BENT),

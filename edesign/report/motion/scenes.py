@@ -12,6 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
+from edesign.project.project import Project
 from edesign.report.archived import archived_project, archived_study
 from edesign.report.motion.geometry import moving_frame
 from edesign.report.motion.moving import Moving, nearest, read_moving
