@@ -101,6 +101,11 @@ class Unread(MutableMapping[str, Variable]):
         return Unread({name: own for name, own in self._dims.items() if not set(dims) & set(own)}, self.__getitem__)
 
 
+def dims_of(items: Mapping[str, Variable]) -> dict[str, tuple[str, ...]]:
+    """Return the dimensions of variables by their names; nothing is read."""
+    return dict(items._dims) if isinstance(items, Unread) else {name: item.dims for name, item in items.items()}
+
+
 @dataclass
 class Group:
     """Variables that share dimensions; every dimension has a coordinate of the same name in `coords`."""

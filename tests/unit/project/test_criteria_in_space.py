@@ -1,0 +1,120 @@
+"""Keys of criteria that say where in a building: refused on plane files, and what they name exists."""
+
+from __future__ import annotations
+
+import pytest
+from building_examples import SMALL, building
+from messages import says
+from unit.assess.assessed import FRAME, Part
+
+from edesign.project import parse_project
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.checks.criteria import check_criteria
+from edesign.project.notation.frames import frames_of_member
+from edesign.project.reading.yaml_file import check_model
+
+
+def problems_of(text: str, project: AnalysisFile, kept: tuple[HistoryKind, ...] = ("floors", "storeys")) -> list[str]:
+    """All problems, as `line:column key: message`."""
+    found, problems = check_model(f"criteria: [{{name: c, {text}}}]\n", Part, "study file", "criteria:")
+    if found is not None:
+        check_criteria((), found.criteria, (), project, ("bare",), problems, kept, {"bare": ()})
+    return [f"{p.mark.line}:{p.mark.column} {p}" for p in problems.found]
+
+
+@pytest.mark.parametrize("key", ["direction: x", "at: A", "frames: X1", "axis: z"])
+def test_plane_frames_have_no_places_in_space(key: str) -> None:
+    (problem,) = problems_of(f"measure: interstorey_drift, {key}, most: 1 %", parse_project(FRAME))
+    assert problem.startswith("1:50 ") and says(problem, f"criteria[0].{key.partition(':')[0]} plane E-CRIT-04")
+
+
+@pytest.mark.parametrize(
+    "name", ["line_drift", "residual_line_drift", "torsional_ratio", "point_displacement", "base_shear_resultant"]
+)
+def test_plane_frames_have_no_quantities_of_buildings(name: str) -> None:
+    limit = {"line_drift": "1 %", "residual_line_drift": "1 %", "torsional_ratio": "1.2", "point_displacement": "1 m"}
+    (problem,) = problems_of(f"quantity: {name}, most: {limit.get(name, '1 MN')}", parse_project(FRAME))
+    assert problem.startswith("1:32 ") and says(problem, f"`{name}` is of buildings E-CRIT-04")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("measure: interstorey_drift, at: [A1, D1], most: 1 %", "criteria[0].at[1] `D1` `A1` E-NAME-01"),
+        ("measure: interstorey_drift, at: centre, most: 1 %", "criteria[0].at `centre` E-NAME-01"),
+        ("measure: interstorey_drift, frames: [X1, XA], most: 1 %", "criteria[0].frames[1] `XA` `YA` E-NAME-01"),
+        ("measure: interstorey_drift, frames: YA, direction: x, most: 1 %", "criteria[0].frames `YA` E-VALUE-04"),
+        ("measure: interstorey_drift, axis: y, most: 1 %", "criteria[0].axis `direction` `at` E-CRIT-04"),
+        ("measure: interstorey_drift, direction: resultant, most: 1 %", "direction base_shear_N E-CRIT-04"),
+        ("measure: interstorey_drift, direction: z, most: 1 %", "criteria[0].direction `x` `resultant` E-VALUE-03"),
+        ("measure: column_plastic_rotation, axis: x, most: 1 rad", "criteria[0].axis `y` `z` E-VALUE-03"),
+        ("measure: column_axial_force, direction: x, most: 1 MN", "criteria[0].direction `frames` E-CRIT-04"),
+        ("measure: column_axial_force, members: C_A1_3, most: 1 MN", "members `C_A1_3` building E-NAME-01"),
+        ("measure: interstorey_drift, storeys: 3, most: 1 %", "criteria[0].storeys 3 E-NAME-01"),
+        ("measure: base_shear, storeys: 2, most: 1 MN", "criteria[0].storeys building E-CRIT-04"),
+        ("measure: brace_ductility, most: 2 %", "criteria[0].measure building E-CRIT-04"),
+        ("quantity: point_displacement, at: [A1, C4], most: 1 m", "criteria[0].at[1] `C4` `C3` E-NAME-01"),
+        ("quantity: floor_displacement, at: [centre, C3], most: 1 m", "criteria[0].at `centre` E-KEY-03"),
+        ("quantity: floor_rotation, direction: x, most: 1 rad", "criteria[0].direction E-CRIT-04"),
+        ("quantity: storey_torque, floors: 1, most: 1 kN*m", "criteria[0].floors `storeys` E-CRIT-04"),
+        ("quantity: support_moment, lines: A, most: 1 kN*m", "criteria[0].lines `at` E-CRIT-04"),
+        ("quantity: base_shear_resultant, direction: x, most: 1 MN", "criteria[0].direction E-CRIT-04"),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_place(text: str, said: str) -> None:
+    (problem,) = problems_of(text, building(SMALL), ("floors", "storeys", "supports"))
+    assert problem.startswith("1:") and says(problem, said), problem
+
+
+def test_histories_that_resultants_need_are_kept() -> None:
+    asked = "measure: base_shear, direction: resultant, most: 1 MN"
+    assert problems_of(asked, building(SMALL)) == []
+    (problem,) = problems_of(asked, building(SMALL), ("floors",))
+    assert says(problem, "the resultant of `base_shear_N` is computed from the histories of storeys E-CRIT-05")
+    (problem,) = problems_of("quantity: torsional_ratio, most: 1.4", building(SMALL), ("floors",))
+    assert says(problem, "`torsional_ratio` is computed from the histories of storeys E-CRIT-05")
+
+
+def test_all_keys_together_are_right() -> None:
+    whole = building(SMALL)
+    for text in (
+        "measure: interstorey_drift, direction: y, at: [A1, C3], frames: [YA, YC], storeys: 1, most: 1 %",
+        "quantity: floor_acceleration, at: centre, direction: x, floors: 2, most: 1 g",
+        "quantity: point_acceleration, at: C3, direction: resultant, most: 1 g",
+        "quantity: member_bending_moment, axis: z, frames: X1, members: C_A1_1, most: 1 kN*m",
+        "quantity: damper_force, frames: X2, most: 1 kN",
+        "quantity: support_vertical_reaction, at: [A1, C3], side: tension, most: 1 kN",
+        "quantity: section_use, members: BX_2_1_1, most: 1",
+    ):
+        assert problems_of(text, whole, ("floors", "storeys", "supports")) == [], text
+
+
+def test_two_directions_do_not_contradict_each_other() -> None:
+    text = (
+        "criteria:\n  - {name: a, measure: interstorey_drift, direction: x, least: 2 %}\n"
+        "  - {name: b, measure: interstorey_drift, direction: @, most: 1 %}\n"
+    )
+    for direction, count in (("y", 0), ("x", 1)):
+        found, problems = check_model(text.replace("@", direction), Part, "study file", "criteria:")
+        assert found is not None
+        check_criteria((), found.criteria, (), building(SMALL), ("bare",), problems)
+        assert len(problems.found) == count
+
+
+@pytest.mark.parametrize(
+    ("name", "frames"),
+    [
+        ("C_A2_3", ("X2", "YA")),
+        ("C_AB12_3", ("X12", "YAB")),
+        ("BX_2_1_5", ("X2",)),
+        ("BX_2_1_5_1", ("X2",)),
+        ("DY_A_1_2_r", ("YA",)),
+        ("VX_1_2_3", ("X1",)),
+        ("C_A_3", ()),
+        ("B_1_3", ()),
+        ("N_A1.0_B1.1", ()),
+    ],
+)
+def test_frames_by_names_of_members(name: str, frames: tuple[str, ...]) -> None:
+    assert frames_of_member(name) == frames
