@@ -20,16 +20,24 @@ QUANTITIES_OF_CRITERIA = TableSpec[str](
         text("quantity", str),
         text("unit", lambda name: _said(QUANTITIES[name].kind.unit)),
         text("keys", lambda name: ", ".join(keys_of(name)) or None),
+        text("in buildings", lambda name: ", ".join(QUANTITIES[name].in_space) or None),
         text("histories", lambda name: QUANTITIES[name].kept or None),
         text("meaning", lambda name: QUANTITIES[name].meaning, broken=1),
     ),
-    notes=("histories: what `outputs: histories` of the study must keep for it",),
+    notes=(
+        "in buildings: keys that say where; plane frames have none of them",
+        "histories: what `outputs: histories` of the study must keep for it",
+    ),
     keys=5,
 )
 MEASURES_OF_CRITERIA = TableSpec[str](
     "measures_of_criteria",
     "Measures of criteria",
-    (text("measure", short_name), text("unit", lambda name: _said(MEASURES[name].kind.unit))),
+    (
+        text("measure", short_name),
+        text("unit", lambda name: _said(MEASURES[name].kind.unit)),
+        text("in buildings", lambda name: ", ".join(MEASURES[name].in_space) or None),
+    ),
     keys=2,
 )
 

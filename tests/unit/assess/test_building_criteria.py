@@ -198,7 +198,7 @@ def test_forces_of_storeys_and_of_the_base(judged: Judged) -> None:
 
 
 def test_an_oscillator_stands_on_a_floor_in_each_direction(judged: Judged) -> None:
-    """Against scipy's exact solution for motion that is linear between samples; 50 samples a period bend it by 0.2 %."""
+    """Against scipy's exact solution for motion that is linear between samples; 50 samples a period."""
     from scipy.signal import lsim
 
     omega, zeta = 2.0 * np.pi * 2.0, 0.02
@@ -263,7 +263,7 @@ def test_use_of_sections_by_forces_at_one_instant(judged: Judged) -> None:
 
 
 def test_columns_are_judged_about_their_strong_axis(judged: Judged) -> None:
-    """FEMA 356, Table 5-6, worked out by hand for HEB200 of S275 with E 210 GPa: theta_y = Z fy L (1 - P/Pye) / (6 E I)."""
+    """FEMA 356, Table 5-6, by hand for HEB200 of S275: theta_y = Z fy L (1 - P/Pye) / (6 E I), 5.5.2.2.2, Eq. 5-2."""
     peaks = np.maximum(judged.values("column_plastic_rotation_max"), -judged.values("column_plastic_rotation_min"))
     lowest = judged.values("column_axial_force_min")
     found, members = {}, frame_members(judged.whole)
