@@ -255,7 +255,6 @@ def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFil
 
     Args:
         group: of a history of a building.
-        asked: has the direction.
 
     Returns:
         (storeys, directions); None without the drifts.

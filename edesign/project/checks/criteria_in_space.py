@@ -23,7 +23,8 @@ def check_in_space(keys: Keys, criterion: LimitCriterion, project: AnalysisFile,
     given = [key for key in SPACE_KEYS if key in criterion.model_fields_set]
     if project.structure == "frame":
         for key in given:
-            problems.at_key((*keys, key), f"`{key}` says where in a building; leave it out for a plane frame [E-CRIT-04]")
+            message = f"`{key}` says where in a building; leave it out for a plane frame [E-CRIT-04]"
+            problems.at_key((*keys, key), message)
         return
     measured = isinstance(criterion, MeasureCriterion)
     own = MEASURES[subject].in_space if measured else QUANTITIES[subject].in_space
