@@ -163,6 +163,14 @@ class Archive:
         others = {name: own for name, own in dims.items() if name not in along}
         return Group(Unread(along, variable), Unread(others, variable), self._tree.attributes(place))
 
+    def seen_through(self, lens: Callable[[Group], Group]) -> Archive:
+        """Return this archive with its groups as a function shows them; it is closed with this one.
+
+        Args:
+            lens: gives the group to be seen for one that is read.
+        """
+        return _Seen(self, lens)
+
     def close(self) -> None:
         """Close the file."""
         self._closed = True
@@ -226,6 +234,20 @@ class Archive:
 
     def _damaged(self, error: Damaged) -> DamagedArchive:
         return DamagedArchive(f"{self.path}: the archive is damaged: {error} [E-ARCH-03]")
+
+
+class _Seen(Archive):
+    """An archive whose groups a function shows."""
+
+    def __init__(self, whole: Archive, lens: Callable[[Group], Group]) -> None:
+        self.__dict__.update(whole.__dict__)
+        self._whole, self._lens = whole, lens
+
+    def group(self, path: str = "/") -> Group:
+        return self._lens(self._whole.group(path))
+
+    def view(self, path: str = "/") -> Group:
+        return self._lens(self._whole.view(path))
 
 
 def open_archive(path: str | os.PathLike[str], damaged: bool = False) -> Archive:

@@ -57,11 +57,15 @@ def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def _sections(source: Source) -> list[Section]:
+    from edesign.report.archive.analysis_sections import SECTIONS
     from edesign.report.page.sections.building import building_sections
     from edesign.report.page.sections.provenance import provenance
     from edesign.report.page.source import made_of
 
-    return [*building_sections(source), *made_of(source, (provenance,))]
+    of_design = building_sections(source) if source.archive.has(PLACE) else []
+    of_analyses = SECTIONS if source.attributes.get("planned") else (provenance,)
+    taken = {section.id for section in of_design}
+    return [*of_design, *(section for section in made_of(source, of_analyses) if section.id not in taken)]
 
 
 def _summary(archive: Archive, names: Sequence[str], whole: bool) -> tuple[dict[str, Any], list[str]]:

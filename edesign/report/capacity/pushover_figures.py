@@ -17,6 +17,7 @@ from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.pushover import METHODS, SIDES, WAYS
 from edesign.report.archived import archived_building, archived_project
 from edesign.report.drawing.captions import file_name
+from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.drawing.style import (
     BEFORE,
     MEAN,
@@ -157,7 +158,7 @@ def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         caption = f"Plastic rotations of member ends at the target displacements of {words} at {level}."
         for first in range(0, len(found), ELEVATIONS):
             if project is not None:
-                figure = hinge_figure(project.frame, found[first : first + ELEVATIONS])
+                figure = hinge_figure(FrameElevation(project.frame), found[first : first + ELEVATIONS])
                 yield file_name("target_hinges", method, level), caption, figure
 
 

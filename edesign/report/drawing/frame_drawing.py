@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import cached_property
+from typing import TYPE_CHECKING, Protocol
 
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import support_name
@@ -28,6 +29,64 @@ class DamperDrawing:
 
     braces: tuple[Line, ...]
     at: Point
+
+
+class Elevation(Protocol):
+    """A plane frame as it is drawn: of its own, or one of a building."""
+
+    @property
+    def width(self) -> float:
+        """Of all bays, m."""
+
+    @property
+    def height(self) -> float:
+        """Above the base, m."""
+
+    @property
+    def bay(self) -> float:
+        """Width of a mean bay, m."""
+
+    @property
+    def lines(self) -> Mapping[str, Line]:
+        """Start and end of every member by its name, m."""
+
+    def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
+        """Draw members, supports and those of the dampers that stand in it to scale."""
+
+
+@dataclass(frozen=True)
+class FrameElevation:
+    """The elevation of a plane frame.
+
+    Attributes:
+        frame: of the project.
+    """
+
+    frame: Frame
+
+    @property
+    def width(self) -> float:
+        """Of all bays, m."""
+        return self.frame.x[-1]
+
+    @property
+    def height(self) -> float:
+        """Above the base, m."""
+        return self.frame.height
+
+    @property
+    def bay(self) -> float:
+        """Width of a mean bay, m."""
+        return self.frame.x[-1] / self.frame.n_bays
+
+    @cached_property
+    def lines(self) -> Mapping[str, Line]:
+        """Start and end of every member by its name, m."""
+        return member_lines(self.frame)
+
+    def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
+        """Draw the frame; see `draw_frame`."""
+        draw_frame(axes, self.frame, dampers)
 
 
 def member_lines(frame: Frame) -> dict[str, Line]:

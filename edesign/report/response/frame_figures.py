@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import chain
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.directions import frame_view
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.frame.frame import Frame
-from edesign.report.archived import archived_project, archived_study
+from edesign.project.building.building import Building
+from edesign.project.project import Project
+from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment.measure_columns import ROUNDING
+from edesign.report.drawing.building_drawing import BuildingElevation, frame_names
 from edesign.report.drawing.captions import at_level, file_name, plain
-from edesign.report.drawing.frame_drawing import draw_frame, member_lines
+from edesign.report.drawing.frame_drawing import Elevation, FrameElevation
 from edesign.report.drawing.style import MEAN, new_figure, styled
-from edesign.report.response.histories import by_level, histories, missing_text, names_of
+from edesign.report.response.directions import strong_axes
+from edesign.report.response.histories import History, by_level, histories, missing_text, names_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -76,34 +81,69 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     Yields:
         Name of the file, caption and figure.
     """
-    project = archived_project(archive)
-    study = archived_study(archive)
-    for level, variants in by_level(histories(archive)).items():
-        found = {
-            variant: groups
-            for variant, chosen in variants.items()
-            if (groups := [group for h in chosen if h.completed and plastic_rotations(group := h.read(archive))])
-        }
-        if project is None or not found or not any(map(_yields, chain(*found.values()))):
+    project = archived_building(archive) or archived_project(archive)
+    if project is None:
+        return
+    of = VariantMembers(project, archived_study(archive)).project
+    if isinstance(project, Building):
+        strong = strong_axes(archive)
+        for name in frame_names(project):
+            seen = archive.seen_through(partial(_in_frame, name, strong))
+            judged = {column for column, axis in strong.items() if axis == name[0].lower()}
+            for level, variants in by_level(histories(seen)).items():
+                elevation = _Elevation(BuildingElevation(project, name), name, judged)
+                yield from _of_level(seen, level, variants, elevation, of)
+    elif isinstance(project, Project):
+        for level, variants in by_level(histories(archive)).items():
+            yield from _of_level(archive, level, variants, _Elevation(FrameElevation(project.frame)), of)
+
+
+def _in_frame(name: str, strong: Mapping[str, str], group: Group) -> Group:
+    return frame_view(group, name, strong) if "direction" in group.coords else group
+
+
+class _Elevation(NamedTuple):
+    """What is drawn, its name, and the columns that are judged about their strong axis; None: all are."""
+
+    drawing: Elevation
+    name: str = ""
+    judged: Collection[str] | None = None
+
+
+def _of_level(
+    archive: Archive,
+    level: str,
+    variants: Mapping[str, Sequence[History]],
+    elevation: _Elevation,
+    of: Callable[[str], AnalysisFile],
+) -> Iterator[tuple[str, str, Figure]]:
+    found = {
+        variant: groups
+        for variant, chosen in variants.items()
+        if (groups := [group for h in chosen if h.completed and plastic_rotations(group := h.read(archive))])
+    }
+    if not found or not any(map(_yields, chain(*found.values()))):
+        return
+    missing = missing_text(history for chosen in variants.values() for history in chosen)
+    where = f" in frame {elevation.name}" if elevation.name else ""
+    for statistic, words, take in (("mean", "Mean", np.mean), ("max", "Largest", np.max)):
+        if statistic == "max" and all(len(groups) == 1 for groups in found.values()):
             continue
-        of = VariantMembers(project, study).project
-        missing = missing_text(history for chosen in variants.values() for history in chosen)
-        for statistic, words, take in (("mean", "Mean", np.mean), ("max", "Largest", np.max)):
-            if statistic == "max" and all(len(groups) == 1 for groups in found.values()):
-                continue
-            panels = [_panel(variant, groups, take) for variant, groups in found.items()]
-            caption = f"{words} over the records of the peak plastic rotations of member ends{at_level(level)}. "
-            figure = hinge_figure(project.frame, panels, ROTATION)
-            yield file_name("hinges", level, statistic), f"{caption}{_numbers(panels)}{missing}", figure
-        classes = [
-            replace(_panel(variant, groups, np.mean), values=acceptance(of(variant), groups))
-            for variant, groups in found.items()
-        ]
-        if any(any(panel.values.values()) for panel in classes):
-            caption = f"Mean peak plastic rotations{at_level(level)} by the limits of FEMA 356, Table 5-6, primary; "
-            caption += f"columns above half of P_CL are over CP from {1e3 * ELASTIC_ROTATION:g} mrad. "
-            figure = hinge_figure(project.frame, classes, ACCEPTANCE)
-            yield file_name("hinges", level, "acceptance"), f"{caption}{_counts(classes)}{missing}", figure
+        panels = [_panel(variant, groups, take) for variant, groups in found.items()]
+        caption = f"{words} over the records of the peak plastic rotations of member ends{where}{at_level(level)}. "
+        figure = hinge_figure(elevation.drawing, panels, ROTATION)
+        yield file_name("hinges", elevation.name, level, statistic), f"{caption}{_numbers(panels)}{missing}", figure
+    classes = []
+    for variant, groups in found.items():
+        values = acceptance(of(variant), groups)
+        if elevation.judged is not None:  # Table 5-6 is of bending about the strong axis
+            values = {end: value for end, value in values.items() if end[0][0] != "C" or end[0] in elevation.judged}
+        classes.append(replace(_panel(variant, groups, np.mean), values=values))
+    if any(any(panel.values.values()) for panel in classes):
+        caption = f"Mean peak plastic rotations{where}{at_level(level)} by the limits of FEMA 356, Table 5-6, primary; "
+        caption += f"columns above half of P_CL are over CP from {1e3 * ELASTIC_ROTATION:g} mrad. "
+        figure = hinge_figure(elevation.drawing, classes, ACCEPTANCE)
+        yield file_name("hinges", elevation.name, level, "acceptance"), f"{caption}{_counts(classes)}{missing}", figure
 
 
 def acceptance(project: AnalysisFile, groups: Sequence[Group]) -> dict[End, float]:
@@ -154,7 +194,7 @@ def plastic_rotations(group: Group) -> dict[End, float]:
 
 
 @styled
-def hinge_figure(frame: Frame, panels: Sequence[Hinges], scale: Scale = ROTATION) -> Figure:
+def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTATION) -> Figure:
     """Draw member ends beyond the first class of a scale as circles on the frame, elevations side by side.
 
     Args:
@@ -162,14 +202,14 @@ def hinge_figure(frame: Frame, panels: Sequence[Hinges], scale: Scale = ROTATION
     """
     from matplotlib.lines import Line2D
 
-    ratio = frame.x[-1] / frame.height
+    ratio = frame.width / frame.height
     height = min(3.9, 3.0 / ratio)
     width = max(1.5, height * ratio) + 0.3
     figure, axes = new_figure(1, len(panels), width * len(panels), height + 0.7)
-    lines = member_lines(frame)
-    offset = OFFSET * frame.x[-1] / frame.n_bays
+    lines = frame.lines
+    offset = OFFSET * frame.bay
     for axis, panel in zip(axes[0], panels, strict=True):
-        draw_frame(axis, frame, panel.dampers)
+        frame.draw(axis, panel.dampers)
         for (member, end), value in panel.values.items():
             rank = scale.rank(value)
             if rank and member in lines:

@@ -14,6 +14,7 @@ from edesign.assess.envelopes import peak
 from edesign.assess.statistics import FRACTION, counted_percentile
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, grid_figure, legend_below, legend_label, some_of, styled
+from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import History, by_level, histories, missing_text, variant_colors
 from edesign.report.response.profile_figures import DAMPERS, KINDS, TOTAL, Kind, profile, with_dampers
 
@@ -27,6 +28,7 @@ WITH_DAMPERS = Kind("storey shear, columns and dampers", "kN", 1e-3, "storey")
 Read = Mapping[str, Sequence[tuple[History, Group]]]
 
 
+@in_each_direction
 def mean_profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield the mean profiles of each hazard level with several variants.
 

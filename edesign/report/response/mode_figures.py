@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import plain
 from edesign.report.drawing.style import MEAN, VARIANTS, legend_label, new_figure, some_of, styled
+from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import variant_colors
 from edesign.study.results.kinds import ANALYSES
 
@@ -28,7 +29,8 @@ class Shapes:
     Attributes:
         label: its name.
         period: (modes,), s.
-        shape: (modes, floors), from the base up, which moves only if it is isolated.
+        shape: (modes, floors) over the largest displacement of a floor, from the base up, which moves only if it is
+            isolated.
         color: of its lines.
     """
 
@@ -38,6 +40,7 @@ class Shapes:
     color: str
 
 
+@in_each_direction
 def mode_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield the first modes of all variants, overlaid.
 
@@ -58,6 +61,8 @@ def mode_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             floors = variables["floor_shape"].values
             base = variables["base_shape"].values if "base_shape" in variables else np.zeros(floors.shape[0])
             shape = np.column_stack((base, floors))
+            if "effective_mass_ratio_y" not in variables:  # of a building the largest may be in the other direction
+                shape /= np.max(np.abs(shape), axis=1, keepdims=True)
             shapes = Shapes(variant or name, variables["period"].values, shape, color)
             found[shapes.label] = shapes
     same = [one for one in found.values() if one.shape.shape[1] == next(iter(found.values())).shape.shape[1]]
@@ -85,7 +90,7 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
         for i, one in enumerate(structures):
             if mode >= one.period.size:
                 continue
-            shape = one.shape[mode] / (np.max(np.abs(one.shape[mode])) or 1.0)
+            shape = one.shape[mode]
             shape = -shape if shape[-1] < 0.0 else shape  # the roof to the right
             style: Any = {"color": one.color, "lw": 1.5, "ls": _STYLES[i % len(_STYLES)], "marker": "o", "ms": 2.4}
             axis.plot(shape, floors, label=legend_label(one.label), **style)

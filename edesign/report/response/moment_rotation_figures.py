@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, legend_label, new_figure, styled
+from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import by_motion, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -23,6 +24,7 @@ _WIDTHS = (0.8, 0.8, 0.7)  # of the first line, which lies below, and of further
 NONE = 1e-6  # rad, a rotation that is none
 
 
+@in_each_direction
 def moment_rotation_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield the loops of each recorded member in each motion, variants overlaid.
 

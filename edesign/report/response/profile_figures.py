@@ -14,6 +14,7 @@ from edesign.assess.envelopes import peak, residual
 from edesign.assess.statistics import FRACTION, counted_percentile
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, RECORDS, grid_figure, label_outer, some_of, styled
+from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import History, by_level, histories, missing_text, variant_colors
 
 if TYPE_CHECKING:
@@ -77,6 +78,7 @@ class Profiles:
     color: str
 
 
+@in_each_direction
 def profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield the profiles of all histories of each hazard level, by quantity.
 

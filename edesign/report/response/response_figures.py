@@ -12,6 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import BEFORE, MEAN, align_ordinates, legend_label, new_figure, styled
+from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import by_motion, histories, missing_text, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ class Series:
     color: str
 
 
+@in_each_direction
 def response_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield the histories of each motion whose floors or storeys were kept.
 

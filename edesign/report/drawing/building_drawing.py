@@ -1,0 +1,123 @@
+"""The elevation of a plane frame of a building: its members, supports and dampers to scale."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from edesign.project.building.building import Building
+from edesign.project.building.names import frame_name
+from edesign.project.notation.frames import Direction, frames_of_member
+from edesign.report.drawing.frame_drawing import DAMPER, STEEL, SUPPORTS, Line, Point
+from edesign.report.drawing.style import MEAN
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+def frame_names(building: Building) -> list[str]:
+    """Return the names of the plane frames of a building, those along x first.
+
+    Args:
+        building: as its file says.
+    """
+    along: tuple[Direction, ...] = ("x", "y")
+    return [frame_name(axis, number) for axis in along for number in range(building.n_frames(axis))]
+
+
+@dataclass(frozen=True)
+class BuildingElevation:
+    """The elevation of one plane frame of a building.
+
+    Attributes:
+        building: as its file says.
+        name: of the frame, such as X2.
+    """
+
+    building: Building
+    name: str
+
+    @property
+    def _along(self) -> Direction:
+        return "x" if self.name.startswith("X") else "y"
+
+    @property
+    def width(self) -> float:
+        """Of all bays, m."""
+        return self.building.coordinates(self._along)[-1]
+
+    @property
+    def height(self) -> float:
+        """Above the base, m."""
+        return self.building.levels[-1]
+
+    @property
+    def bay(self) -> float:
+        """Width of a mean bay, m."""
+        return self.width / self.building.n_bays(self._along)
+
+    @cached_property
+    def lines(self) -> Mapping[str, Line]:
+        """Start and end of every member by its name, m."""
+        ends = self.building.grid.ends
+        return {
+            member: (self._seen(start), self._seen(end))
+            for member, (start, end) in ends.items()
+            if self.name in frames_of_member(member)
+        }
+
+    def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
+        """Draw members, supports and the dampers of the frame to scale, without scales and frame of the axes.
+
+        Args:
+            axes: in m, with equal scales afterwards.
+            dampers: of the building by name.
+        """
+        for member, ((x0, y0), (x1, y1)) in self.lines.items():
+            axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if member.startswith("D") else 1.6, zorder=1.5)
+        for name in dampers:
+            if self.name in frames_of_member(name):
+                for (x0, y0), (x1, y1) in self._damper(name):
+                    axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
+        for x, fixed in self._bases():
+            marker = SUPPORTS["fixed" if fixed else "pinned"]
+            axes.plot(x, 0.0, marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
+        margin = 0.04 * max(self.width, self.height)
+        axes.set_aspect("equal")
+        axes.set_xlim(-margin, self.width + margin)
+        axes.set_ylim(-margin, self.height + margin)
+        axes.set_axis_off()
+
+    def _seen(self, node: str) -> Point:
+        place = self.building.grid.nodes[node]
+        return place["xy".index(self._along)], place[-1]
+
+    def _bases(self) -> list[tuple[float, bool]]:
+        """Places of the column bases of the frame, and whether each is fixed against turns in it."""
+        found = []
+        for line, storey in self.building.layout.column_at:
+            frame = frame_name(self._along, line.j if self._along == "x" else line.i)
+            if storey == 1 and frame == self.name:
+                support = self.building.support(line)
+                turn = getattr(support, "ry" if self._along == "x" else "rx", "fixed")
+                found.append((self.building.place(line)["xy".index(self._along)], turn == "fixed"))
+        return found
+
+    def _damper(self, name: str) -> list[Line]:
+        """The lines of a damper and its braces: kind and direction, frame, bay and storey stand in its name."""
+        kind, _, bay, storey, *way = name.split("_")
+        x, levels = self.building.coordinates(self._along), self.building.levels
+        left, right = x[int(bay) - 1], x[int(bay)]
+        low, high = levels[int(storey) - 1], levels[int(storey)]
+        apex = (0.5 * (left + right), high)
+        halves = {"r": ((left, low), apex), "f": (apex, (right, low))}
+        if kind[0] == "V":
+            return [halves[one] for one in (way or ["r", "f"])]
+        lines: dict[str, Line] = {
+            "R": ((left, low), (right, high)),
+            "F": ((left, high), (right, low)),
+            "S": ((apex[0], low), apex),
+        }
+        return [lines[kind[0]]]
