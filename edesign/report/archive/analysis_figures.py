@@ -15,6 +15,7 @@ from edesign.report.response.frame_figures import frame_figures
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.mode_figures import mode_figures
 from edesign.report.response.moment_rotation_figures import moment_rotation_figures
+from edesign.report.response.orbits import orbit_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.response.response_figures import response_figures
 from edesign.report.response.temperature_figures import temperature_figures
@@ -31,6 +32,7 @@ FIGURES: tuple[Figures, ...] = (
     frame_figures,
     axial_figures,
     response_figures,
+    orbit_figures,
     energy_figures,
     moment_rotation_figures,
     brace_figures,

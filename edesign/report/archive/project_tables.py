@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.sets import history_sets
 from edesign.report.archive_view import all_results, entry, input_warnings
 from edesign.report.archived import archived_project
 from edesign.report.capacity.pushover_tables import target_tables
@@ -15,6 +16,7 @@ from edesign.report.response.analysis_tables import analyses_table, measures_tab
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
+from edesign.report.response.torsion_tables import torsion_tables
 from edesign.report.tables.table import Table
 from edesign.study.results.warnings import warning_lines
 
@@ -35,6 +37,7 @@ def project_tables(archive: Archive) -> list[Table]:
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
     tables += ground_tables(groups)
+    tables += torsion_tables(history_sets(groups))
     tables.append(statistics_table(entries))
     return [table for table in tables if table.rows or table.notes]
 

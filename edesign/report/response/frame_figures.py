@@ -122,7 +122,8 @@ def _of_level(
         for variant, chosen in variants.items()
         if (groups := [group for h in chosen if h.completed and plastic_rotations(group := h.read(archive))])
     }
-    if not found or not any(map(_yields, chain(*found.values()))):
+    least = ROTATION.limits[0] if elevation.name else 0.0  # of many frames those with a hinge that is drawn
+    if not any(value > least for group in chain(*found.values()) for value in plastic_rotations(group).values()):
         return
     missing = missing_text(history for chosen in variants.values() for history in chosen)
     where = f" in frame {elevation.name}" if elevation.name else ""
@@ -167,11 +168,6 @@ def acceptance(project: AnalysisFile, groups: Sequence[Group]) -> dict[End, floa
         beyond = sum(rotation > member.allowed(level, force) for level in PERFORMANCE_LEVELS)
         found[end] = float(1 + beyond) if rotation > ELASTIC_ROTATION else 0.0
     return found
-
-
-def _yields(group: Group) -> bool:
-    """Whether any member end has a plastic rotation."""
-    return any(value > 0.0 for value in plastic_rotations(group).values())
 
 
 def _panel(variant: str, groups: Sequence[Group], take: Callable[[list[float]], float]) -> Hinges:

@@ -9,7 +9,9 @@ from edesign.report.html.section import Folded, Part, Section
 from edesign.report.page.source import Source, by_level, level_heading
 from edesign.report.response.analysis_tables import measures_table
 from edesign.report.response.mean_profiles import mean_profile_figures
+from edesign.report.response.orbits import orbit_figures
 from edesign.report.response.profile_figures import profile_figures
+from edesign.report.response.torsion_tables import torsion_tables
 
 SHOWN = 2  # tables of statistics, mean and maximum; the others on demand
 
@@ -30,7 +32,10 @@ def response(source: Source) -> Section:
     else:
         table = measures_table(source.entries)
         parts += [table] if table.rows else []
+    parts += torsion_tables(sets)
     parts += _profiles(source)
+    orbits = source.pictures(orbit_figures)
+    parts += [Folded("Orbits in plan", orbits)] if len(orbits) > 1 else orbits
     return Section("response", "Peak response", (), tuple(parts))
 
 

@@ -1,0 +1,91 @@
+"""How buildings twist: drifts of column lines against each other, and turns of floors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
+from edesign.assess.sets import HistorySet
+from edesign.report.tables.column import col, count, text
+from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.unit import MRAD, ONE, PERCENT
+
+
+class _Twist(NamedTuple):
+    """A storey in one direction: means over the histories of a set.
+
+    Attributes:
+        least, largest: drift ratios of the column lines that drift least and most, each by its own peak.
+        line: the one that drifts most.
+        ratio: the largest over the mean of all lines.
+        turn: of the floor above about the vertical, rad; None: it is not rigid.
+    """
+
+    storey: int
+    direction: str
+    least: float
+    largest: float
+    line: str
+    ratio: float
+    turn: float | None
+
+
+TORSION = TableSpec[_Twist](
+    "torsion",
+    "{whose}: torsion",
+    (
+        count("storey"),
+        text("direction"),
+        col("least drift", PERCENT, "least"),
+        col("largest drift", PERCENT, "largest"),
+        text("at", "line"),
+        col("largest / mean", ONE, "ratio", form=".2f"),
+        col("turn", MRAD, "turn", optional=True),
+    ),
+    signs=("of column lines, each by its own peak; mean: of all lines; turn: of the floor above about the vertical",),
+)
+
+
+def torsion_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
+    """Yield a table of each set of histories of a building; plane frames have none.
+
+    Args:
+        sets: histories by variant and level.
+    """
+    for found in sets:
+        groups = [group for group in found.histories.values() if "line_drift_max" in group.variables]
+        if groups:
+            whose = ", ".join(filter(None, (found.variant, found.level))) or "histories"
+            yield TORSION.of(_twists(groups), whose=whose)
+
+
+def _mean_peak(groups: Sequence[Group], quantity: str) -> np.ndarray | None:
+    found = [values for group in groups if (values := peak(group, quantity)) is not None]
+    return np.mean(found, axis=0) if found else None
+
+
+def _twists(groups: Sequence[Group]) -> Iterator[_Twist]:
+    first = groups[0]
+    lines, turn = _mean_peak(groups, "line_drift"), _mean_peak(groups, "floor_rotation")
+    if lines is None:
+        return
+    names = [str(name).rpartition(".")[0] for name in first.coords["drift_line"].values]
+    of = np.asarray(first.variables["drift_line_storey"].values)
+    for at, direction in enumerate(first.coords["direction"].values):
+        for i, storey in enumerate(first.coords["storey"].values):
+            own = np.flatnonzero(of == storey)
+            drifts = lines[own, at]
+            worst = int(np.argmax(drifts))
+            yield _Twist(
+                int(storey),
+                str(direction),
+                float(drifts.min()),
+                float(drifts[worst]),
+                names[own[worst]],
+                float(drifts[worst] / drifts.mean()) if drifts.mean() > 0.0 else 1.0,
+                None if turn is None else float(turn[i]),
+            )
