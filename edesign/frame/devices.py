@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
-from edesign.frame.sections.building_sections import BuildingSections
-from edesign.frame.sections.named_section import cross_section
-from edesign.frame.struts import Strut, strut
+from edesign.frame.device_places import DamperSites, DevicePlace, Term, device_places
+from edesign.frame.struts import Strut
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
     BraceSection,
@@ -20,13 +19,8 @@ from edesign.project.dampers.dampers import (
     DamperRun,
     restrained_misfits,
 )
-from edesign.project.frame.sections import no_section
 from edesign.project.notation import names
-from edesign.project.project import Project
-from edesign.project.reading.problems import did_you_mean, keys_text
-
-UX, UY = 0, 1
-Term = tuple[float, int, int]
+from edesign.project.reading.problems import Keys
 
 
 @dataclass(frozen=True)
@@ -133,6 +127,9 @@ class Device:
         restrained: all braces that stand at its place, of its length; None: its law is another.
         column_base: name of the node of an isolated base that it acts on from the ground; "": it is no such one.
         carries: whether it acts from the beginning, under the gravity loads too.
+        frame: name of the plane frame of a building that it stands in; "": of none, or of a plane frame.
+        direction: index of the horizontal direction that it acts in; None: both, or none.
+        stands: how, as `kind` in the file; "" on an isolated base.
     """
 
     name: str
@@ -154,43 +151,26 @@ class Device:
     restrained: RestrainedBrace | None = None
     column_base: str = ""
     carries: bool = False
-
-
-@dataclass(frozen=True)
-class Attached:
-    """A tuned mass on a floor, m in kg, k in N/m, c in N s/m."""
-
-    name: str
-    floor: int
-    mass: float
-    stiffness: float
-    damping: float
-
-
-@dataclass(frozen=True)
-class _Place:
-    name: str
-    storey: int
-    index: int  # of its storey among those of the run
-    terms: tuple[Term, ...]
-    length: float  # of its brace
-    cosine: float  # of the brace to the deformation
-    braces: int  # that share the force
+    frame: str = ""
+    direction: int | None = 0
+    stands: str = ""
 
 
 def add_devices(
-    project: Project,
+    project: AnalysisFile,
     model: Model,
     nodes: Mapping[str, int],
     laws: Mapping[str, DeviceLaw],
+    sites: DamperSites,
     outside: Collection[str] = (),
 ) -> tuple[Device, ...]:
-    """Add the dampers of a project to its model.
+    """Add the dampers of a project or building to its model.
 
     Args:
         model: has the nodes already.
         nodes: ids by name.
         laws: by name; dampers of others are left out.
+        sites: of the frame or building.
         outside: names of dampers that stand elsewhere, in a laboratory.
 
     Raises:
@@ -227,14 +207,14 @@ def add_devices(
                 " [E-DEVICE-02]"
             )
             raise InputError(f"{where}: carries_gravity: {message}")
-        for place in _places(project, run, nodes, where):
+        for place in device_places(project, run, sites, nodes, where):
             size = _size(run, place)
             force_scale, deformation_scale, thickness = size.scales(law)
             own_brace = None
             if restrained is not None:
                 deformation_scale = restrained.length / place.length
                 own_brace = restrained.at(force_scale, place.length)
-            brace = _brace(project, run, place, i)
+            brace, bar = _brace(sites, run, place, ("dampers", "devices", i))
             play = run.brace.play or 0.0 if isinstance(run.brace, BraceStiffness) else 0.0
             name = names.free_name(place.name, taken)
             taken.add(name)
@@ -251,123 +231,43 @@ def add_devices(
                 number = model.damper(name, law.law, place.terms, brace, *scales, play, carries=run.carries_gravity)
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
-            of_law = (*scales, brace, play, law.tested_strain, run.strain_limit, _brace_bar(project, run, place))
+            of_law = (*scales, brace, play, law.tested_strain, run.strain_limit, bar)
             amplitude = None if run.design_deformation is None else _of_storey(run.design_deformation, place)
             own = (place.storey, place.terms, thickness, size, *of_law, amplitude, own_brace)
-            found.append(Device(name, number, run.law, law.law, *own, carries=run.carries_gravity))
+            device = Device(
+                name,
+                number,
+                run.law,
+                law.law,
+                *own,
+                carries=run.carries_gravity,
+                frame=place.frame,
+                direction=place.direction,
+                stands=run.kind,
+            )
+            found.append(device)
     return tuple(found)
 
 
-def add_attachment(model: Model, attached: Attached, node: int, x: float, y: float) -> int:
-    """Add a tuned mass beside a node of its floor.
-
-    Args:
-        node: of the floor, number in the core.
-        x: place of the mass, m.
-        y: level of the mass, m.
-
-    Returns:
-        Number of the node of the mass.
-    """
-    mass = model.node(attached.name, x, y)
-    model.tie(mass, node, uy=True, rz=True)
-    model.mass(mass, attached.mass)
-    model.link(f"{attached.name}_spring", node, mass, (attached.stiffness, 0.0, 0.0))
-    if attached.damping > 0.0:
-        dashpot = LawValues("viscous", (attached.damping,))
-        model.damper(f"{attached.name}_dashpot", dashpot, ((1.0, mass, UX), (-1.0, node, UX)))
-    return mass
-
-
-def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str, int], where: str) -> Iterator[_Place]:
-    frame = project.frame
-    if isinstance(run, DamperBetween):
-        yield _between(project, run, nodes, where)
-        return
-    for index, storey in enumerate(run.storeys.numbers(1, frame.n_storeys)):
-        for bay in run.bays.numbers(1, frame.n_bays):
-            left, right = frame.bay_lines(bay)
-            corner = {
-                (line, floor): _node(nodes, names.node_name(line, floor), where)
-                for line in (left, right)
-                for floor in (storey - 1, storey)
-            }
-            width, height = frame.bay_widths[bay - 1], frame.storey_heights[storey - 1]
-            low_left, low_right = corner[left, storey - 1], corner[right, storey - 1]
-            top_left, top_right = corner[left, storey], corner[right, storey]
-            name, *others = names.damper_names(run.kind, bay, storey)
-            top: tuple[Term, ...] = ((0.5, top_left, UX), (0.5, top_right, UX))
-            if run.kind == "storey":
-                terms = (*top, (-0.5, low_left, UX), (-0.5, low_right, UX))
-                yield _Place(name, storey, index, terms, height, 1.0, 1)
-            elif run.kind == "chevron":
-                # the apex moves with the mean of the lower ends and tilts with their difference
-                tilt = 0.5 * height / (0.5 * width)
-                lower_ends = ((-0.5, low_left, UX), (-0.5, low_right, UX), (-tilt, low_left, UY), (tilt, low_right, UY))
-                length = math.hypot(0.5 * width, height)
-                yield _Place(name, storey, index, (*top, *lower_ends), length, 0.5 * width / length, 2)
-            elif run.kind == "chevron_braces":
-                length = math.hypot(0.5 * width, height)
-                apex = _node(nodes, names.beam_name(bay, storey), where)
-                for one, lower_end, way in zip((name, *others), (low_left, low_right), (1.0, -1.0), strict=True):
-                    c, s = way * 0.5 * width / length, height / length
-                    terms = ((c, apex, UX), (s, apex, UY), (-c, lower_end, UX), (-s, lower_end, UY))
-                    yield _Place(one, storey, index, terms, length, 1.0, 1)
-            else:
-                length = math.hypot(width, height)
-                low, high = (low_left, top_right) if run.kind == "rising" else (low_right, top_left)
-                c = width / length * (1.0 if run.kind == "rising" else -1.0)
-                s = height / length
-                terms = ((c, high, UX), (s, high, UY), (-c, low, UX), (-s, low, UY))
-                yield _Place(name, storey, index, terms, length, 1.0, 1)
-
-
-def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], where: str) -> _Place:
-    start, end = run.nodes
-    first, second = _node(nodes, start, where), _node(nodes, end, where)
-    (x0, y0), (x1, y1) = project.frame.nodes[start], project.frame.nodes[end]
-    length = math.hypot(x1 - x0, y1 - y0)
-    c, s = (x1 - x0) / length, (y1 - y0) / length
-    terms = ((c, second, UX), (s, second, UY), (-c, first, UX), (-s, first, UY))
-    levels = project.frame.levels
-    storey = next((i for i in range(1, len(levels)) if sorted((y0, y1)) == [levels[i - 1], levels[i]]), 0)
-    return _Place(names.damper_between_name(start, end), storey, 0, terms, length, 1.0, 1)
-
-
-def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
-    if name not in nodes:
-        raise InputError(f"{where}: there is no node `{name}` in this frame{did_you_mean(name, nodes)} [E-NAME-01]")
-    return nodes[name]
-
-
-def _size(run: DamperRun | DamperBetween, place: _Place) -> DeviceSize:
+def _size(run: DamperRun | DamperBetween, place: DevicePlace) -> DeviceSize:
     area = None if run.layer_area is None else _of_storey(run.layer_area, place)
     scale = 1.0 if run.scale is None else _of_storey(run.scale, place)
     return DeviceSize(run.number, run.layers, area, run.layer_thickness, scale)
 
 
-def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:
+def _of_storey(values: float | tuple[float, ...], place: DevicePlace) -> float:
     return values[place.index] if isinstance(values, tuple) else values
 
 
-def _brace_bar(project: Project, run: DamperRun | DamperBetween, place: _Place) -> BraceBar | None:
-    if not isinstance(run.brace, BraceSection):
-        return None
-    share = 1.0 / (place.braces * place.cosine)
-    made = strut(project, run.brace.section, run.brace.material, place.length)
-    return BraceBar(run.brace.section, made, share, place.braces > 1)
-
-
-def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, device: int) -> float:
-    """Stiffness in series, N/m; 0: rigid."""
+def _brace(
+    sites: DamperSites, run: DamperRun | DamperBetween, place: DevicePlace, keys: Keys
+) -> tuple[float, BraceBar | None]:
+    """Stiffness in series, N/m, 0: rigid; and the brace as a bar if it is given by its section."""
     if isinstance(run.brace, BraceStiffness):
-        return _of_storey(run.brace.stiffness, place)
+        return _of_storey(run.brace.stiffness, place), None
     if not isinstance(run.brace, BraceSection):
-        return 0.0
-    name = run.brace.section
-    if name not in project.sections and BuildingSections().canonical(name) is None:
-        keys = ("dampers", "devices", device, "brace", "section")
-        message = no_section(name, project.sections, BuildingSections())
-        raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
-    axial = project.materials[run.brace.material].E * cross_section(project, name).area / place.length
-    return place.braces * axial * place.cosine**2
+        return 0.0, None
+    axial, as_strut = sites.bar(run.brace, place.length, keys)
+    share = 1.0 / (place.braces * place.cosine)
+    bar = BraceBar(run.brace.section, as_strut, share, place.braces > 1)
+    return place.braces * axial * place.cosine**2, bar

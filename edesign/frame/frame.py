@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from edesign.core import Analysis, Model
-from edesign.frame.devices import Attached, DeviceLaw, add_attachment, add_devices
+from edesign.frame.bays import frame_sites
+from edesign.frame.devices import DeviceLaw, add_devices
 from edesign.frame.floors import ACROSS, UP, frame_floors, frame_storeys
 from edesign.frame.footings import FootingSprings, project_footings
 from edesign.frame.frame_members import add_members
@@ -22,6 +23,7 @@ from edesign.frame.loads import MemberLoads, beam_loads, column_loads, gravity_l
 from edesign.frame.masses import node_masses, still_beams, vertical_masses
 from edesign.frame.sections.named_section import cross_section
 from edesign.frame.supports import BuiltFooting, Grounds, add_footing, support_springs
+from edesign.frame.tuned_masses import Attached, add_attachment
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.frame import Frame
@@ -109,12 +111,12 @@ def build_frame(
         add_base_beams(project, model, nodes)
     if isolation is not None and laws is not None and weights is not None:
         isolated = add_isolation(project, model, nodes, laws, weights)
-    devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
+    devices = add_devices(project, model, nodes, laws, frame_sites(project), outside) if laws is not None else ()
     devices = (*(isolated.devices if isolated is not None else ()), *devices)
     attached = {}
     for item in attachments:
         leading = frame.leading_node(item.floor)
-        attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
+        attached[item.name] = add_attachment(model, item, nodes[leading], frame.nodes[leading])
     floors = frame_floors(project, nodes)
     return FrameModel(
         frame,

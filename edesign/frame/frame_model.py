@@ -233,7 +233,7 @@ class FrameModel:
         turning: kg m2 that resist turns about the vertical, by node: those of rigid floors of a building.
         supports: whether each degree of the core is restrained, of each supported node by name.
         devices: its dampers.
-        attached: nodes of its tuned masses, by name.
+        attached: displacement of each tuned mass relative to its floor, by name, beginning with its own node.
         panels: its panel zones by the node of their joint.
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring restrains it.
@@ -260,7 +260,7 @@ class FrameModel:
     masses: dict[str, float]
     supports: dict[str, tuple[bool, ...]]
     devices: tuple[Device, ...] = ()
-    attached: dict[str, int] = field(default_factory=dict)
+    attached: dict[str, Sum] = field(default_factory=dict)
     grounds: dict[str, Grounds] = field(default_factory=dict)
     moving_with: dict[int, list[int]] = field(default_factory=dict)
     panels: dict[str, BuiltPanel] = field(default_factory=dict)

@@ -63,7 +63,7 @@ DAMPED = (
     SMALL
     + """\
 dampers:
-  laws: {oil: {type: linear_viscous, parameters: {c: 100 kN*s/m}}}
+  laws: {oil: {type: viscous, parameters: {c: 100 kN*s/m}}}
   devices:
     - {kind: chevron_braces, along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]}
     - {kind: rising, along: y, frames: [A, C], bays: 2, storeys: 1, law: oil,

@@ -40,7 +40,8 @@ def structure(attachment: str, storeys: int) -> Structure:
 
 def run(made: Structure, ground: np.ndarray, dt: float) -> np.ndarray:
     """Displacements (n, floors + 1) of the floors and the tuned mass."""
-    nodes = [floor.movers[0][0][0][1] for floor in made.frame.floors] + list(made.frame.attached.values())
+    nodes = [floor.movers[0][0][0][1] for floor in made.frame.floors]
+    nodes += [stroke[0][1] for stroke in made.frame.attached.values()]
     channels = [Channel(str(node), ((1.0, "displacement", node, 0),)) for node in nodes]
     response = made.analysis.history(ground, dt, Newmark(), channels)
     assert response.status == "completed", response.reason
@@ -144,7 +145,8 @@ def test_a_tuned_liquid_damper_is_its_first_sloshing_mode() -> None:
     omega = math.sqrt(G * math.pi / 2.5 * wave)
     mass = 8.0 * 2.5 / (math.pi**3 * 0.4) * wave * 12 * 2.5 * 3.0 * 0.4 * 1000.0
     made = structure(LIQUID, 1)
-    (node,) = made.frame.attached.values()
+    (stroke,) = made.frame.attached.values()
+    node = stroke[0][1]
     equation = made.analysis.equations[node, 0]
     assert made.analysis.masses()[equation] == pytest.approx(mass, rel=1e-12)
     assert made.analysis.stiffness()[equation, equation] == pytest.approx(mass * omega**2, rel=1e-12)

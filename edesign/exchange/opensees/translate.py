@@ -28,9 +28,10 @@ from edesign.exchange.opensees.structure import (
 )
 from edesign.exchange.opensees.structure_builder import StructureBuilder
 from edesign.exchange.recorded_model import RecordedModel
-from edesign.frame.devices import Attached, DeviceLaw
+from edesign.frame.devices import DeviceLaw
 from edesign.frame.frame import build_frame
 from edesign.frame.frame_model import FrameModel
+from edesign.frame.tuned_masses import Attached
 from edesign.project.project import Project
 from edesign.project.records.records import ChosenRecords
 from edesign.study.analysis.dampers import attachments, device_laws

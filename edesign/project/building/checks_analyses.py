@@ -121,8 +121,6 @@ def _plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
     dampers = building.dampers
     if dampers is not None and dampers.isolation is not None:
         yield ("dampers", "isolation"), "isolators are"
-    elif dampers is not None and not dampers.none and any(analysis.dampers for analysis in building.analyses):
-        yield ("dampers",), "dampers are"
     for i, analysis in enumerate(building.analyses):
         if isinstance(analysis, BuildingHistory) and analysis.wave_passage is not None:
             yield ("analyses", i, "wave_passage"), "waves that reach one support after the other are"

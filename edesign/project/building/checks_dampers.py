@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
-from edesign.project.building.names import BeamPlace
+from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.checks.dampers import check_devices
-from edesign.project.dampers.dampers import Attachment, BraceSection, DamperRun
+from edesign.project.dampers.dampers import Attachment, BraceSection, DamperBetween, DamperRun
 from edesign.project.frame.sections import Catalogue, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
@@ -24,6 +24,8 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
     if building.dampers is None:
         return
     for i, device in enumerate(building.dampers.devices):
+        if isinstance(device, DamperBetween):
+            _apart(building, problems, ("dampers", "devices", i, "nodes"), device)
         brace = device.brace
         if isinstance(brace, BraceSection) and profiles is not None and profiles.canonical(brace.section) is None:
             keys: Keys = ("dampers", "devices", i, "brace", "section")
@@ -46,6 +48,16 @@ def _places(building: Building, problems: Problems, check: Selections, keys: Key
     right &= check.numbers((*keys, "bays"), run.bays, "bay", building.n_bays(run.along), f" along {run.along}")
     if not (check.storeys(keys, run.storeys) and right):
         return ()
+    corners = {
+        node_name(line, floor)
+        for place in building.layout.brace_places(run)
+        for line in place.lines
+        for floor in (place.storey - 1, place.storey)
+    }
+    if absent := sorted(corners - building.layout.nodes.keys()):
+        nodes = f"node {listed(absent)}" if len(absent) == 1 else f"nodes {listed(absent, 4)}"
+        problems.at_value(keys, f"at a corner of their bays no member ends: there is no {nodes} [E-NAME-01]")
+        return ()
     beams = (BeamPlace(*place) for place in building.layout.brace_places(run))
     absent = [str(beam) for beam in beams if run.kind == "chevron_braces" and beam not in building.layout.beam_at]
     if absent:
@@ -54,12 +66,36 @@ def _places(building: Building, problems: Problems, check: Selections, keys: Key
     return run.storeys.numbers(1, building.n_storeys)
 
 
+def _apart(building: Building, problems: Problems, keys: Keys, device: DamperBetween) -> None:
+    """A damper has ends that can move apart: not on one rigid floor, nor on the ground."""
+    layout = building.layout
+    ends = [layout.nodes.get(name) for name in device.nodes]
+    if None in ends or device.nodes[0] == device.nodes[1]:
+        return
+    floors = {layout.levels.index(end[2]) for end in ends if end is not None}
+    rigid = building.diaphragms.numbers(1, building.n_storeys)
+    what = ""
+    if len(floors) == 1 and floors <= set(rigid):
+        what = f"both are on floor {floors.pop()}, which is rigid in its plane"
+    elif floors == {0}:
+        bases = {node_name(line, 0): building.support(line) for line in layout.node_lines[0]}
+        if all({bases[name].ux, bases[name].uy, bases[name].uz} == {"fixed"} for name in device.nodes):
+            what = "both are fixed to the ground"
+    if what:
+        problems.at_value(keys, f"{listed(device.nodes)} never move apart: {what} [E-DAMPER-05]")
+
+
 def _attachment(building: Building, problems: Problems, keys: Keys, item: Attachment) -> None:
     """A tuned mass moves in one direction, and stands at the centre of mass or on a column line."""
     if item.direction is None:
         problems.under(keys, "direction", "this key is missing: the direction that it moves in, `x` or `y` [E-KEY-02]")
     grid = building.grid
-    if item.at is None or item.floor > building.n_storeys:
+    if item.floor > building.n_storeys:
+        return
+    if item.at is None:
+        if item.floor not in building.diaphragms.numbers(1, building.n_storeys):
+            loose = f"floor {item.floor} is not rigid and has no one centre of mass"
+            problems.under(keys, "at", f"this key is missing: {loose}; give a column line, such as `A1` [E-KEY-02]")
         return
     if item.at not in grid.lines:
         problems.at_value((*keys, "at"), unknown_name("column line", item.at, grid.lines))

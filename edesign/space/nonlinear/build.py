@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping, Sequence
+
 import numpy as np
 
 from edesign.core import Model
+from edesign.frame.devices import DeviceLaw, add_devices
 from edesign.frame.frame_model import FrameModel, Sinking
+from edesign.frame.tuned_masses import Attached, add_attachment
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS as PLAN
+from edesign.project.building.names import node_name
 from edesign.space.file_places import telling_member
+from edesign.space.nonlinear.bays import building_sites
 from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys
 from edesign.space.nonlinear.gravity import gravity_loads
-from edesign.space.nonlinear.masses import IN_PLACE, add_masses, still_beams
+from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, still_beams
 from edesign.space.nonlinear.members import BuildingMembers
 from edesign.space.nonlinear.supports import add_supports
 from edesign.space.structure.geometry import space_frame
@@ -19,7 +25,12 @@ from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 
 def build_building(
-    building: Building, model: Model | None = None, eccentricity: tuple[float, float] = IN_PLACE
+    building: Building,
+    model: Model | None = None,
+    laws: Mapping[str, DeviceLaw] | None = None,
+    attachments: Sequence[Attached] = (),
+    outside: Collection[str] = (),
+    eccentricity: tuple[float, float] = IN_PLACE,
 ) -> FrameModel:
     """Build the model of a building with its masses and gravity loads.
 
@@ -30,28 +41,38 @@ def build_building(
     Args:
         building: from `load_building`.
         model: an empty model in space to build in; a new one by default.
+        laws: of the dampers, by name; those of other laws are left out; None: the building without dampers.
+        attachments: tuned masses.
+        outside: names of dampers that stand elsewhere, in a laboratory.
         eccentricity: by what shares of the lengths of each rigid floor, along x and y, its masses stand beside their
-            places.
+            places; tuned masses stay where they are.
 
     Returns:
         The model, with the numbers of its parts in the core.
 
     Raises:
-        InputError: an end of a beam is a spring, a section is not known, loads upwards would give a negative mass, or
-            the core refuses a member.
+        InputError: an end of a beam is a spring, a section is not known, loads upwards would give a negative mass, a
+            damper has no node to stand at, or the core refuses a member.
     """
     whole = with_steel_by_thickness(building)
     with telling_member(building):
-        return _build(whole, model or Model(dimension=3), eccentricity)
+        return _build(whole, model or Model(dimension=3), laws, attachments, outside, eccentricity)
 
 
-def _build(building: Building, model: Model, eccentricity: tuple[float, float]) -> FrameModel:
+def _build(
+    building: Building,
+    model: Model,
+    laws: Mapping[str, DeviceLaw] | None,
+    attachments: Sequence[Attached],
+    outside: Collection[str],
+    eccentricity: tuple[float, float],
+) -> FrameModel:
     frame = space_frame(building)
     loads = gravity_loads(building, frame)
     nodes = {
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
-    masters, masses, turning = add_masses(building, frame, model, eccentricity)
+    masters, masses, turning = add_masses(building, frame, model, attachments, eccentricity)
     supports, grounds = add_supports(frame, model)
     members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()
@@ -64,6 +85,11 @@ def _build(building: Building, model: Model, eccentricity: tuple[float, float]) 
     for number, points in loads.points.items():
         for position, force in points:
             model.point_load(gravity, of_members[number], position, *force.tolist())
+    devices = () if laws is None else add_devices(building, model, nodes, laws, building_sites(building), outside)
+    attached = {}
+    for item in attachments:
+        node = masters[item.floor] if item.floor in masters else nodes[node_name(item.at, item.floor)]
+        attached[item.name] = add_attachment(model, item, node, attachment_place(frame, item).tolist())
     floors = building_floors(building, frame, loads, nodes, masters)
     places = dict(zip(model.node_names, model.node_places, strict=True))
     named = {**nodes, **{model.node_names[master]: master for master in masters.values()}}
@@ -88,6 +114,8 @@ def _build(building: Building, model: Model, eccentricity: tuple[float, float]) 
         masses=masses,
         turning=turning,
         supports=supports,
+        devices=devices,
+        attached=attached,
         grounds=grounds,
         on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports},
     )

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from edesign.core import Model
+from edesign.frame.tuned_masses import Attached
 from edesign.project.building.building import Building
+from edesign.project.building.names import node_name
 from edesign.space.nonlinear.gravity import GravityLoads
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.load_cases import on_members
@@ -17,38 +21,52 @@ IN_PLACE = (0.0, 0.0)
 
 
 def add_masses(
-    building: Building, frame: SpaceFrame, model: Model, eccentricity: tuple[float, float] = IN_PLACE
+    building: Building,
+    frame: SpaceFrame,
+    model: Model,
+    attachments: Sequence[Attached] = (),
+    eccentricity: tuple[float, float] = IN_PLACE,
 ) -> tuple[dict[int, int], dict[str, float], dict[str, float]]:
     """Add rigid floors and masses to a model, which has the nodes of the frame in their order.
 
     Each rigid floor has a master at its centre of mass, with its mass and its moment of inertia in plan. Masses that
     resist vertical motion stay at the nodes, and so do loads where the masses of floors stand beside their places.
+    Across its direction a tuned mass moves with its floor, as a part of it.
 
     Args:
         building: from `load_building`.
         eccentricity: by what shares of the lengths of each rigid floor its masses stand beside their places.
 
     Returns:
-        Masters by floor, masses that resist horizontal motion by name of the node, kg, and those of the masters that
-        resist turns about the vertical, kg m2.
+        Masters by floor, masses that resist horizontal motion by name of the node, kg, without tuned masses, and those
+        of the masters that resist turns about the vertical, kg m2.
     """
     found: dict[int, int] = {}
     masses: dict[str, float] = {}
     turning: dict[str, float] = {}
     single, shift = frame.node_mass.copy(), mass_shift(frame, eccentricity)
-    for floor, (x, y) in zip(diaphragm_floors(frame), masters(frame).tolist(), strict=True):
+    for floor, centre in zip(diaphragm_floors(frame), masters(frame), strict=True):
         nodes = np.flatnonzero(frame.node_floor == floor)
-        own, plan = frame.node_mass[nodes], frame.coordinates[nodes, :2]
-        aside_x, aside_y = shift[nodes[0]].tolist()
-        master = found[floor] = model.node(master_name(floor), x + aside_x, y + aside_y, float(frame.levels[floor]))
+        riders = [item for item in attachments if item.floor == floor]
+        plan = np.vstack(
+            [frame.coordinates[nodes, :2] + shift[nodes], *(attachment_place(frame, i)[:2] for i in riders)]
+        )
+        own, centre = frame.node_mass[nodes], centre + shift[nodes[0]]
+        along = [np.append(own, [item.mass * (item.direction != axis) for item in riders]) for axis in (0, 1)]
+        # what moves along y turns the floor by its lever along x
+        x, y = (of @ plan[:, i] / of.sum() if of.any() else centre[i] for i, of in enumerate(along[::-1]))
+        master = found[floor] = model.node(master_name(floor), float(x), float(y), float(frame.levels[floor]))
         model.fix(master, uz=True, rx=True, ry=True)
         model.diaphragm(master, nodes.tolist())
-        mass = float(own.sum())
-        if mass > 0.0:
-            name = master_name(floor)
-            masses[name], turning[name] = mass, float(own @ np.sum((plan - (x, y)) ** 2, axis=1))
-            model.mass(master, mass, mass, turning[name])
+        in_x, in_y = along
+        inertia = float(in_x @ (plan[:, 1] - y) ** 2 + in_y @ (plan[:, 0] - x) ** 2)
+        model.mass(master, float(in_x.sum()), float(in_y.sum()), inertia)
+        if own.any():
+            masses[master_name(floor)], turning[master_name(floor)] = float(own.sum()), inertia
         single[nodes] = 0.0
+    for item in attachments:
+        if item.floor not in found:
+            model.mass(_line_node(frame, item), *(item.mass * (item.direction != axis) for axis in (0, 1)))
     upright = vertical_masses(building, frame)
     for node, name in enumerate(frame.node_names):
         if single[node] > 0.0 or upright[node] > 0.0:
@@ -56,6 +74,18 @@ def add_masses(
         if single[node] > 0.0:
             masses[name] = float(single[node])
     return found, masses, turning
+
+
+def attachment_place(frame: SpaceFrame, item: Attached) -> np.ndarray:
+    """Return the place of a tuned mass on its column line, or at the centre of the mass of its rigid floor, (3,) m."""
+    if item.at:
+        return np.asarray(frame.coordinates[_line_node(frame, item)])
+    centre = masters(frame)[diaphragm_floors(frame).index(item.floor)]
+    return np.append(centre, frame.levels[item.floor])
+
+
+def _line_node(frame: SpaceFrame, item: Attached) -> int:
+    return frame.node_names.index(node_name(item.at, item.floor))
 
 
 def master_name(floor: int) -> str:

@@ -13,7 +13,8 @@ from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain
 from edesign.damper.laws import law
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
-from edesign.frame.devices import Attached, Device, DeviceLaw
+from edesign.frame.devices import Device, DeviceLaw
+from edesign.frame.tuned_masses import Attached
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import LawDescription, TunedMass
 from edesign.project.notation.names import tuned_mass_name
@@ -171,9 +172,7 @@ def attachments(project: AnalysisFile) -> list[Attached]:
             water = WATER * item.number * item.length * item.width * item.depth
             mass = water * sloshing_mass_ratio(item.length, item.depth)
             omega = sloshing_frequency(item.length, item.depth)
-        found.append(
-            Attached(
-                tuned_mass_name(item.floor, i + 1), item.floor, mass, mass * omega**2, 2.0 * item.damping * mass * omega
-            )
-        )
+        name, dashpot = tuned_mass_name(item.floor, i + 1), 2.0 * item.damping * mass * omega
+        direction = 0 if item.direction is None else ("x", "y").index(item.direction)
+        found.append(Attached(name, item.floor, mass, mass * omega**2, dashpot, direction, item.at or ""))
     return found

@@ -127,14 +127,14 @@ def build(project: AnalysisFile, eccentricity: tuple[float, float] = IN_PLACE, *
 
     Args:
         eccentricity: of the masses of a building; see `build_building`.
-        more: arguments of `build_frame`.
+        more: arguments of `build_frame`; a building has neither footings nor isolators.
 
     Raises:
         InputError, CoreError: as `build_frame` and `build_building`.
     """
     if isinstance(project, Building):
-        assert project.dampers is None or project.dampers.none, "the check of its file refuses them"
-        return build_building(project, eccentricity=eccentricity)
+        of_building = {key: value for key, value in more.items() if key not in ("footings", "weights")}
+        return build_building(project, eccentricity=eccentricity, **of_building)
     assert isinstance(project, Project)
     return build_frame(project, **more)
 

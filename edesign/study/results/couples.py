@@ -8,7 +8,7 @@ from types import MappingProxyType
 import numpy as np
 
 from edesign.core import Response
-from edesign.frame.devices import UX, UY, Device
+from edesign.frame.devices import Device
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import Design
@@ -26,6 +26,8 @@ NO_COUPLE = (
     "reactions lack; `chevron` and diagonals have it"
 )
 _ROUNDING = 1e-9  # of the height of the frame
+Place = tuple[float, ...]
+"""A place in plan, m: x of a plane frame, x and y of a building."""
 
 
 def couple_advice(project: AnalysisFile, designs: Mapping[str, Design] = MappingProxyType({})) -> list[str]:
@@ -42,9 +44,13 @@ def couple_advice(project: AnalysisFile, designs: Mapping[str, Design] = Mapping
     return [f"{', '.join(where)}: {NO_COUPLE}"] if where else []
 
 
-def couple_terms(frame: FrameModel) -> Terms:
-    """Return the moment of the couples that dampers lack, N m, positive as that of reactions to loads to the right."""
-    return tuple((arm, "damper_force", device.number, 0) for device, arm, _ in _lacking(frame))
+def couple_terms(frame: FrameModel, direction: int = 0) -> Terms:
+    """Return the moment of the couples that dampers lack, N m, positive as that of reactions to loads to the right.
+
+    Args:
+        direction: index of the direction in whose vertical planes they would act.
+    """
+    return tuple((arm, "damper_force", device.number, 0) for device, arm, _ in _lacking(frame, direction))
 
 
 class LackingCouples:
@@ -55,26 +61,22 @@ class LackingCouples:
     """
 
     def __init__(self, frame: FrameModel) -> None:
-        on: dict[float, Terms] = {}
-        for device, arm, (left, right) in _lacking(frame):
-            for at, way in ((left, 1.0), (right, -1.0)):
-                on[at] = (*on.get(at, ()), (way * arm / (right - left), "damper_force", device.number, 0))
+        self._axes = [axis.name for axis in frame.directions]
+        on: dict[Place, Terms] = {}
+        for axis in range(len(self._axes)):
+            for device, arm, (left, right) in _lacking(frame, axis):
+                for at, way in ((left, 1.0), (right, -1.0)):
+                    share = way * arm / (right[axis] - left[axis])
+                    on[at] = (*on.get(at, ()), (share, "damper_force", device.number, 0))
         lines = {frame.grid.line_place(line): line for line in frame.grid.lines}
-        self._lines = [lines[at,] for at in on]
-        couples = couple_terms(frame)
-        self.quantities: list[Quantity] = []
-        if not couples:
-            return
-        total: Terms = tuple(
-            (storey.height * c, kind, item, at)
-            for shear in (storey_shears(frame, history=False), storey_damper_forces(frame, history=False))
-            for storey, terms in zip(frame.storeys, shear.cells, strict=True)
-            for c, kind, item, at in terms
-        )
-        self._couple = Quantity("lacking_couple", (), (), (couples,), "N*m", "")
-        self._total = Quantity("overturning_of_storeys", (), (), (total,), "N*m", "")
+        self._lines = [lines[at] for at in on]
+        couples = tuple(couple_terms(frame, axis) for axis in range(len(self._axes)))
+        totals = tuple(_overturning(frame, axis) for axis in range(len(self._axes)))
+        dims, shape = ("direction",), (len(self._axes),)
+        self._couple = Quantity("lacking_couple", dims, shape, couples, "N*m", "")
+        self._total = Quantity("overturning_of_storeys", dims, shape, totals, "N*m", "")
         self._forces = Quantity("lacking_axial_force", ("line",), (len(on),), tuple(on.values()), "N", "")
-        self.quantities = [self._couple, self._total, self._forces]
+        self.quantities = [self._couple, self._total, self._forces] if on else []
 
     def warnings(self, response: Response) -> list[AnalysisWarning]:
         """Return the warning about overturning, if the couples matter.
@@ -84,32 +86,46 @@ class LackingCouples:
         """
         if not self.quantities:
             return []
-        couple, total, forces = (
+        couples, totals, forces = (
             np.maximum(-quantity.extreme(response, "min"), quantity.extreme(response, "max"))
             for quantity in self.quantities
         )
-        share = float(couple / total) if total > 0.0 else 0.0
+        shares = np.divide(couples, totals, out=np.zeros_like(couples), where=totals > 0.0)
+        most = int(shares.argmax())
+        share, couple, total = (float(values[most]) for values in (shares, couples, totals))
         if share <= NEGLECTED:
             return []
         worst = int(forces.argmax())
+        about = f" along {self._axes[most]}" if self._axes[most] else ""
         text = (
-            f"{couple / 1e3:.4g} of {total / 1e3:.4g} kNm of overturning are in no column, at line "
+            f"{couple / 1e3:.4g} of {total / 1e3:.4g} kNm of overturning{about} are in no column, at line "
             f"{self._lines[worst]} {forces[worst] / 1e3:.4g} kN; {NO_COUPLE}"
         )
         return [AnalysisWarning("damper_couple", text, share / NEGLECTED)]
 
 
-def _lacking(frame: FrameModel) -> Iterator[tuple[Device, float, tuple[float, float]]]:
-    """Dampers that lack a couple, its moment over their force in m, and x of the outer column lines of their bay.
+def _overturning(frame: FrameModel, direction: int) -> Terms:
+    """The shears of the storeys times their heights."""
+    return tuple(
+        (storey.height * c, kind, item, at)
+        for shear in (storey_shears(frame, history=False), storey_damper_forces(frame, history=False))
+        for storey, terms in zip(frame.storeys, shear.cells[direction :: len(frame.directions)], strict=True)
+        for c, kind, item, at in terms
+    )
+
+
+def _lacking(frame: FrameModel, direction: int) -> Iterator[tuple[Device, float, tuple[Place, Place]]]:
+    """Dampers that lack a couple, its moment over their force in m, and the outer column lines of their bay in plan.
 
     Along a line between nodes, and at the apex of a chevron, forces balance; those on isolators go to the ground.
     """
     places = {node: frame.places[name] for name, node in frame.nodes.items()}
+    across = frame.directions[direction].degree
     for device in frame.devices:
         if device.column_base:
             continue
-        arm = sum(c * places[node][1] for c, node, degree in device.terms if degree == UX)
-        arm -= sum(c * places[node][0] for c, node, degree in device.terms if degree == UY)
+        arm = sum(c * places[node][-1] for c, node, degree in device.terms if degree == across)
+        arm -= sum(c * places[node][across] for c, node, degree in device.terms if degree == frame.up)
         if abs(arm) > _ROUNDING * frame.floors[-1].level:
-            ends = [places[node][0] for _, node, _ in device.terms]
-            yield device, arm, (min(ends), max(ends))
+            ends = sorted((places[node][:-1] for _, node, _ in device.terms), key=lambda place: place[across])
+            yield device, arm, (ends[0], ends[-1])

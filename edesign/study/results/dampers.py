@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from edesign.frame.frame_model import FrameModel
-from edesign.project.notation.names import tuned_mass_floor
-from edesign.study.results.recording import Quantity, Terms, recorded
+from edesign.study.results.recording import Quantity, Terms, directed, recorded
 
 
 def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
@@ -44,24 +43,26 @@ def storey_damper_forces(frame: FrameModel, history: bool) -> Quantity:
     Args:
         history: whether values over time are kept.
     """
-    storeys: list[Terms] = [() for _ in frame.storeys]
+    cells: dict[tuple[int, int], Terms] = {
+        (storey.number, axis.degree): () for storey in frame.storeys for axis in frame.directions
+    }
     for device in frame.devices:
-        if device.storey:
-            top = {frame.nodes[name] for name in frame.floors[device.storey - 1].nodes}
-            across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
-            storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
+        if not device.storey:
+            continue
+        top = {frame.nodes[name] for name in frame.floors[device.storey - 1].nodes}
+        for axis in frame.directions:
+            if device.direction in (None, axis.degree):
+                across = sum(c for c, node, degree in device.terms if node in top and degree == axis.degree)
+                cells[device.storey, axis.degree] += ((across, "damper_force", device.number, 0),)
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
-    return Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history)
+    return Quantity("storey_damper_force", *directed(frame, "storey"), tuple(cells.values()), "N", label, history)
 
 
 def tuned_mass_displacements(frame: FrameModel, history: bool) -> list[Quantity]:
     """Displacement of each tuned mass relative to its floor, the stroke that it needs; nothing without any."""
     if not frame.attached:
         return []
-    cells = tuple(
-        ((1.0, "displacement", mass, 0), *recorded(frame.floors[tuned_mass_floor(name) - 1].movers[0][0], factor=-1.0))
-        for name, mass in frame.attached.items()
-    )
+    cells = tuple(recorded(stroke) for stroke in frame.attached.values())
     label = "horizontal displacement of the tuned mass relative to its floor"
     return [Quantity("tuned_mass_displacement", ("tuned_mass",), (len(cells),), cells, "m", label, history)]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from building_examples import ANALYSED, DAMPED, IRREGULAR, SMALL, building
+from building_examples import ANALYSED, DAMPED, IRREGULAR, SMALL, building, changed
 from messages import says
 
 from edesign.project.building import BuildingError
@@ -242,7 +242,13 @@ CHEVRONS = "along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]"
         (", direction: x", "", "dampers.attachments[0].direction E-KEY-02"),
         ("direction: x", "direction: @z", "dampers.attachments[0].direction `y` E-VALUE-03"),
         ("at: A1", "at: @D1", "dampers.attachments[0].at `A1` E-NAME-01"),
-        ("dampers:", "analyses: [{name: g, kind: gravity}]\n@dampers:", "dampers E-BLDG-04"),
+        (CHEVRONS, CHEVRONS.replace("s: 2", "s: [1, @X4]"), "dampers.devices[0].frames `X4` 1 to 3 E-NAME-01"),
+        (CHEVRONS, CHEVRONS.replace("along: x", "along: y"), "dampers.devices[0].frames `2` A to C E-NAME-01"),
+        ("[A1.0, B2.1]", "[A1.0, @D2.1]", "dampers.devices[2].nodes[1] `D2.1` building E-NAME-01"),
+        ("[A1.0, B2.1]", "@[C1.2, B2.2]", "dampers.devices[2].nodes `C1.2` `B2.2` floor 2 rigid E-DAMPER-05"),
+        ("[A1.0, B2.1]", "@[A1.0, B1.0]", "dampers.devices[2].nodes `A1.0` `B1.0` ground E-DAMPER-05"),
+        ("[A1.0, B2.1]", "@[BX_2_1_2, B2.2]", "dampers.devices[2].nodes `BX_2_1_2` floor 2 rigid E-DAMPER-05"),
+        (", at: A1}", "}\ndiaphragms: 1", "dampers.attachments[0].at `A1` floor 2 E-KEY-02"),
         (
             "dampers:",
             "missing: {beams: [{along: x, frames: 2, bays: 1, floors: 2}]}\ndampers:",
@@ -252,6 +258,16 @@ CHEVRONS = "along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]"
 )
 def test_mistakes_of_dampers_are_reported_with_their_place(old: str, new: str, said: str) -> None:
     _is_reported(DAMPED, old, new, said)
+
+
+def test_dampers_have_nodes_at_the_corners_of_their_bays() -> None:
+    text = changed(
+        DAMPED,
+        ("columns: [{s", "setbacks: [{floors: 2, bays: {x: all, y: 1}}]\ncolumns: [{s"),
+        ("bays: 2, storeys: 1, law: oil,", "bays: 2, storeys: all, law: oil,"),
+    )
+    ((place, message),) = faults(text)
+    assert place == (24, 7) and says(message, "dampers.devices[1] `A3.2`, `C3.2` E-NAME-01")
 
 
 def test_what_analyses_do_not_have_stands_in_a_file_for_the_design_alone() -> None:

@@ -1,0 +1,40 @@
+"""Bays and braces of a building for its dampers."""
+
+from __future__ import annotations
+
+from edesign.frame.device_places import Bay, DamperSites
+from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.struts import Strut, catalogue_strut
+from edesign.project.building.building import Building
+from edesign.project.building.layout import DIRECTIONS
+from edesign.project.building.names import BeamPlace, bay_lines, frame_name, node_name
+from edesign.project.dampers.dampers import BraceSection
+from edesign.project.notation.grid import BayPlace
+from edesign.project.reading.problems import Keys
+from edesign.space.nonlinear.floors import UP
+from edesign.space.structure.steel_by_thickness import steel_by_thickness
+
+
+def building_sites(building: Building) -> DamperSites:
+    """Return what dampers need of a building.
+
+    Args:
+        building: from `load_building`, with its steels as written.
+    """
+    frames = {frame_name(along, i): (along, i) for along in DIRECTIONS for i in range(building.n_frames(along))}
+
+    def bay(at: BayPlace) -> Bay:
+        along, frame = frames[at.frame]
+        (low_left, top_left), (low_right, top_right) = (
+            (node_name(line, at.storey - 1), node_name(line, at.storey)) for line in bay_lines(along, frame, at.bay)
+        )
+        width, height = building.widths(along)[at.bay - 1], building.storey_heights[at.storey - 1]
+        middle = str(BeamPlace(along, frame, at.bay, at.storey))
+        return Bay((low_left, low_right), (top_left, top_right), middle, width, height, DIRECTIONS.index(along))
+
+    def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:
+        steel = steel_by_thickness(building, brace.section, brace.material)[1].material
+        axial = steel.E * steel_section(brace.section).A / length
+        return axial, catalogue_strut(brace.section, steel, length)
+
+    return DamperSites(UP, bay, bar)
