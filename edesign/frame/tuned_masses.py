@@ -41,7 +41,7 @@ def add_attachment(model: Model, attached: Attached, node: int, place: Sequence[
     """
     mass, along = model.node(attached.name, *place), attached.direction
     spring = f"{attached.name}_spring"
-    stroke = ((1.0, mass, along), (-1.0, node, along))
+    stroke: tuple[Term, ...] = ((1.0, mass, along), (-1.0, node, along))
     if model.dimension == 2:
         model.tie(mass, node, uy=True, rz=True)
         model.mass(mass, attached.mass)

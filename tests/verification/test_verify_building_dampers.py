@@ -7,9 +7,11 @@ themselves on the deformations of a history.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-from building_examples import SMALL, building
+from building_examples import SMALL, building, changed
 from damper_examples import EXAMPLES
 from verification.test_verify_building_model import (
     SHARP,
@@ -25,9 +27,11 @@ from verification.test_verify_building_model import (
     with_law,
 )
 
+from edesign.archive.reader import open_archive
 from edesign.core import Analysis, Channel, LawValues, Newmark, Response
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
+from edesign.frame.building_file import load_building
 from edesign.frame.devices import DeviceLaw
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.sections.building_sections import BuildingSections
@@ -41,6 +45,8 @@ from edesign.space.structure.model import space_model
 from edesign.study.analysis.structure import make_frame
 from edesign.study.results.couples import couple_terms
 from edesign.study.results.dampers import storey_damper_forces
+from edesign.study.results.warnings import warnings_of
+from edesign.study.run.run import run_project
 
 __all__ = ["rigid_in_shear"]  # a fixture
 
@@ -395,3 +401,58 @@ def test_complex_modes_of_a_building_with_dashpots(rigid_in_shear: None) -> None
         np.testing.assert_allclose(values, row, rtol=0.0, atol=1e-6 * np.abs(row).max(), err_msg=channel.name)
     damping = -np.linalg.eigvals(A).real / np.abs(np.linalg.eigvals(A))
     assert np.count_nonzero((damping > 0.03) & (damping < 0.999)) >= 4  # vibrations that the dashpots damp
+
+
+# --- results
+
+SHAKEN = """\
+damping: {kind: none}
+integration: {method: newmark, time_step: 0.005 s}
+records: {one: {file: @motion@, acceleration_unit: m/s^2}}
+analyses:
+  - {name: modes, kind: modal, modes: 4}
+  - {name: shaken, kind: history, record: one}
+outputs: {histories: [floors, storeys, supports, dampers]}
+"""
+PUSHING = """\
+dampers:
+  laws: {oil: {type: viscous, parameters: {c: 800 kN*s/m}}}
+  devices:
+    - {kind: @kind@, along: x, frames: 1, bays: 1, storeys: all, law: oil, scale: [2, 1]}
+    - {kind: @kind@, along: y, frames: [B, C], bays: 2, storeys: all, law: oil}
+    - {kind: nodes, nodes: [A1.0, B2.1], law: oil, number: 2}
+"""
+
+
+@pytest.mark.parametrize("kind", ["storey", "chevron", "falling"])
+def test_floors_of_a_damped_building_are_in_equilibrium(tmp_path: Path, kind: str) -> None:
+    """Inertia above a storey is its shear and the force of its dampers; its moment overturns the building, both ways.
+
+    1e-6: histories of an archive are rounded to 6e-8 of their numbers.
+    """
+    where = Path(__file__).parent.parent / "cases" / "records" / "motion.csv"
+    text = changed(SMALL[: SMALL.index("design:")], ("fy: 275 MPa", "fy: 275 MPa, law: elastic"))
+    text += "elements: {geometry: {columns: linear}}\n" + PUSHING.replace("@kind@", kind)
+    file = tmp_path / "building.yaml"
+    file.write_text(text + SHAKEN.replace("@motion@", str(where)), encoding="utf-8")
+    whole = load_building(file)
+    with open_archive(run_project(whole).archive) as archive:
+        group = archive.group("analyses/shaken")
+    found, warned = group.variables, [one.text for one in warnings_of(group) if one.kind == "damper_couple"]
+    assert [("along y" in text, "at line C" in text) for text in warned] == [(True, True)] * (kind == "storey")
+    values = {name: np.asarray(variable.values) for name, variable in found.items()}
+    assert found["storey_damper_force"].dims == ("time", "storey", "direction")
+    assert list(values["damper_frame"]) == ["X1"] * 2 + ["YB", "YC"] * 2 + [""]
+    assert list(values["damper_stands"]) == [kind] * 6 + ["nodes"]
+    space = space_frame(whole)
+    mass = np.array([space.node_mass[space.level_of_nodes == floor].sum() for floor in (1, 2)])
+    inertia = -mass[:, None] * values["floor_acceleration"]
+    above = np.cumsum(inertia[:, ::-1], axis=1)[:, ::-1]
+    held = values["storey_shear"] + values["storey_damper_force"]
+    scale = np.abs(above).max()
+    assert np.abs(values["storey_damper_force"]).max(axis=0).min() > 0.02 * scale
+    np.testing.assert_allclose(held, above, rtol=0.0, atol=1e-6 * scale)
+    np.testing.assert_allclose(values["base_shear"], above[:, 0], rtol=0.0, atol=1e-6 * scale)
+    overturning = values["overturning_moment"] - values["overturning_moment"][0]
+    moment = inertia.transpose(0, 2, 1) @ np.array([4.0, 7.0])
+    np.testing.assert_allclose(overturning, moment, rtol=0.0, atol=1e-6 * np.abs(moment).max())

@@ -24,6 +24,10 @@ def coordinates(group: Group, frame: FrameModel) -> None:
         coordinate(group, "damper", [device.name for device in frame.devices], "", "name of the damper")
         storeys_of = [device.storey for device in frame.devices]
         group.add("damper_storey", ("damper",), storeys_of, "1", "storey of the damper, 0: of none")
+        if frame.model.dimension == 3:
+            frames, kinds = ([getattr(one, name) for one in frame.devices] for name in ("frame", "stands"))
+            group.add("damper_frame", ("damper",), frames, "", "plane frame that the damper stands in, empty: in none")
+            group.add("damper_stands", ("damper",), kinds, "", "how the damper stands, as `kind` in the file")
         for name, unit, label in (
             ("layer_thickness", "m", "thickness of a layer, nan: the damper has none"),
             ("tested_strain", "1", "largest shear strain in the tests of its law, nan: not known"),

@@ -62,14 +62,14 @@ class LackingCouples:
 
     def __init__(self, frame: FrameModel) -> None:
         self._axes = [axis.name for axis in frame.directions]
-        on: dict[Place, Terms] = {}
+        on: dict[tuple[int, Place], Terms] = {}
         for axis in range(len(self._axes)):
             for device, arm, (left, right) in _lacking(frame, axis):
                 for at, way in ((left, 1.0), (right, -1.0)):
                     share = way * arm / (right[axis] - left[axis])
-                    on[at] = (*on.get(at, ()), (share, "damper_force", device.number, 0))
+                    on[axis, at] = (*on.get((axis, at), ()), (share, "damper_force", device.number, 0))
         lines = {frame.grid.line_place(line): line for line in frame.grid.lines}
-        self._lines = [lines[at] for at in on]
+        self._lines = [(axis, lines[at]) for axis, at in on]
         couples = tuple(couple_terms(frame, axis) for axis in range(len(self._axes)))
         totals = tuple(_overturning(frame, axis) for axis in range(len(self._axes)))
         dims, shape = ("direction",), (len(self._axes),)
@@ -95,11 +95,12 @@ class LackingCouples:
         share, couple, total = (float(values[most]) for values in (shares, couples, totals))
         if share <= NEGLECTED:
             return []
-        worst = int(forces.argmax())
+        of_lines = [(force, line) for force, (axis, line) in zip(forces, self._lines, strict=True) if axis == most]
+        force, line = max(of_lines, key=lambda item: item[0])
         about = f" along {self._axes[most]}" if self._axes[most] else ""
         text = (
             f"{couple / 1e3:.4g} of {total / 1e3:.4g} kNm of overturning{about} are in no column, at line "
-            f"{self._lines[worst]} {forces[worst] / 1e3:.4g} kN; {NO_COUPLE}"
+            f"{line} {force / 1e3:.4g} kN; {NO_COUPLE}"
         )
         return [AnalysisWarning("damper_couple", text, share / NEGLECTED)]
 

@@ -86,7 +86,8 @@ _OF_BUILDINGS = (
 def _reactions_in_space(frame: FrameModel, group: Group) -> list[Quantity]:
     """Reactions of a building, and the moment that resists loads along each direction.
 
-    That moment is about the middle of the supports. Positive: it resists loads along the direction.
+    That moment is about the middle of the supports, and with the couples that dampers lack. Positive: it resists loads
+    along the direction.
     """
     coordinate(group, "turn", ["rx", "ry", "rz"], "", "turn about the axis")
     found = []
@@ -101,7 +102,7 @@ def _reactions_in_space(frame: FrameModel, group: Group) -> list[Quantity]:
     moments = []
     for along in (direction.degree for direction in frame.directions):
         middle = 0.5 * (min(at[along] for at in plan) + max(at[along] for at in plan))
-        terms: Terms = ()
+        terms = couple_terms(frame, along)
         for node, fixed in frame.supports.items():
             place = frame.places[node]
             turn, way = (4, -1.0) if along == 0 else (3, 1.0)
