@@ -31,6 +31,7 @@ class DampedModes:
     Attributes:
         modes: of the frame with the dampers' storage stiffness.
         stiffness: complex, of each device, N/m; 0 of those that are left out.
+        frequency: at which each device vibrates, Hz; nan of those that are left out.
         amplitude: of each device and its brace, m; nan of those that are left out.
         small: devices that no amplitude is given for, and whose stiffness is that of small vibrations.
         left_out: devices that no amplitude is given for, and whose stiffness is anything without one: dashpots with
@@ -39,6 +40,7 @@ class DampedModes:
 
     modes: Modes
     stiffness: np.ndarray
+    frequency: np.ndarray
     amplitude: np.ndarray
     small: tuple[Device, ...]
     left_out: tuple[Device, ...]
@@ -65,14 +67,16 @@ def damped_modes(project: AnalysisFile, structure: Structure, spec: ModalAnalysi
     amplitude = np.array([small_amplitude(d) if a is None else a for d, a in zip(devices, given, strict=True)])
     counted = np.array([device not in left_out for device in devices])
     stiffness = np.zeros(len(devices), dtype=complex)
+    frequency = np.full(len(devices), np.nan)
     taking_part = [device for device in devices if device not in left_out]
     if taking_part:
-        modes, stiffness[counted] = structure.steady_modes(spec.modes, taking_part, amplitude[counted].tolist())
+        found = structure.steady_modes(spec.modes, taking_part, amplitude[counted].tolist())
+        modes, stiffness[counted], frequency[counted] = found
     else:
         modes = structure.modes(spec.modes)
     storing = dict(zip(devices, _storing(stiffness), strict=True))
     small = tuple(device for device in unknown if storing[device] and not _linear(device))
-    return DampedModes(modes, stiffness, np.where(counted, amplitude, np.nan), small, left_out)
+    return DampedModes(modes, stiffness, frequency, np.where(counted, amplitude, np.nan), small, left_out)
 
 
 def store_damper_stiffness(group: Group, structure: Structure, found: DampedModes) -> None:
@@ -84,9 +88,9 @@ def store_damper_stiffness(group: Group, structure: Structure, found: DampedMode
     """
     devices, stiffness = structure.frame.devices, found.stiffness
     coordinate(group, "damper", [device.name for device in devices], "", "name of the damper")
-    label = (
-        "of the damper with its brace in steady vibration in the first mode; of an isolated base between the extremes"
-    )
+    plane = structure.frame.model.dimension == 2
+    mode = "first mode; of an isolated base between the extremes" if plane else "leading mode of its direction"
+    label = f"of the damper with its brace in steady vibration in the {mode}"
     storing = _storing(stiffness)
     loss = np.full(stiffness.size, np.nan)  # of a dashpot, or a stop that stays open: there is none
     np.divide(stiffness.imag, stiffness.real, out=loss, where=storing)
@@ -94,6 +98,9 @@ def store_damper_stiffness(group: Group, structure: Structure, found: DampedMode
     group.add("damper_loss_factor", ("damper",), loss, "1", f"loss factor {label}")
     label = "of damper and brace at which it counts; nan: not known, its stiffness is left out"
     group.add("damper_amplitude", ("damper",), found.amplitude, "m", f"amplitude {label}")
+    if not plane:
+        label = "at which the damper vibrates: that of the leading mode of its direction; nan: it is left out"
+        group.add("damper_frequency", ("damper",), found.frequency, "Hz", f"frequency {label}")
     group.attributes["damper_frequency_Hz"] = float(found.modes.omega[0]) / (2.0 * np.pi)
     group.attributes["dampers_in_small_vibrations"] = [device.name for device in found.small]
     if found.left_out:

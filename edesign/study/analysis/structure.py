@@ -29,6 +29,7 @@ _FIRST_GUESS = 0.5  # Hz, of an isolated building, from which the frequency of r
 _AGREEMENT = 1e-9  # of two frequencies that follow each other
 _TOLERATED = 1e-5  # after all rounds: steady cycles that SUNDIALS integrates behind a brace repeat to about 1e-6
 _MOST_ROUNDS = 50
+_SEARCHED = 12  # modes of a building among which are the leading ones of both directions
 
 
 @dataclass(frozen=True)
@@ -67,8 +68,10 @@ class Structure:
 
     def steady_modes(
         self, count: int, devices: Sequence[Device], amplitudes: Sequence[float], others: np.ndarray | None = None
-    ) -> tuple[Modes, np.ndarray]:
+    ) -> tuple[Modes, np.ndarray, np.ndarray]:
         """Return the lowest modes with devices that vibrate steadily in the first of them.
+
+        In a building they vibrate in the leading modes of the directions that they act in.
 
         Args:
             count: how many modes.
@@ -76,27 +79,47 @@ class Structure:
             others: stiffness that dampers have apart from these, (n_dampers,) N/m; None: nothing.
 
         Returns:
-            The modes, and the complex stiffness of each device, N/m.
+            The modes, and of each device the complex stiffness, N/m, and the frequency at which it vibrates, Hz.
 
         Raises:
             AnalysisError: there are not so many modes, the structure is unstable, or no frequency agrees with itself.
         """
         added = np.zeros(len(self.frame.model.damper_names)) if others is None else others.copy()
         numbers = [device.number for device in devices]
-        frequency = _FIRST_GUESS if self.frame.isolated else float(self.modes(1).omega[0]) / (2.0 * np.pi)
+        plane = self.frame.model.dimension == 2
+        most = count if plane else max(count, min(_SEARCHED, int(np.count_nonzero(self.analysis.masses()))))
+        if self.frame.isolated:
+            frequencies = np.full(len(devices), _FIRST_GUESS)
+        else:
+            frequencies = self._working(self.modes(1 if plane else most), devices)
         for _ in range(_MOST_ROUNDS):
-            found = np.array([device_stiffness(d, a, frequency) for d, a in zip(devices, amplitudes, strict=True)])
+            states = zip(devices, amplitudes, frequencies.tolist(), strict=True)
+            found = np.array([device_stiffness(*state) for state in states])
             added[numbers] = found.real
-            modes = self.modes(count, added)
-            before, frequency = frequency, float(modes.omega[0]) / (2.0 * np.pi)
-            if abs(frequency - before) <= _AGREEMENT * frequency:
+            modes = self.modes(most, added)
+            before, frequencies = frequencies, self._working(modes, devices)
+            if np.all(np.abs(frequencies - before) <= _AGREEMENT * frequencies):
                 break
-        if abs(frequency - before) > _TOLERATED * frequency:
+        apart = np.abs(frequencies - before) / frequencies
+        if apart.max() > _TOLERATED:
+            worst = int(apart.argmax())
             raise AnalysisError(
                 f"modes: the frequency at which devices vibrate and that of the frame with them did not agree within "
-                f"{_MOST_ROUNDS} iterations (last {before:.6g} Hz and {frequency:.6g} Hz) [E-MODAL-01]"
+                f"{_MOST_ROUNDS} iterations (last {before[worst]:.6g} Hz and {frequencies[worst]:.6g} Hz) [E-MODAL-01]"
             )
-        return modes, found
+        return modes if most == count else self.modes(count, added), found, frequencies
+
+    def _working(self, modes: Modes, devices: Sequence[Device]) -> np.ndarray:
+        """Frequency at which each device vibrates, (n_devices,) Hz: that of the first mode.
+
+        In a building it is that of the mode with the largest effective mass in the direction of the device; of one that
+        acts in both or neither the lower of the two.
+        """
+        if self.frame.model.dimension == 2:
+            return np.full(len(devices), float(modes.omega[0]) / (2.0 * np.pi))
+        of_axes = [modes.omega[modes.effective_mass_ratio[:, axis.degree].argmax()] for axis in self.frame.directions]
+        chosen = [min(of_axes) if device.direction is None else of_axes[device.direction] for device in devices]
+        return np.array(chosen) / (2.0 * np.pi)
 
     def install_dampers(self) -> None:
         """Install the dampers, which carry none of the loads that act before."""
