@@ -72,8 +72,13 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
     if kind == BUILDING:
         from edesign.frame.building_file import load_building
         from edesign.space.check import check_building
+        from edesign.study.check.summary import building_dampers
 
-        return check_building(_drawn(load_building(file), target))
+        building = _drawn(load_building(file), target)
+        found = check_building(building)
+        if building.dampers is not None:
+            found["dampers"] = building_dampers(building)
+        return dict(sorted(found.items(), key=lambda item: item[0] == "warnings"))
     from edesign.frame.project_file import load_project, load_study
     from edesign.study.check.summary import check_project, check_study
 
@@ -82,14 +87,14 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
     if kind != PROJECT:
         from edesign.report.check.by_kind import summary_of
 
-        found = summary_of(file, kind)
-        if found is not None:
+        described = summary_of(file, kind)
+        if described is not None:
             if target is not None:
                 raise InputError(
                     f"{file}: --figure draws the models of projects, studies, buildings and substructure tests"
                     " [E-CLI-05]"
                 )
-            return found
+            return described
     return check_project(_drawn(load_project(file), target))  # which says what is wrong about a file that is none
 
 

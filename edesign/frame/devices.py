@@ -170,7 +170,6 @@ def add_devices(
         model: has the nodes already.
         nodes: ids by name.
         laws: by name; dampers of others are left out.
-        sites: of the frame or building.
         outside: names of dampers that stand elsewhere, in a laboratory.
 
     Raises:

@@ -13,12 +13,19 @@ from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
+from edesign.project.building.building import Building
+from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.words import counted
 from edesign.project.records.records import RecordSet, record_of
 from edesign.project.study.study import Study
-from edesign.study.analysis.dampers import laws_that_stand, with_restrained_braces, without_dampers_in_modes
+from edesign.study.analysis.dampers import (
+    device_laws,
+    laws_that_stand,
+    with_restrained_braces,
+    without_dampers_in_modes,
+)
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import named_record_warnings, project_warnings, study_warnings, unjudged
@@ -162,6 +169,22 @@ def _dampers(project: Project) -> str:
     parts += [f"{counted(count, 'damper')} `{name}`" for name, count in (laws - isolators).items()]
     parts += [counted(len(frame.attached), "tuned mass")] if frame.attached else []
     return ", ".join(parts) or "none"
+
+
+def building_dampers(building: Building) -> str:
+    """Return how many dampers of each law a building has, and how many tuned masses.
+
+    Args:
+        building: from `load_building`.
+
+    Raises:
+        InputError: a law does not exist, or its parameters are wrong.
+    """
+    device_laws(building)
+    laws = Counter(device.law for device, _ in devices_by_name(building.grid, building.dampers).values())
+    parts = [f"{counted(count, 'damper')} `{name}`" for name, count in laws.items()]
+    masses = building.dampers.attachments if building.dampers is not None else ()
+    return ", ".join([*parts, *([counted(len(masses), "tuned mass")] if masses else [])]) or "none"
 
 
 def _records(project: Project, found: Mapping[str, Found]) -> str:

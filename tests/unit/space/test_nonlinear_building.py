@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from building_examples import SMALL, building
+from building_examples import DAMPED, SMALL, building
 
 from edesign.archive.dataset import Group
 from edesign.core import Analysis
@@ -12,8 +12,9 @@ from edesign.space.nonlinear import build_building
 from edesign.space.structure.plan_outline import corners
 from edesign.study.analysis.lateral_patterns import floor_masses
 from edesign.study.analysis.modal import store_modes
-from edesign.study.analysis.structure import Structure
+from edesign.study.analysis.structure import Structure, make_frame
 from edesign.study.design.condensed import condense
+from tools import doc_pages
 
 
 @pytest.fixture(scope="module")
@@ -100,3 +101,37 @@ def test_floors_that_are_not_rigid_move_as_their_masses() -> None:
 def test_corners_of_an_outline() -> None:
     """An L of four bays turns in six places, once inwards; the lines between bays along an edge are no corners."""
     assert corners({(1, 1), (2, 1), (3, 1), (1, 2)}) == [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (0, 2)]
+
+
+def test_the_building_of_the_reference_has_the_dampers_that_it_tells_of() -> None:
+    """Names, frames and directions of the dampers in the file that docs/reference/building_file.md shows."""
+    page = (doc_pages.ROOT / "docs/reference/building_file.md").read_text(encoding="utf-8")
+    (text,) = (step.text for step in doc_pages.steps(page) if step.name == "damped_building.yaml")
+    frame = make_frame(building(text), dampers=True)
+    told = {device.name: (device.storey, device.frame, device.direction, device.stands) for device in frame.devices}
+    assert told == {
+        "VX_1_1_1": (1, "X1", 0, "chevron"),
+        "VX_3_1_1": (1, "X3", 0, "chevron"),
+        "VX_1_1_2": (2, "X1", 0, "chevron"),
+        "VX_3_1_2": (2, "X3", 0, "chevron"),
+        "VY_B_1_1_r": (1, "YB", 1, "chevron_braces"),
+        "VY_B_1_1_f": (1, "YB", 1, "chevron_braces"),
+        "VY_B_2_1_r": (1, "YB", 1, "chevron_braces"),
+        "VY_B_2_1_f": (1, "YB", 1, "chevron_braces"),
+        "RX_2_2_1": (1, "X2", 0, "rising"),
+        "RX_2_2_2": (2, "X2", 0, "rising"),
+        "N_A1.0_B2.1": (1, "", None, "nodes"),
+    }
+    assert [frame.devices[i].force_scale for i in (0, 2)] == [2.0, 1.0]
+    bars = {device.brace_bar.section for device in frame.devices if device.brace_bar is not None}
+    assert bars == {"SHS120x8"} and len(frame.bars) == 18 + 4
+    assert [stroke[0][2] for stroke in frame.attached.values()] == [0, 1]
+    assert list(frame.attached) == ["T_2_1", "T_2_2"]
+
+
+def test_beams_stay_halved_without_dampers_in_their_place() -> None:
+    """Results of members with and without dampers are those of the same members."""
+    whole = building(DAMPED)
+    assert list(make_frame(whole).members) == list(make_frame(whole, dampers=True).members)
+    bare = make_frame(whole.with_dampers(None))
+    assert "BX_2_1_2_1" in bare.members and bare.devices == () and bare.attached == {}
