@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import Protocol
 
-from edesign.project.analysis.shaking import IN_PLACE
+from edesign.project.analysis.shaking import IN_PLACE, Position
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import Keys, Problems
-
-if TYPE_CHECKING:
-    from edesign.project.analysis.analyses import BuildingHistory
-    from edesign.project.study.study import Histories
 
 _SAME_ANGLE = 1e-9  # rad
 _OF_BUILDINGS = {
@@ -21,7 +17,27 @@ _OF_BUILDINGS = {
 }
 
 
-def check_shaking(file: AnalysisFile, problems: Problems, keys: Keys, asked: BuildingHistory | Histories) -> None:
+class _Shaking(Protocol):
+    """What files say of how records act: histories of a building file, and those of a study."""
+
+    @property
+    def model_fields_set(self) -> set[str]:
+        """Keys that stand in the file."""
+
+    @property
+    def angles(self) -> tuple[float, ...]:
+        """Of the records, rad."""
+
+    @property
+    def eccentricity(self) -> tuple[Position, ...]:
+        """Places of the masses."""
+
+    @property
+    def eccentricity_ratio(self) -> float | None:
+        """How far beside their places these are over the length of the floor."""
+
+
+def check_shaking(file: AnalysisFile, problems: Problems, keys: Keys, asked: _Shaking) -> None:
     """Check angles and eccentricities of histories, which a plane frame has not.
 
     Args:
