@@ -11,9 +11,10 @@ import numpy as np
 
 from edesign.report.drawing.captions import plain
 from edesign.report.motion.geometry import SIGN, Hung, floor_shares
-from edesign.report.motion.moving import FINER, Loop, Moving
+from edesign.report.motion.moving import FINER, Loop, Moving, rigid_motion
 from edesign.report.motion.scenes import Scene
 from edesign.report.response.frame_figures import COLORS
+from edesign.study.results.motion import FINENESS
 
 STEPS = 4000
 """Whole numbers up to the largest magnitude of a quantity: values are rounded to 1/8000 of it at most."""
@@ -29,18 +30,19 @@ class Packed:
         self._series: list[np.ndarray] = []
         self._count = 0
 
-    def add(self, values: np.ndarray) -> dict[str, Any]:
+    def add(self, values: np.ndarray, step: float = 0.0) -> dict[str, Any]:
         """Add series of equal length and return where they are.
 
         Args:
-            values: (n,) or (n, series).
+            values: (n,) or (n, ...).
+            step: to which they are rounded, if it is coarser than their own.
 
         Returns:
             `at` of the first number, `n` numbers in each of `w` series, and `q`, the quantity that 1 stands for.
         """
         table = np.asarray(values, dtype=float).reshape(len(values), -1)
         largest = float(np.max(np.abs(table), initial=0.0))
-        step = float(f"{largest / STEPS:.6g}") if largest else 1.0
+        step = max(step, float(f"{largest / STEPS:.6g}") if largest else 1.0)
         whole = np.rint(table / step).astype(np.int32)
         steps = np.diff(whole, axis=0, prepend=0).T.astype("<i2")
         place = {"at": self._count, "n": len(table), "w": table.shape[1], "q": step}
@@ -70,6 +72,8 @@ def scene_text(scene: Scene) -> str:
         "classes": [[name, color] for name, color in zip(scene.scale.names[1:], COLORS, strict=True)],
         "variants": [_variant(one, packed) for one in scene.variants],
     }
+    if scene.in_space:
+        found["space"] = True
     found["data"] = packed.text()
     return json.dumps(found, separators=(",", ":"), ensure_ascii=True).replace("<", "\\u003c")
 
@@ -118,7 +122,9 @@ def _variant(one: Moving, packed: Packed) -> dict[str, Any]:
         "reach": float(f"{one.reach:.4g}"),
         "loops": [_loop(loop, packed) for loop in one.loops],
     }
-    if one.nodes is None:
+    if geometry.in_space:
+        found |= _in_space(one, packed)
+    elif one.nodes is None:
         found["shares"] = [[below, round(share, DIGITS)] for below, share in floor_shares(geometry.levels, places)]
     else:
         found |= {name: packed.add(one.nodes[:, :, i]) for i, name in enumerate(("ux", "uy", "rz"))}
@@ -129,6 +135,51 @@ def _variant(one: Moving, packed: Packed) -> dict[str, Any]:
     if one.force is not None and one.force.shape[1]:
         found["force"] = packed.add(one.force)
     return found
+
+
+def _in_space(one: Moving, packed: Packed) -> dict[str, Any]:
+    """What a building has beyond a frame. Levels whose nodes move as a rigid body in plan are packed as such."""
+    geometry, motion = one.geometry, one.node_motion
+    places = np.array(list(geometry.nodes.values()))
+    step = seen_step(motion)
+    bodies, loose = [], []
+    for level in np.unique(places[:, 2].round(DIGITS)):
+        there = np.flatnonzero(np.abs(places[:, 2] - level) < 10.0**-DIGITS)
+        middle, mean, turn = rigid_motion(places[there, :2], motion[:, there, :2])
+        x, y = (places[there, :2] - middle).T
+        rigid = np.stack((mean[:, :1] - np.outer(turn, y), mean[:, 1:] + np.outer(turn, x)), axis=-1)
+        if np.max(np.abs(rigid - motion[:, there, :2])) > 2.0 * step:
+            loose += there.tolist()
+            continue
+        body = {"nodes": there.tolist(), "at": _places(tuple(middle.tolist()))}
+        bodies.append(body | {"moved": packed.add(mean), "turn": packed.add(turn)})
+    names = list(geometry.members)
+    found: dict[str, Any] = {
+        "bodies": bodies,
+        "loose": loose,
+        "uz": packed.add(motion[:, :, 2], step),
+        "rx": packed.add(motion[:, :, 3], step),
+        "ry": packed.add(motion[:, :, 4], step),
+        "hinged": sorted([names.index(name), end] for name, end in geometry.hinged),
+        "slabs": geometry.slabs,
+        "grid": [[label, _places(start), _places(end)] for label, start, end in geometry.grid],
+        "whole": one.nodes is not None,
+    }
+    if loose:
+        found |= {name: packed.add(motion[:, loose, i], step) for name, i in (("ux", 0), ("uy", 1), ("rz", 5))}
+    if one.deformation is not None and one.deformation.shape[1]:
+        found["deformation"] = packed.add(one.deformation)
+    return found
+
+
+def seen_step(motion: np.ndarray) -> float:
+    """Return the power of two, m and rad, to which archives round the motion of the nodes of a building.
+
+    Args:
+        motion: (pictures, nodes, 6) m, m, m, rad, rad, rad.
+    """
+    largest = float(np.max(np.abs(motion[..., :3]), initial=0.0))
+    return float(2.0 ** np.floor(np.log2(largest / FINENESS))) if largest > 0.0 else 0.0
 
 
 def _loop(loop: Loop, packed: Packed) -> dict[str, Any]:
@@ -142,7 +193,7 @@ def _loop(loop: Loop, packed: Packed) -> dict[str, Any]:
     }
 
 
-def _places(place: tuple[float, float]) -> list[float]:
+def _places(place: tuple[float, ...]) -> list[float]:
     return [round(part, DIGITS) for part in place]
 
 

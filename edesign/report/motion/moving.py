@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.report.motion.geometry import Geometry
+from edesign.report.motion.geometry import SAME, Geometry, floor_shares
 from edesign.report.response.frame_figures import End
 from edesign.report.response.histories import History, names_of
 
@@ -50,16 +51,21 @@ class Moving:
         analysis: whose results it shows.
         color: of the variant.
         geometry: what moves.
-        floors: displacement of base and floors at each picture, (pictures, floors + 1) m.
-        nodes: of the nodes (pictures, nodes, 3) m, m, rad; None: not kept.
-        drift: of the storeys at each picture (pictures, storeys), ratio.
+        floors: displacement of base and floors at each picture, (pictures, floors + 1) m; of a building along x and y,
+            (pictures, floors + 1, 2).
+        nodes: of the nodes (pictures, nodes, 3) m, m, rad, of a building (pictures, nodes, 6); None: not kept.
+        drift: of the storeys at each picture (pictures, storeys), ratio; of a building (pictures, storeys, 2).
         drift_max, drift_min: largest and smallest until then, of all samples.
-        rotation: largest plastic rotation of an end until then (pictures, ends) rad, ends as `ends`; None: not kept.
+        rotation: largest plastic rotation of an end until then (pictures, ends) rad, ends as `ends`, of a building that
+            about the axis about which it is larger; None: not kept.
         ends: ends of members that yield, with their largest plastic rotation of the history, rad.
         limits: of each of `ends`, from which its color is the next, rad.
         force: of each damper in `geometry` at each picture, (pictures, dampers) N; None: not kept.
         strokes: of each tuned mass in `geometry` relative to its floor at each picture, (pictures, masses) m.
         loops: that can be chosen.
+        deformation: of each damper as `force`, (pictures, dampers) m; None: not kept.
+        plan: of a building whose nodes were not kept, base and floors as rigid bodies: displacements of the origin along
+            x and y and turn about the vertical, (pictures, floors + 1, 3) m, m, rad.
     """
 
     title: str
@@ -77,11 +83,35 @@ class Moving:
     force: np.ndarray | None
     strokes: np.ndarray
     loops: tuple[Loop, ...]
+    deformation: np.ndarray | None = None
+    plan: np.ndarray | None = None
 
     @property
     def reach(self) -> float:
-        """The largest displacement of a floor or of a tuned mass, m."""
+        """The largest displacement of a floor or of a tuned mass, of a building also of a node, m."""
+        if self.geometry.in_space:
+            return float(max(np.max(np.abs(self.floors)), np.max(np.abs(self.node_motion[..., :3]))))
         return float(np.max(np.abs(np.column_stack((self.floors, self._masses)))))
+
+    @cached_property
+    def node_motion(self) -> np.ndarray:
+        """Displacements and rotations of the nodes, (pictures, nodes, 3 or 6) m, m, rad.
+
+        Where only floors were kept, nodes move with them, and do not turn but with the floor of a building.
+        """
+        if self.nodes is not None:
+            return self.nodes
+        places = list(self.geometry.nodes.values())
+        below, share = (np.array(part) for part in zip(*floor_shares(self.geometry.levels, places), strict=True))
+        floors = self.floors if self.plan is None else self.plan
+        share = share.reshape(-1, *(1,) * (floors.ndim - 2))
+        moved = (1.0 - share) * floors[:, below] + share * floors[:, below + 1]
+        if self.plan is None:
+            return np.stack((moved, np.zeros_like(moved), np.zeros_like(moved)), axis=-1)
+        x, y, _ = np.array(places).T
+        ux, uy, turn = np.moveaxis(moved, -1, 0)
+        none = np.zeros_like(turn)
+        return np.stack((ux - turn * y, uy + turn * x, none, none, none, turn), axis=-1)
 
     @property
     def _masses(self) -> np.ndarray:
@@ -100,6 +130,8 @@ class Moving:
             drift_min=self.drift_min[largest],
             rotation=None if self.rotation is None else self.rotation[largest],
             force=None if self.force is None else self.force[pictures],
+            deformation=None if self.deformation is None else self.deformation[pictures],
+            plan=None if self.plan is None else self.plan[pictures],
             strokes=self.strokes[pictures],
             loops=tuple(loop.at(pictures) for loop in self.loops),
         )
@@ -138,13 +170,18 @@ def read_moving(
     at = nearest(group, "time", time)
     displacement = np.asarray(group.variables["floor_displacement"].values, dtype=float)
     base = group.variables.get("base_displacement")
-    ground = np.zeros(len(displacement)) if base is None else np.asarray(base.values, dtype=float)
-    floors = np.column_stack((ground, displacement))
+    ground = np.zeros_like(displacement[:, 0]) if base is None else np.asarray(base.values, dtype=float)
+    floors = np.concatenate((ground[:, np.newaxis], displacement), axis=1)
     stored = group.variables.get("storey_drift")
-    heights = group.variables["storey_height"].values
+    heights = group.variables["storey_height"].values.reshape(-1, *(1,) * (floors.ndim - 2))
     drift = np.diff(floors, axis=1) / heights if stored is None else np.asarray(stored.values, dtype=float)
-    force, dampers = group.variables.get("damper_force"), names_of(group, "damper")
+    dampers = names_of(group, "damper")
     own = [dampers.index(damper.name) for damper in geometry.dampers]
+    force, deformation = (
+        None if (found := group.variables.get(f"damper_{name}")) is None else np.asarray(found.values, dtype=float)
+        for name in ("force", "deformation")
+    )
+    nodes = _nodes(group, geometry, time)
     strokes = np.zeros((len(displacement), 0))
     if geometry.masses:
         strokes = np.asarray(group.variables["tuned_mass_displacement"].values, dtype=float)
@@ -154,17 +191,62 @@ def read_moving(
         color,
         geometry,
         floors[at],
-        _nodes(group, geometry, time),
+        nodes,
         drift[at],
         np.maximum.accumulate(drift)[at],
         np.minimum.accumulate(drift)[at],
         _rotations(group, ends, time),
         ends,
         limits,
-        None if force is None else np.asarray(force.values, dtype=float)[at][:, own],
+        None if force is None else force[at][:, own],
         strokes[at],
         tuple(_loops(group, nearest(group, "time", _finer(time)))),
+        None if deformation is None else deformation[at][:, own],
+        _plan(group, geometry, floors)[at] if geometry.in_space and nodes is None else None,
     )
+
+
+def _plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.ndarray:
+    """Base and floors as rigid bodies: the origin along x and y, and the turn, by the places that were kept of each.
+
+    Without such places floors turn about the middle of their nodes.
+    """
+    places = np.array(list(geometry.nodes.values()))
+    turns = group.variables.get("floor_rotation")
+    points = group.variables.get("point_displacement")
+    known = names_of(group, "point") if points is not None and points.dims[0] == "time" else []
+    found = np.zeros((*floors.shape[:2], 3))
+    for floor in range(1, floors.shape[1]):
+        there = [(i, f"{name.partition('.')[2]}.{floor}") for i, name in enumerate(known) if name.startswith(f"{floor}.")]
+        there = [(i, node) for i, node in there if node in geometry.nodes]
+        if len(there) > 1 and points is not None:
+            at = np.array([geometry.nodes[node][:2] for _, node in there])
+            moved = np.asarray(points.values, dtype=float)[:, [i for i, _ in there]]
+            middle, mean, turn = rigid_motion(at, moved)
+        else:
+            middle = places[np.abs(places[:, 2] - geometry.levels[floor]) < SAME, :2].mean(axis=0)
+            mean = floors[:, floor]
+            kept = turns is not None and turns.dims[0] == "time"
+            turn = np.asarray(turns.values, dtype=float)[:, floor - 1] if turns is not None and kept else 0.0 * mean[:, 0]
+        found[:, floor] = np.column_stack((mean[:, 0] + turn * middle[1], mean[:, 1] - turn * middle[0], turn))
+    return found
+
+
+def rigid_motion(places: np.ndarray, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the small motion of a rigid body in plan that is nearest to the motion of its points.
+
+    Args:
+        places: (n, 2) m.
+        moved: (pictures, n, 2) m.
+
+    Returns:
+        The middle of the places (2,) m, its displacement (pictures, 2) m, and the turn (pictures,) rad.
+    """
+    middle, mean = places.mean(axis=0), moved.mean(axis=1)
+    x, y = (places - middle).T
+    polar = float(np.sum(x**2 + y**2))
+    turn = (moved[..., 1] @ x - moved[..., 0] @ y) / polar if polar > SAME**2 else np.zeros(len(moved))
+    return middle, mean, turn
 
 
 def _finer(time: np.ndarray) -> np.ndarray:
@@ -193,7 +275,8 @@ def _rotations(group: Group, ends: dict[End, float], time: np.ndarray) -> np.nda
         stored = group.variables.get(f"{kind}_plastic_rotation")
         if stored is None:
             return None
-        values = np.maximum.accumulate(np.abs(np.asarray(stored.values, dtype=float)[:, where[kind][member], end]))
+        values = np.abs(np.asarray(stored.values, dtype=float)[:, where[kind][member], end])
+        values = np.maximum.accumulate(values.reshape(len(values), -1).max(axis=1))  # in space about two axes
         values = values[nearest(group, "motion_time", time)]
         values[-1] = max(values[-1], largest)
         columns.append(values)
@@ -218,6 +301,8 @@ def _loops(group: Group, at: np.ndarray) -> Iterator[Loop]:
     if rotation is not None and moment is not None and moment.dims[:2] == ("time", "recorded_member"):
         for i, name in enumerate(names_of(group, "recorded_member")):
             for end, word in enumerate(("start", "end")):
-                x, y = 1e3 * rotation.values[at, i, end], 1e-3 * moment.values[at, i, end]
-                if np.any(x):
-                    yield Loop(f"{name}, {word}", x, y, "chord rotation (mrad)", "moment (kN m)")
+                turned, resisted = (np.asarray(of.values)[:, i, end][at].T for of in (rotation, moment))
+                about = [f", about {axis}" for axis in names_of(group, "axis")] if turned.ndim > 1 else [""]
+                for axis, x, y in zip(about, 1e3 * np.atleast_2d(turned), 1e-3 * np.atleast_2d(resisted), strict=True):
+                    if np.any(x):
+                        yield Loop(f"{name}, {word}{axis}", x, y, "chord rotation (mrad)", "moment (kN m)")

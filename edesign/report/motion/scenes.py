@@ -13,8 +13,9 @@ from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.project import Project
-from edesign.report.archived import archived_project, archived_study
-from edesign.report.motion.geometry import moving_frame
+from edesign.report.archived import archived_building, archived_project, archived_study
+from edesign.report.motion.building_geometry import moving_building
+from edesign.report.motion.frame_geometry import moving_frame
 from edesign.report.motion.moving import Moving, nearest, read_moving
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, End, Scale, plastic_rotations
 from edesign.report.response.histories import (
@@ -42,7 +43,7 @@ class Scene:
         among: of how many of them as much was kept as of this one.
         left_out: variants that are not shown.
         time: of the pictures, s.
-        ground: acceleration at each picture, m/s2.
+        ground: acceleration at each picture, m/s2; of a building along x and y, (pictures, 2).
         scale: classes of the hinges.
         variants: in step.
     """
@@ -60,7 +61,13 @@ class Scene:
     @property
     def peak(self) -> int:
         """The number of the picture with the largest storey drift."""
-        return int(np.argmax(np.max([np.abs(one.drift).max(axis=1) for one in self.variants], axis=0)))
+        drifts = [np.abs(one.drift).reshape(len(self.time), -1).max(axis=1) for one in self.variants]
+        return int(np.argmax(np.max(drifts, axis=0)))
+
+    @property
+    def in_space(self) -> bool:
+        """Whether it shows a building."""
+        return self.variants[0].geometry.in_space
 
     def thinned(self, every: int) -> Scene:
         """Return the scene with one in several pictures; largest values are still those of all samples."""
@@ -77,11 +84,11 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
     Args:
         most: pictures of a scene.
     """
-    project = archived_project(archive)
-    if project is None:
+    file = archived_project(archive) or archived_building(archive)
+    if file is None:
         return
-    study = archived_study(archive)
-    colors, of = variant_colors(archive), VariantMembers(project, study)
+    colors = variant_colors(archive)
+    of = VariantMembers(file, archived_study(archive)) if isinstance(file, Project) else None
     for level, variants in by_level(histories(archive)).items():
         found = {
             variant: dict((one.record, (one, group)) for one, group in with_results(archive, chosen, *NEEDED))
@@ -97,15 +104,17 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
         rotations = [
             {e: r for e, r in plastic_rotations(group).items() if r > ELASTIC_ROTATION} for _, (_, group) in first
         ]
-        tables = [_accepted(of, variant, group) for variant, (_, group) in first]
-        scale = ACCEPTANCE if all(e in t for r, t in zip(rotations, tables, strict=True) for e in r) else ROTATION
+        tables = [{} if of is None else _accepted(of, variant, group) for variant, (_, group) in first]
+        judged = of is not None and all(e in t for r, t in zip(rotations, tables, strict=True) for e in r)
+        scale = ACCEPTANCE if judged else ROTATION
         moving = []
         for (variant, (history, group)), ends, table in zip(first, rotations, tables, strict=True):
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
             masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
-            project_of = of.project(variant)
-            assert isinstance(project_of, Project)
-            geometry = moving_frame(project_of.frame, tuple(names_of(group, "damper")), masses)
+            dampers, own = tuple(names_of(group, "damper")), file if of is None else of.project(variant)
+            geometry = (
+                moving_frame(own.frame, dampers, masses) if isinstance(own, Project) else moving_building(own, dampers)
+            )
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]

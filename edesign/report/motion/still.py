@@ -10,7 +10,7 @@ from edesign.report.drawing.captions import at_level, plain
 from edesign.report.drawing.frame_drawing import DAMPER, SUPPORTS
 from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.motion.encoding import fitting_scale
-from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, Hung, floor_shares
+from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, Hung
 from edesign.report.motion.moving import Moving
 from edesign.report.motion.scenes import Scene
 from edesign.report.response.frame_figures import COLORS, SIZES
@@ -59,29 +59,12 @@ def still_figure(scene: Scene) -> Figure:
     return figure
 
 
-def _node_motion(one: Moving, picture: int) -> np.ndarray:
-    """Return displacements and rotations of the nodes of a variant at a picture, (nodes, 3) m, m, rad.
-
-    Where only floors were kept, nodes move with them and do not turn.
-
-    Args:
-        picture: number of the picture, from 0.
-    """
-    if one.nodes is not None:
-        return one.nodes[picture]
-    found = np.zeros((len(one.geometry.nodes), 3))
-    floors = one.floors[picture]
-    for i, (below, share) in enumerate(floor_shares(one.geometry.levels, list(one.geometry.nodes.values()))):
-        found[i, 0] = (1.0 - share) * floors[below] + share * floors[below + 1]
-    return found
-
-
 def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: float, points: int = 17) -> np.ndarray:
     """Return a member as a cubic through displaced ends with the slopes of its nodes, (points, 2) m.
 
     Args:
         geometry: of the frame.
-        motion: of the nodes, as `_node_motion`.
+        motion: of the nodes, (nodes, 3) m, m, rad, of a building (nodes, 6).
         scale: how many times larger it is drawn.
         points: along the member.
     """
@@ -101,7 +84,7 @@ def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: flo
 
 def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
     """Draw a variant and return the classes of the hinges that show."""
-    geometry, motion = one.geometry, _node_motion(one, picture)
+    geometry, motion = one.geometry, one.node_motion[picture]
     places = np.array(list(geometry.nodes.values()))
     for name, pair in geometry.members.items():
         axis.plot(*places[list(pair)].T, color=UNMOVED, lw=0.6, ls=(0, (3, 2)), zorder=0.9)

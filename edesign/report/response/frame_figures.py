@@ -185,7 +185,7 @@ def plastic_rotations(group: Group) -> dict[End, float]:
         values = peak(group, f"{kind}_plastic_rotation")
         if values is not None:
             for name, ends in zip(names_of(group, kind), values, strict=True):
-                found |= {(name, end): float(ends[end]) for end in (0, 1)}
+                found |= {(name, end): float(np.max(ends[end])) for end in (0, 1)}
     return found
 
 

@@ -11,7 +11,8 @@ import pytest
 
 from edesign.project import load_project
 from edesign.report.motion.encoding import STEPS, Packed
-from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, floor_shares, moving_frame
+from edesign.report.motion.frame_geometry import moving_frame
+from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, floor_shares
 from edesign.report.motion.still import member_curve
 
 COLUMN = Geometry({"A0": (0.0, 0.0), "A1": (0.0, 4.0)}, {"C_A_1": (0, 1), "D_1_1_r": (0, 1)}, (), (0.0, 4.0))

@@ -1,0 +1,149 @@
+"""What moves of a building: its members, floors and dampers at their places."""
+
+from __future__ import annotations
+
+import re
+
+from edesign.project.building.building import Building
+from edesign.project.building.layout import DIRECTIONS, Layout, corners
+from edesign.project.building.names import (
+    BeamPlace,
+    ColumnLine,
+    Direction,
+    bay_lines,
+    line_label,
+    node_name,
+)
+from edesign.project.building.supports import FIXED, PINNED, Springs
+from edesign.report.motion.geometry import Geometry, Hung, MovingDamper, Place, Support
+
+_IN_BAY = re.compile(r"([VRFS])([XY])_([A-Z]+|\d+)_(\d+)_(\d+)(?:_(r|f))?(?:_\d+)?")
+_MIDDLE = (0.4, 0.6)  # the shares of a diagonal between which its damper is drawn
+
+
+def moving_building(building: Building, dampers: tuple[str, ...]) -> Geometry:
+    """Return what moves of a building.
+
+    Args:
+        building: its members.
+        dampers: names of its dampers; those in places that the building does not have are left out.
+    """
+    layout = building.layout
+    nodes: dict[str, Place] = {name: tuple(map(float, place)) for name, place in layout.nodes.items()}
+    order = {name: i for i, name in enumerate(nodes)}
+    members = {name: (order[start], order[end]) for name, (start, end) in layout.ends.items()}
+    supports = [
+        Support(_support_name(building.support(line)), order[node_name(line, 0)]) for line in layout.node_lines[0]
+    ]
+    at = _Points(building, nodes)
+    return Geometry(
+        nodes,
+        members,
+        tuple(damper for damper in map(at.damper, dampers) if damper is not None),
+        tuple(float(level) for level in layout.levels),
+        tuple(supports),
+        hinged=_hinged(layout),
+        slabs=_slabs(layout, order),
+        grid=_grid(building),
+    )
+
+
+def _hinged(layout: Layout) -> frozenset[tuple[str, int]]:
+    """Both ends of braces, and the pinned ends of beams."""
+    found = {(place.name(way), end) for place in layout.brace_at for way in ("r", "f") for end in (0, 1)}
+    for place, run in layout.beam_at.items():
+        names = layout.beam_members(place)
+        ends = ((names[0], 0, run.ends.start), (names[-1], 1, run.ends.end))
+        found |= {(name, end) for name, end, joined in ends if joined in ("pinned", 0.0)}
+    return frozenset(found & {(name, end) for name in layout.members for end in (0, 1)})
+
+
+def _slabs(layout: Layout, order: dict[str, int]) -> tuple[tuple[tuple[int, int, int, int], ...], ...]:
+    found = []
+    for floor, panels in sorted(layout.floors.items()):
+        around = [[node_name(line, floor) for line in corners(panel)] for panel in sorted(panels)]
+        found.append(tuple((order[a], order[b], order[d], order[c]) for a, b, c, d in around if {a, b, c, d} <= set(order)))
+    return tuple(found)
+
+
+def _grid(building: Building) -> tuple[tuple[str, Place, Place], ...]:
+    x, y = (building.coordinates(along) for along in DIRECTIONS)
+    across = [(line_label("y", i), (at, y[0], 0.0), (at, y[-1], 0.0)) for i, at in enumerate(x)]
+    return tuple(across + [(line_label("x", j), (x[0], at, 0.0), (x[-1], at, 0.0)) for j, at in enumerate(y)])
+
+
+def _support_name(support: Springs) -> str:
+    if support in (FIXED, PINNED):
+        return "fixed" if support == FIXED else "pinned"
+    return "roller" if "free" in (support.ux, support.uy) else "springs"
+
+
+class _Points:
+    """Points of a building that move with its nodes.
+
+    Args:
+        nodes: their places by name, m.
+    """
+
+    def __init__(self, building: Building, nodes: dict[str, Place]) -> None:
+        self._building, self._nodes = building, nodes
+        self._order = {name: i for i, name in enumerate(nodes)}
+
+    def damper(self, name: str) -> MovingDamper | None:
+        """Return a damper by its name, such as VX_1_2_3 or N_A1.0_B1.1; None if the building has no such place."""
+        if name.startswith("N_"):
+            ends = [self._of_node(node) for node in name.split("_")[1:3]]
+            return _between(name, *ends) if len(ends) == 2 else None
+        found = _IN_BAY.fullmatch(name)
+        if found is None:
+            return None
+        kind, axis, label, bay, storey, way = found.groups()
+        along: Direction = "x" if axis == "X" else "y"
+        frames = [line_label(along, i) for i in range(self._building.n_frames(along))]
+        if label not in frames:
+            return None
+        place = along, frames.index(label), int(bay)
+        low, high = int(storey) - 1, int(storey)
+        (left, right), (upper_left, upper_right) = (self._corners(*place, floor) for floor in (low, high))
+        apex, foot = self._middle(*place, high), self._middle(*place, low)
+        if kind == "R":
+            return _between(name, left, upper_right)
+        if kind == "F":
+            return _between(name, upper_left, right)
+        if kind == "S":
+            return _between(name, foot, apex)
+        if way is not None:
+            return _between(name, left, apex) if way == "r" else _between(name, apex, right)
+        if left is None or right is None or apex is None:
+            return None
+        # a chevron: its apex stands on the floor below, the damper between apex and beam
+        below = Hung(apex.at, (left.nodes[0], right.nodes[0]), 0.5)
+        return MovingDamper(name, ((left, below), (right, below)), (below, apex), (0.0, 1.0))
+
+    def _of_node(self, name: str) -> Hung | None:
+        if name not in self._order:
+            return None
+        number = self._order[name]
+        return Hung(self._nodes[name], (number, number), 0.0)
+
+    def _corners(self, along: Direction, frame: int, bay: int, floor: int) -> tuple[Hung | None, Hung | None]:
+        left, right = bay_lines(along, frame, bay)
+        return self._at(left, floor), self._at(right, floor)
+
+    def _at(self, line: ColumnLine, floor: int) -> Hung | None:
+        return self._of_node(node_name(line, floor))
+
+    def _middle(self, along: Direction, frame: int, bay: int, floor: int) -> Hung | None:
+        """The middle of a beam, or between two column bases."""
+        found = self._of_node(str(BeamPlace(along, frame, bay, floor)))
+        left, right = self._corners(along, frame, bay, floor)
+        if found is not None or left is None or right is None:
+            return found
+        at = tuple(0.5 * (a + b) for a, b in zip(left.at, right.at, strict=True))
+        return Hung(at, (left.nodes[0], right.nodes[0]), 0.5)
+
+
+def _between(name: str, start: Hung | None, end: Hung | None) -> MovingDamper | None:
+    if start is None or end is None:
+        return None
+    return MovingDamper(name, ((start, end),), (start, end), _MIDDLE)
