@@ -114,14 +114,15 @@ def fill_template(
         "runs": runs,
     }
     page = environment.get_template("page.html")
-    moving = printed is None and any(isinstance(part, Viewer) for section in sections for part in section.parts)
-    viewer = _viewer() if moving else None
+    moving = [part for section in sections for part in section.parts if isinstance(part, Viewer)]
+    viewer = _viewer(any(part.in_space for part in moving)) if moving and printed is None else None
     return page.render(**vars(cover), sections=sections, css=css, version=__version__, printed=printed, viewer=viewer)
 
 
-def _viewer() -> dict[str, str]:
+def _viewer(in_space: bool) -> dict[str, str]:
     """The one program of a page, and its checksum, which is all that the page's security policy lets run."""
-    text = resources.files("edesign.report.html").joinpath("viewer.js").read_text(encoding="utf-8")
+    names = ("viewer_of_buildings.js", "viewer.js") if in_space else ("viewer.js",)
+    text = "".join(resources.files("edesign.report.html").joinpath(name).read_text(encoding="utf-8") for name in names)
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
     return {"text": text, "policy": f"; script-src 'sha256-{digest}'"}
 

@@ -93,10 +93,12 @@ class Viewer:
     Attributes:
         still: one picture of it.
         data: JSON for `viewer.js`, without `<`.
+        in_space: whether it is of a building, for `viewer_of_buildings.js`.
     """
 
     still: Picture
     data: str
+    in_space: bool = False
 
 
 Part = Table | Picture | Folded | Facts | Warnings | Headlines | Heading | Viewer

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,8 +33,6 @@ def still_figure(scene: Scene) -> Figure:
     Args:
         scene: with at least one variant.
     """
-    from matplotlib.lines import Line2D
-
     places = np.array(list(scene.variants[0].geometry.nodes.values()))
     wide, high = (float(size) for size in np.ptp(places, axis=0))
     scale, margin = fitting_scale(scene), MARGIN * max(wide, high)
@@ -49,18 +48,32 @@ def still_figure(scene: Scene) -> Figure:
         axis.set_title(one.title or "frame", loc="left")
         axis.set_xlim(places[:, 0].min() - aside - margin, places[:, 0].max() + aside + margin)
         axis.set_ylim(bottom, top)
+    class_legend(figure, scene, ranks, 2 if width * len(axes[0]) < 4.0 else 4)
+    return figure
+
+
+def class_legend(figure: Figure, scene: Scene, ranks: Collection[int], columns: int) -> None:
+    """Add a legend of the classes of hinges that show.
+
+    Args:
+        ranks: their numbers, from 1.
+        columns: of the legend.
+    """
+    from matplotlib.lines import Line2D
+
     handles = [
         Line2D([], [], marker="o", ls="none", ms=SIZES[i - 1], mfc=COLORS[i - 1], mec=MEAN, mew=0.5, label=name)
         for i, name in enumerate(scene.scale.names)
         if i in ranks
     ]
     if handles:
-        figure.legend(handles=handles, loc="outside lower center", ncols=2 if width * len(axes[0]) < 4.0 else 4)
-    return figure
+        figure.legend(handles=handles, loc="outside lower center", ncols=columns)
 
 
 def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: float, points: int = 17) -> np.ndarray:
-    """Return a member as a cubic through displaced ends with the slopes of its nodes, (points, 2) m.
+    """Return a member as a cubic through displaced ends with the slopes of its nodes, (points, 2 or 3) m.
+
+    An end that is hinged has no moment; a brace is straight.
 
     Args:
         geometry: of the frame.
@@ -71,15 +84,23 @@ def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: flo
     start, end = geometry.members[member]
     places = np.array(list(geometry.nodes.values()))
     axis = places[end] - places[start]
-    across = np.array((-axis[1], axis[0]))
-    first, last = (places[i] + scale * motion[i, :2] for i in (start, end))
-    if member.startswith("D_"):  # a brace has hinges at its ends
+    first, last = (places[i] + scale * motion[i, : axis.size] for i in (start, end))
+    hinged = [member.startswith("D_") or (member, at) in geometry.hinged for at in (0, 1)]
+    tangents = [_turned(axis, scale * motion[i, axis.size :]) for i in (start, end)]
+    if all(hinged):
         tangents = [last - first] * 2
-    else:
-        tangents = [axis + scale * motion[i, 2] * across for i in (start, end)]
+    elif any(hinged):
+        tangents[hinged[1]] = 1.5 * (last - first) - 0.5 * tangents[hinged[0]]
     s = np.linspace(0.0, 1.0, points)[:, np.newaxis]
     h = (2 * s**3 - 3 * s**2 + 1, s**3 - 2 * s**2 + s, 3 * s**2 - 2 * s**3, s**3 - s**2)
     return np.asarray(h[0] * first + h[1] * tangents[0] + h[2] * last + h[3] * tangents[1])
+
+
+def _turned(axis: np.ndarray, rotation: np.ndarray) -> np.ndarray:
+    """The axis of a member after a small rotation, in the plane (1,) or in space (3,) rad."""
+    if axis.size == 2:
+        return np.asarray(axis + rotation[0] * np.array((-axis[1], axis[0])))
+    return np.asarray(axis + np.cross(rotation, axis))
 
 
 def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
@@ -140,15 +161,22 @@ def _draw_bases(axis: Axes, geometry: Geometry, motion: np.ndarray, scale: float
 def _line(
     start: Hung, end: Hung, motion: np.ndarray, scale: float, span: tuple[float, float]
 ) -> tuple[list[float], list[float]]:
-    ends = []
-    for point in (start, end):
-        if point.nodes == GROUND:
-            ends.append(np.array(point.at))
-            continue
-        moved = (1.0 - point.share) * motion[point.nodes[0], :2] + point.share * motion[point.nodes[1], :2]
-        ends.append(np.array(point.at) + scale * moved)
+    ends = [hung_place(point, motion, scale) for point in (start, end)]
     places = [ends[0] + share * (ends[1] - ends[0]) for share in span]
     return [float(place[0]) for place in places], [float(place[1]) for place in places]
+
+
+def hung_place(point: Hung, motion: np.ndarray, scale: float) -> np.ndarray:
+    """Return where a point that hangs on nodes is drawn, (2 or 3,) m.
+
+    Args:
+        motion: of the nodes, as that of `member_curve`.
+        scale: how many times larger displacements are drawn.
+    """
+    if point.nodes == GROUND:
+        return np.array(point.at)
+    first, second = (motion[i, : len(point.at)] for i in point.nodes)
+    return np.array(point.at) + scale * ((1.0 - point.share) * first + point.share * second)
 
 
 def motion_caption(scene: Scene) -> str:
@@ -157,13 +185,9 @@ def motion_caption(scene: Scene) -> str:
     if scene.of > 1:
         kept = f" and of the {scene.among} kept in most detail" if scene.among < scene.of else ""
         many = f", of {scene.of} records{kept} the one nearest to the mean peak drift"
-    drifts = [
-        f"{plain(100.0 * float(max(one.drift_max[-1].max(), -one.drift_min[-1].min())))} %"
-        + f" ({one.title})" * bool(one.title)
-        for one in scene.variants
-    ]
+    drifts = [f"{_largest_drift(one)}{f' ({one.title})' * bool(one.title)}" for one in scene.variants]
     sentences = [
-        f"Motion of the frame, {scene.record}{at_level(scene.level)}{many}",
+        f"Motion of the {'building' if scene.in_space else 'frame'}, {scene.record}{at_level(scene.level)}{many}",
         f"The still is at {plain(float(scene.time[scene.peak]))} s, near the largest drift. Displacements are drawn "
         f"{fitting_scale(scene)} times as large as they are",
         f"Largest storey drift, mean over the column lines: {', '.join(drifts)}",
@@ -171,8 +195,9 @@ def motion_caption(scene: Scene) -> str:
     if all(one.nodes is not None for one in scene.variants):
         sentences.append("Members are cubics through their nodes as computed, gravity included")
     else:
+        turn = ", and turn with their floor" if scene.in_space else ""
         sentences.append(
-            "Only floors were kept over time: joints are drawn without rotation and without vertical displacement"
+            f"Only floors were kept over time: joints are drawn without rotation and without vertical displacement{turn}"
         )
     if any(one.ends and one.rotation is None for one in scene.variants):
         sentences.append(
@@ -182,3 +207,12 @@ def motion_caption(scene: Scene) -> str:
     if scene.left_out:
         sentences.append(f"Variants not shown: {scene.left_out}")
     return "".join(f"{sentence}. " for sentence in sentences).strip()
+
+
+def _largest_drift(one: Moving) -> str:
+    """The largest storey drift of a variant in per cent, of a building along x and y."""
+    largest = np.maximum(one.drift_max[-1], -one.drift_min[-1])
+    if not one.geometry.in_space:
+        return f"{plain(100.0 * float(largest.max()))} %"
+    along_x, along_y = (plain(100.0 * float(value)) for value in largest.max(axis=0))
+    return f"{along_x} % along x, {along_y} % along y"

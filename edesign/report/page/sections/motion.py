@@ -1,4 +1,4 @@
-"""The motion of the frame over time, for a record of each hazard level."""
+"""The motion of the frame or building over time, for a record of each hazard level."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LARGEST = 400_000  # characters of a viewer's data, beyond which it has every se
 
 
 def motion(source: Source) -> Section:
-    """Return the section with a viewer of the deformed frame for one record of each level.
+    """Return the section with a viewer of the deformed frame or building for one record of each level.
 
     It needs histories whose floors were kept over time.
     """
@@ -28,18 +28,21 @@ def motion(source: Source) -> Section:
     def motion_of_the_frame(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         from edesign.report.motion.scenes import scenes
         from edesign.report.motion.still import motion_caption, still_figure
+        from edesign.report.motion.still_building import building_still
 
         for scene in scenes(archive):
             name = file_name("motion", scene.level)
             found[f"figure-{name}"] = scene
-            yield name, motion_caption(scene), still_figure(scene)
+            still = building_still(scene) if scene.in_space else still_figure(scene)
+            yield name, motion_caption(scene), still
 
     parts: list[Part] = []
     for picture in source.pictures(motion_of_the_frame):
         scene = found[picture.name]
         parts += [Heading(scene.level or "All levels")] if len(found) > 1 else []
-        parts.append(Viewer(picture, _text(scene)))
-    return Section("motion", "Motion of the frame", (), tuple(parts))
+        parts.append(Viewer(picture, _text(scene), scene.in_space))
+    what = "building" if any(scene.in_space for scene in found.values()) else "frame"
+    return Section("motion", f"Motion of the {what}", (), tuple(parts))
 
 
 def _text(scene: Scene) -> str:
