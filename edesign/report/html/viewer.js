@@ -267,7 +267,7 @@
       const [x0, y0, x1, y1] = this.spread();
       const stage = node(this.live, "div", { class: x1 - x0 > y1 - y0 ? "stage" : "stage tall" });
       const frames = node(stage, "div", { class: "frames" });
-      this.frames = scene.variants.map(about => new Frame(frames, about, read, scene));
+      this.frames = scene.variants.map(about => this.moving(frames, about, read));
       this.legend(frames);
       const side = node(stage, "div", { class: "side" });
       this.profile(side);
@@ -278,6 +278,10 @@
       this.rescale();
       this.live.addEventListener("keydown", event => this.key(event));
       document.addEventListener("visibilitychange", () => document.hidden && this.pause());
+    }
+
+    moving(box, about, read) {
+      return new Frame(box, about, read, this.scene);
     }
 
     /* The corners of the first frame. */
@@ -317,15 +321,15 @@
       if (frames.some(f => f.masses.length)) dot(TUNED, "tuned mass");
     }
 
-    profile(side) {
-      const { frames, scene } = this, storeys = Math.max(...frames.map(f => f.storeys));
+    profile(side, title = "Storey drift; pale: largest so far", frames = this.frames) {
+      const { scene } = this, storeys = Math.max(...frames.map(f => f.storeys));
       let most = 1e-6;
       for (const f of frames) {
         for (let i = 0; i < f.storeys; i++) {
           most = Math.max(most, f.drift_max(scene.n - 1, i), -f.drift_min(scene.n - 1, i));
         }
       }
-      const made = new Diagram(side, "Storey drift; pale: largest so far", 300, 210);
+      const made = new Diagram(side, title, 300, 210);
       made.span(-most, most, 0, storeys, [`${signed(-100 * most, 2)} %`, `${(100 * most).toFixed(2)} %`], ["storey"], 26);
       const every = Math.ceil(storeys / 12);
       for (let i = 0; i < storeys; i += every) {
@@ -339,10 +343,10 @@
         lines[j][i].setAttribute("d", steps(f, storey => of(k, storey)))));
     }
 
-    motion(side, ground) {
+    motion(side, ground, title = "Ground acceleration") {
       const { scene } = this, values = Array.from({ length: scene.n }, (_, k) => ground(k));
       const most = Math.max(1e-9, ...values.map(Math.abs)), end = (scene.n - 1) * scene.dt;
-      const made = new Diagram(side, "Ground acceleration", 300, 110);
+      const made = new Diagram(side, title, 300, 110);
       made.span(0, end, -most, most, ["0 s", `${end.toFixed(1)} s`], [`± ${most.toFixed(2)} m/s²`]);
       made.line({ stroke: "#8a8f98", "stroke-width": 0.8,
         d: path(values.map((v, k) => [made.x(k * scene.dt), made.y(v)])) });
@@ -457,7 +461,9 @@
   document.querySelectorAll(".viewer").forEach(async (root, number) => {
     try {
       const scene = JSON.parse(root.querySelector("script").textContent);
-      new Viewer(root, scene, await unpack(scene.data), number);
+      const tools = { node, path, short, signed, mixed, Diagram, Viewer, PUSH, PULL, REST };
+      const Chosen = scene.space ? viewerOfBuildings(tools) : Viewer;
+      new Chosen(root, scene, await unpack(scene.data), number);
     } catch (error) { // an old browser: the still stays
       root.querySelector(".live")?.remove();
       root.classList.remove("on");

@@ -24,6 +24,7 @@ _VIEWS = (("elevation along x", (0, 2)), ("elevation along y", (1, 2)), ("plan, 
 _WIDTH, _HIGHEST = 6.6, 3.4  # inches of the panels of a variant, and of them at most
 _POINTS = 7  # along a bent member
 _PLAN = 2
+_SEEN = 1e-3  # m, from which a member is more than a point in a view
 
 
 @styled
@@ -54,7 +55,7 @@ def building_still(scene: Scene) -> Figure:
             axis.set_title(f"{one.title}, {words}" if number == 0 and one.title else words, loc="left")
             axis.set_xlim(low[view[0]], high[view[0]])
             axis.set_ylim(low[view[1]], high[view[1]])
-            axis.set_aspect("equal", anchor="S")
+            axis.set_aspect("equal", anchor="N")
             axis.set_axis_off()
     class_legend(figure, scene, ranks, 4)
     return figure
@@ -77,14 +78,16 @@ def _draw(
     """Draw a view of a variant and return the classes of the hinges that show."""
     geometry, motion, plan = one.geometry, one.node_motion[picture], view == _VIEWS[_PLAN][1]
     across = list(view)
-    at_rest = {name: places[:, across] for name, places in _at_rest(geometry).items()}
-    shown = {name for name, ends in at_rest.items() if np.ptp(ends, axis=0).max() > 1e-3}
-    rest = {tuple(map(tuple, ends.round(3).tolist())): ends for name, ends in at_rest.items() if name in shown}
+    places = np.array(list(geometry.nodes.values()))
+    at_rest = {name: places[list(pair)][:, across] for name, pair in geometry.members.items()}
+    level = {name for name, pair in geometry.members.items() if abs(np.diff(places[list(pair), 2])[0]) < _SEEN}
+    shown = [n for n, ends in at_rest.items() if np.ptp(ends, axis=0).max() > _SEEN and (n in level or not plan)]
+    rest = {tuple(map(tuple, ends.round(3).tolist())): ends for ends in (at_rest[n] for n in shown)}
     _strokes(axis, rest.values(), color=UNMOVED, lw=0.5, zorder=0.9)
     roof = geometry.levels[-1]
-    on_top = {name for name in shown if np.all(_at_rest(geometry)[name][:, 2] > roof - 1e-3)}
-    dark = on_top if plan else shown
-    _strokes(axis, (curves[n][:, across] for n in shown - dark), color=one.color, lw=0.4, alpha=0.45, zorder=1.2)
+    dark = [n for n in shown if not plan or min(places[list(geometry.members[n]), 2]) > roof - _SEEN]
+    others = (curves[n][:, across] for n in shown if n not in dark) if plan else ()
+    _strokes(axis, others, color=one.color, lw=0.4, alpha=0.45, zorder=1.2)
     _strokes(axis, (curves[n][:, across] for n in dark), color=one.color, lw=1.1, zorder=1.5)
     for damper in geometry.dampers:
         start, end = (hung_place(point, motion, scale) for point in damper.body)
@@ -94,36 +97,28 @@ def _draw(
         axis.plot(*body.T, color=MEAN, lw=1.8, zorder=1.7)
     if plan:
         return set()
-    moved = np.array(list(geometry.nodes.values())) + scale * motion[:, :3]
-    for kind in {support.kind for support in geometry.supports}:
+    moved = places + scale * motion[:, :3]
+    for kind in dict.fromkeys(support.kind for support in geometry.supports):
         at = moved[[support.node for support in geometry.supports if support.kind == kind]]
         style = {"ms": 3.4, "mfc": "white", "mec": MEAN, "mew": 0.6}
         axis.plot(*at[:, across].T, marker=SUPPORTS[kind], ls="none", zorder=2, **style)
-    return _hinges(axis, one, picture, curves, shown, across)
+    return _hinges(axis, one, picture, {n: curves[n][:, across] for n in shown})
 
 
-def _hinges(
-    axis: Axes, one: Moving, picture: int, curves: dict[str, np.ndarray], shown: set[str], across: list[int]
-) -> set[int]:
+def _hinges(axis: Axes, one: Moving, picture: int, curves: dict[str, np.ndarray]) -> set[int]:
     """Circles at the ends that have yielded, the largest rotations on top; rings where histories were not kept."""
     of: dict[int, list[np.ndarray]] = {}
     rotations = one.rotation[picture] if one.rotation is not None else list(one.ends.values())
     for (member, side), rotation, limits in zip(one.ends, rotations, one.limits, strict=True):
         rank = int(np.searchsorted(limits, rotation, side="right"))
-        if rank and member in shown:
-            near, far = curves[member][[-1, -2] if side else [0, 1]][:, across]
+        if rank and member in curves:
+            near, far = curves[member][[-1, -2] if side else [0, 1]]
             of.setdefault(rank, []).append(near + 0.4 * (far - near))
     for rank, places in of.items():
         color, kept = COLORS[rank - 1], one.rotation is not None
         looks = {"mfc": color if kept else "white", "mec": MEAN if kept else color, "mew": 0.4}
         axis.plot(*np.array(places).T, marker="o", ls="none", ms=0.75 * SIZES[rank - 1], zorder=3 + rank, **looks)
     return set(of)
-
-
-def _at_rest(geometry: Geometry) -> dict[str, np.ndarray]:
-    """Both ends of every member, (2, 3) m."""
-    places = np.array(list(geometry.nodes.values()))
-    return {name: places[list(pair)] for name, pair in geometry.members.items()}
 
 
 def _strokes(axis: Axes, lines: Iterable[np.ndarray], **looks: object) -> None:
