@@ -2,11 +2,11 @@
 "use strict";
 const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, PUSH, PULL, REST }) => {
   const DEGREE = Math.PI / 180, AXES = ["x", "y"];
-  const FAR = 4; // from the eye to the middle of the building, in its larger half side
+  const FAR = 4, PARALLEL = 1e4; // from the eye to the middle of the building, in its larger half side
   const STEP = 5, NEARER = 1.15, NEAREST = 8; // degrees and factor of a key; the largest factor
   const PARTS = 6; // of a member that bends
   const AT_END = 0.3; // of the length of a member, in the color of the hinge at its end
-  const VIEWS = { corner: [30, 18], "along y": [0, 0], "along x": [90, 0], plan: [0, 90] };
+  const VIEWS = { corner: [30, 18, FAR], "along x": [0, 0, PARALLEL], "along y": [90, 0, PARALLEL], plan: [0, 90, PARALLEL] };
   const HELP = "turns by drag and arrow keys, nearer by pinch, plus and minus; 0, 1, 2, 3: the views of the list";
 
   const plus = (p, q, share = 1) => [p[0] + share * q[0], p[1] + share * q[1], p[2] + share * q[2]];
@@ -22,23 +22,25 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
       this.set(...VIEWS.corner);
     }
 
-    set(turn, tilt, near = 1) {
-      Object.assign(this, { turn: ((turn + 180) % 360 + 360) % 360 - 180, tilt: Math.max(-20, Math.min(90, tilt)),
+    set(turn, tilt, far, near = 1) {
+      Object.assign(this, { far, turn: ((turn + 180) % 360 + 360) % 360 - 180, tilt: Math.max(-20, Math.min(90, tilt)),
         near: Math.max(1 / NEAREST, Math.min(NEAREST, near)) });
       this.seen.forEach(draw => draw());
     }
 
     move(turn, tilt, nearer = 1) {
-      this.set(this.turn + turn, this.tilt + tilt, this.near * nearer);
+      this.set(this.turn + turn, this.tilt + tilt, this.far, this.near * nearer);
     }
 
     /* The function that gives where a point is drawn, in px from the middle and down, and how far it is from the eye, m. */
     projection(middle, half, width, height) {
       const [a, e] = [this.turn * DEGREE, this.tilt * DEGREE], [sa, ca, se, ce] = [Math.sin(a), Math.cos(a), Math.sin(e), Math.cos(e)];
       const right = [ca, sa, 0], up = [-se * sa, se * ca, ce], towards = [ce * sa, -ce * ca, se];
-      const wide = Math.hypot(half[0], half[1]), far = FAR * Math.max(wide, half[2]);
-      const high = half[2] * Math.abs(ce) + wide * Math.abs(se);
-      const px = this.near * (far - wide) * Math.min(width / 2 / wide, height / 2 / high);
+      const wide = Math.hypot(half[0], half[1]), far = this.far * Math.max(wide, half[2]);
+      const high = Math.max(...[[1, 1], [1, -1], [-1, 1], [-1, -1]].map(([s, t]) => // of the cylinder around it, at a distance of 1
+        Math.abs(t * half[2] * ce - s * wide * se) / (far - s * wide * ce - t * half[2] * se)));
+      this.away = far;
+      const px = this.near * Math.min(width / 2 * Math.sqrt(far * far - wide * wide) / wide, height / 2 / high);
       return p => {
         const d = minus(p, middle), depth = far - dot(d, towards), scale = px / depth;
         return [width / 2 + scale * dot(d, right), height / 2 - scale * dot(d, up), depth];
@@ -75,6 +77,7 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
         const [low, high] = [about.nodes[a][2], about.nodes[b][2]];
         return 3 * this.layer(Math.max(low, high)) + (Math.abs(high - low) < 1e-3 ? 2 : 0);
       });
+      this.each = Math.ceil(about.slabs.length / 12); // of the floors, one has its number written
       this.ends = about.members.map(() => [-1, -1]);
       about.ends.forEach(([member, end], i) => { this.ends[member][end] = i; });
       eye.seen.push(() => this.draw(...this.last));
@@ -125,7 +128,7 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
 
     /* Room for the largest displacement. */
     fit(scale, largest) {
-      const aside = scale * largest;
+      const aside = this.aside = scale * largest;
       this.middle = between(this.low, this.high, 0.5);
       this.half = [0, 1, 2].map(c => (this.high[c] - this.low[c]) / 2 + (c < 2 ? aside : 0));
       this.room = 1 + 0.06 * Math.max(...this.half); // m around it, for the names of lines
@@ -172,15 +175,17 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
       const sharp = window.devicePixelRatio || 1;
       if (canvas.width !== Math.round(width * sharp)) canvas.width = Math.round(width * sharp);
       if (canvas.height !== Math.round(height * sharp)) canvas.height = Math.round(height * sharp);
-      const pen = canvas.getContext("2d"), colors = this.colors();
+      const pen = canvas.getContext("2d", { alpha: false }), colors = this.colors();
       pen.setTransform(sharp, 0, 0, sharp, 0, 0);
-      pen.clearRect(0, 0, width, height);
+      Object.assign(pen, { fillStyle: colors.paper, globalAlpha: 1 });
+      pen.fillRect(0, 0, width, height);
       Object.assign(pen, { lineCap: "round", lineJoin: "round", font: `12px ${getComputedStyle(canvas).fontFamily}`,
         textAlign: "center", textBaseline: "middle" });
       const half = this.half.map(side => side + this.room);
       const see = this.see = this.eye.projection(this.middle, half, width, height);
       const at = about.nodes.map((p, i) => plus(p, moved[i], scale));
-      canvas.at = at.map(see); // px, for those who ask
+      canvas.at = at.map(see); // px
+      Object.assign(canvas.dataset, { turn: this.eye.turn, tilt: this.eye.tilt, near: this.eye.near, away: this.eye.away });
       this.drawGround(pen, see, colors);
       const depths = canvas.at.map(p => p[2]), near = Math.min(...depths), deep = Math.max(...depths) - near || 1;
       const faded = depth => 1 - 0.62 * Math.max(0, Math.min(1, (depth - near) / deep)); // the farther, the paler
@@ -283,11 +288,20 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
         pen.strokeText(text, x, y);
         pen.fillText(text, x, y);
       };
-      for (const [label, from, to] of this.about.grid) {
-        const ends = [from, to].map((p, i) => plus(p, minus(p, i ? from : to), this.room / Math.hypot(...minus(to, from))));
-        const [near, far] = ends.map(see);
-        says(label, near[2] - far[2] < 1e-6 * far[2] ? near : far);
+      const { tilt } = this.eye, away = this.room + (tilt > 60 ? this.aside : 0), below = Math.abs(tilt) < 10 ? 14 : 0;
+      for (const c of [0, 1]) {
+        const places = this.about.grid.filter(([, from, to]) => from[c] === to[c]).map(([label, from, to]) => {
+          const ends = [from, to].map((p, i) => see(plus(p, minus(p, i ? from : to), away / Math.hypot(...minus(to, from)))));
+          const [x, y] = ends[0][2] - ends[1][2] < 1e-9 * ends[1][2] ? ends[0] : ends[1];
+          return [label, [x, y + below]];
+        });
+        const gaps = places.slice(1).map(([, p], i) => Math.hypot(p[0] - places[i][1][0], p[1] - places[i][1][1]));
+        if (Math.min(...gaps) > 8) places.forEach(place => says(...place)); // else they stand behind each other
       }
+      this.about.slabs.forEach((panels, floor) => {
+        const leftmost = panels.flat().map(i => this.canvas.at[i]).sort((a, b) => a[0] - b[0])[0];
+        if (leftmost && Math.abs(this.eye.tilt) < 70 && floor % this.each === this.each - 1) says(floor + 1, [leftmost[0] - 14, leftmost[1]]);
+      });
       const height = this.canvas.clientHeight, origin = see(this.middle), reach = 0.2 * Math.max(...this.half);
       const size = 26, longest = Math.max(...[0, 1, 2].map(c => this.arm(see, c, reach, origin)[2])) || 1;
       for (const [c, axis] of ["x", "y", "z"].entries()) {
@@ -349,10 +363,9 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
       node(bar, "span", { class: "said" }, "drag, pinch or arrow keys");
     }
 
-    /* As wide as the building is from a corner. */
+    /* One building has the diagrams beside it, several have them below. */
     spread() {
-      const of = c => { const all = this.scene.variants[0].nodes.map(p => p[c]); return Math.max(...all) - Math.min(...all); };
-      return [0, 0, Math.hypot(of(0), of(1)), of(2) * (this.scene.variants.length > 1 ? 0 : 1)];
+      return [0, 0, this.scene.variants.length, 1];
     }
 
     legend(box) {
@@ -374,7 +387,7 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
 
     profile(side) {
       this.twice("drawProfile", (axis, d) =>
-        super.profile(side, `Storey drift along ${axis}; pale: largest so far`, this.frames.map(f => f.along(d))));
+        super.profile(side, `Storey drift along ${axis}, pale: largest`, this.frames.map(f => f.along(d))));
     }
 
     motion(side, ground) {

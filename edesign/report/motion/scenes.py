@@ -84,12 +84,13 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
     Args:
         most: pictures of a scene.
     """
-    file = archived_project(archive) or archived_building(archive)
+    levels = by_level(histories(archive))
+    file = (archived_project(archive) or archived_building(archive)) if levels else None
     if file is None:
         return
     colors = variant_colors(archive)
     of = VariantMembers(file, archived_study(archive)) if isinstance(file, Project) else None
-    for level, variants in by_level(histories(archive)).items():
+    for level, variants in levels.items():
         found = {
             variant: dict((one.record, (one, group)) for one, group in with_results(archive, chosen, *NEEDED))
             for variant, chosen in variants.items()
