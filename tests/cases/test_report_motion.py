@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import html
 import json
 import re
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +11,7 @@ import h5py
 import numpy as np
 import pytest
 from cases.test_report_page import browser
+from driven_page import driven
 from report_project import write_report_project
 
 from edesign.archive.reader import open_archive
@@ -77,33 +76,20 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def _driven(page: Path, folder: Path, width: int) -> dict[str, Any]:
     """What a reader sees who moves the slider and presses keys."""
-    program = browser()
-    if program is None:
-        pytest.skip("no chromium here")
-    (folder / "page.html").write_text(page.read_text(encoding="utf-8"), encoding="utf-8")
-    driver = folder / "driver.html"
-    driver.write_text(DRIVER.format(width=width, pictures=list(PICTURES)), encoding="utf-8")
-    options = ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder / 'profile'}"]
-    options += ["--allow-file-access-from-files", "--window-size=1400,900", "--enable-logging=stderr", "--v=0"]
-    words = [program, *options, "--virtual-time-budget=4000", "--dump-dom", driver.as_uri()]
-    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60)
-    assert "CONSOLE" not in done.stderr, done.stderr
-    found = re.search(r'data-found="([^"]*)"', done.stdout)
-    assert found is not None
-    return dict(json.loads(html.unescape(found[1])))
+    return driven(browser(), page, folder, DRIVER.format(width=width, pictures=list(PICTURES)))
 
 
 @pytest.mark.parametrize("width", [pytest.param(360, marks=pytest.mark.slow), 1280])
 def test_viewer_shows_what_the_archive_holds(made: Path, tmp_path: Path, width: int) -> None:
-    driven = _driven(made.with_suffix(".html"), tmp_path, width)
-    assert driven["requests"] == 0 and driven["viewers"] == len(driven["found"]) == 2  # DBE and MCE
-    dbe = driven["found"][0]
+    told = _driven(made.with_suffix(".html"), tmp_path, width)
+    assert told["requests"] == 0 and told["viewers"] == len(told["found"]) == 2  # DBE and MCE
+    dbe = told["found"][0]
     assert [frame["analysis"] for frame in dbe["seen"][0]["frames"]] == ["bare.DBE", "damped.DBE"]
     with h5py.File(made) as archive:
-        for viewer in driven["found"]:
+        for viewer in told["found"]:
             for state in viewer["seen"]:
                 _compare(state, archive)
-    for viewer in driven["found"]:
+    for viewer in told["found"]:
         last = int(viewer["seen"][-1]["picture"])
         assert [int(state["picture"]) for state in viewer["seen"][1:-1]] == list(PICTURES[:-1])
         assert viewer["keys"] == [0, 1, 2, 1, last] and (viewer["playing"], viewer["paused"]) == ("Pause", "Play")
@@ -161,13 +147,13 @@ def test_isolators_shear_and_tuned_masses_swing(tmp_path: Path) -> None:
         page = render(Cover("Motion", "", ""), [motion(Source(opened))])
     archive.with_suffix(".html").write_text(page, encoding="utf-8")
     data = json.loads(re.findall(r'<script type="application/json">(.*?)</script>', page, re.DOTALL)[0])
-    driven = _driven(archive.with_suffix(".html"), tmp_path, 1280)
+    told = _driven(archive.with_suffix(".html"), tmp_path, 1280)
     with h5py.File(archive) as file:
         group = file["analyses/shake"]
         base, stroke = (group[f"{name}_displacement"][:].astype(float).ravel() for name in ("base", "tuned_mass"))
         time, pictures = group["time"][:], group["motion_time"][:]
     assert np.abs(base).max() > 0.01 and np.abs(stroke).max() > 0.005
-    for state in driven["found"][0]["seen"]:
+    for state in told["found"][0]["seen"]:
         k = int(np.argmin(np.abs(time - pictures[int(state["picture"])])))
         frame = state["frames"][0]
         ((name, found),) = frame["strokes"]
