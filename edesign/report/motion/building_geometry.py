@@ -62,7 +62,9 @@ def _slabs(layout: Layout, order: dict[str, int]) -> tuple[tuple[tuple[int, int,
     found = []
     for floor, panels in sorted(layout.floors.items()):
         around = [[node_name(line, floor) for line in corners(panel)] for panel in sorted(panels)]
-        found.append(tuple((order[a], order[b], order[d], order[c]) for a, b, c, d in around if {a, b, c, d} <= set(order)))
+        found.append(
+            tuple((order[a], order[b], order[d], order[c]) for a, b, c, d in around if {a, b, c, d} <= set(order))
+        )
     return tuple(found)
 
 

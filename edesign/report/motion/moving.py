@@ -217,7 +217,9 @@ def _plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.ndarray:
     known = names_of(group, "point") if points is not None and points.dims[0] == "time" else []
     found = np.zeros((*floors.shape[:2], 3))
     for floor in range(1, floors.shape[1]):
-        there = [(i, f"{name.partition('.')[2]}.{floor}") for i, name in enumerate(known) if name.startswith(f"{floor}.")]
+        there = [
+            (i, f"{name.partition('.')[2]}.{floor}") for i, name in enumerate(known) if name.startswith(f"{floor}.")
+        ]
         there = [(i, node) for i, node in there if node in geometry.nodes]
         if len(there) > 1 and points is not None:
             at = np.array([geometry.nodes[node][:2] for _, node in there])
@@ -227,7 +229,9 @@ def _plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.ndarray:
             middle = places[np.abs(places[:, 2] - geometry.levels[floor]) < SAME, :2].mean(axis=0)
             mean = floors[:, floor]
             kept = turns is not None and turns.dims[0] == "time"
-            turn = np.asarray(turns.values, dtype=float)[:, floor - 1] if turns is not None and kept else 0.0 * mean[:, 0]
+            turn = (
+                np.asarray(turns.values, dtype=float)[:, floor - 1] if turns is not None and kept else 0.0 * mean[:, 0]
+            )
         found[:, floor] = np.column_stack((mean[:, 0] + turn * middle[1], mean[:, 1] - turn * middle[0], turn))
     return found
 

@@ -65,9 +65,7 @@ def _curves(one: Moving, picture: int, scale: float) -> dict[str, np.ndarray]:
     """Every member, displaced: two points of a straight one."""
     geometry, motion = one.geometry, one.node_motion[picture]
     return {
-        name: member_curve(
-            geometry, name, motion, scale, 2 if {(name, 0), (name, 1)} <= geometry.hinged else _POINTS
-        )
+        name: member_curve(geometry, name, motion, scale, 2 if {(name, 0), (name, 1)} <= geometry.hinged else _POINTS)
         for name in geometry.members
     }
 
