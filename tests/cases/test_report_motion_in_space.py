@@ -37,24 +37,33 @@ DRIVER = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {wi
   }};
   const between = (a, b, share) => [0, 1].map(c => canvas.at[a][c] + share * (canvas.at[b][c] - canvas.at[a][c]));
   const state = () => ({{ ...canvas.dataset, ...figure.dataset, picture: +root.dataset.picture, at: canvas.at,
-    size: [canvas.clientWidth, canvas.clientHeight], hinge: color(between({hinge}, 0.1)), damper: color(between({damper}, 0.5)) }});
+    size: [canvas.clientWidth, canvas.clientHeight], hinge: color(between({hinge}, 0.1)),
+    damper: color(between({damper}, 0.5)) }});
   const key = key => {{ const event = new page.KeyboardEvent('keydown', {{ key, bubbles: true, cancelable: true }});
     canvas.dispatchEvent(event); return event.defaultPrevented; }};
   const finger = (type, id, x, y) => canvas.dispatchEvent(new page.PointerEvent(type,
     {{ pointerId: id, pointerType: 'touch', clientX: x, clientY: y, bubbles: true }}));
   canvas.setPointerCapture = () => {{}}; // made events belong to no finger
   const steps = {{
-    start: () => go(0), later: () => go({later}), left: () => key('ArrowLeft'), up: () => key('ArrowUp'), near: () => key('+'),
-    drag: () => {{ finger('pointerdown', 7, 100, 100); finger('pointermove', 7, 150, 110); finger('pointerup', 7, 150, 110); }},
-    pinch: () => {{ finger('pointerdown', 7, 100, 100); finger('pointerdown', 8, 200, 100); finger('pointermove', 8, 220, 100);
-      finger('pointerup', 7, 100, 100); finger('pointerup', 8, 220, 100); }},
+    start: () => go(0), later: () => go({later}),
+    left: () => key('ArrowLeft'), up: () => key('ArrowUp'), near: () => key('+'),
+    drag: () => {{
+      finger('pointerdown', 7, 100, 100); finger('pointermove', 7, 150, 110); finger('pointerup', 7, 150, 110);
+    }},
+    pinch: () => {{
+      finger('pointerdown', 7, 100, 100); finger('pointerdown', 8, 200, 100);
+      finger('pointermove', 8, 220, 100);
+      finger('pointerup', 7, 100, 100); finger('pointerup', 8, 220, 100);
+    }},
     elevation: () => key('1'), side: () => key('2'), plan: () => key('3'), corner: () => key('0'),
     time: () => key('PageUp'), last: () => go(10000),
   }};
   const found = {{}};
   for (const [name, act] of Object.entries(steps)) {{ act(); found[name] = state(); }}
-  document.documentElement.dataset.found = JSON.stringify({{ found, requests: page.performance.getEntriesByType('resource').length,
-    wide: [...root.querySelectorAll('figure, canvas, svg, .controls')].filter(e => e.getBoundingClientRect().right > page.innerWidth + 1).length,
+  const boxes = [...root.querySelectorAll('figure, canvas, svg, .controls')].map(e => e.getBoundingClientRect());
+  document.documentElement.dataset.found = JSON.stringify({{ found,
+    requests: page.performance.getEntriesByType('resource').length,
+    wide: boxes.filter(box => box.right > page.innerWidth + 1).length,
     scroll: page.getComputedStyle(canvas).touchAction, legend: root.querySelector('.legend').textContent,
     titles: [...root.querySelectorAll('.diagram figcaption')].map(e => e.textContent) }});
 }};</script></body></html>"""

@@ -61,10 +61,8 @@ def _hinged(layout: Layout) -> frozenset[tuple[str, int]]:
 def _slabs(layout: Layout, order: dict[str, int]) -> tuple[tuple[tuple[int, int, int, int], ...], ...]:
     found = []
     for floor, panels in sorted(layout.floors.items()):
-        around = [[node_name(line, floor) for line in corners(panel)] for panel in sorted(panels)]
-        found.append(
-            tuple((order[a], order[b], order[d], order[c]) for a, b, c, d in around if {a, b, c, d} <= set(order))
-        )
+        around = [[order.get(node_name(line, floor), -1) for line in corners(panel)] for panel in sorted(panels)]
+        found.append(tuple((a, b, d, c) for a, b, c, d in around if min(a, b, c, d) >= 0))
     return tuple(found)
 
 

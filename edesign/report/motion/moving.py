@@ -64,8 +64,8 @@ class Moving:
         strokes: of each tuned mass in `geometry` relative to its floor at each picture, (pictures, masses) m.
         loops: that can be chosen.
         deformation: of each damper as `force`, (pictures, dampers) m; None: not kept.
-        plan: of a building whose nodes were not kept, base and floors as rigid bodies: displacements of the origin along
-            x and y and turn about the vertical, (pictures, floors + 1, 3) m, m, rad.
+        plan: of a building whose nodes were not kept, base and floors as rigid bodies: displacements of the origin
+            along x and y and turn about the vertical, (pictures, floors + 1, 3) m, m, rad.
     """
 
     title: str
@@ -207,32 +207,21 @@ def read_moving(
 
 
 def _plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.ndarray:
-    """Base and floors as rigid bodies: the origin along x and y, and the turn, by the places that were kept of each.
+    """Base and floors as rigid bodies, as `Moving.plan`, by the places that were kept of each.
 
-    Without such places floors turn about the middle of their nodes.
+    A floor without two such places does not turn.
     """
-    places = np.array(list(geometry.nodes.values()))
-    turns = group.variables.get("floor_rotation")
     points = group.variables.get("point_displacement")
     known = names_of(group, "point") if points is not None and points.dims[0] == "time" else []
     found = np.zeros((*floors.shape[:2], 3))
+    found[..., :2] = floors
     for floor in range(1, floors.shape[1]):
-        there = [
-            (i, f"{name.partition('.')[2]}.{floor}") for i, name in enumerate(known) if name.startswith(f"{floor}.")
-        ]
-        there = [(i, node) for i, node in there if node in geometry.nodes]
-        if len(there) > 1 and points is not None:
-            at = np.array([geometry.nodes[node][:2] for _, node in there])
-            moved = np.asarray(points.values, dtype=float)[:, [i for i, _ in there]]
-            middle, mean, turn = rigid_motion(at, moved)
-        else:
-            middle = places[np.abs(places[:, 2] - geometry.levels[floor]) < SAME, :2].mean(axis=0)
-            mean = floors[:, floor]
-            kept = turns is not None and turns.dims[0] == "time"
-            turn = (
-                np.asarray(turns.values, dtype=float)[:, floor - 1] if turns is not None and kept else 0.0 * mean[:, 0]
-            )
-        found[:, floor] = np.column_stack((mean[:, 0] + turn * middle[1], mean[:, 1] - turn * middle[0], turn))
+        lines = {i: name.partition(".")[2] for i, name in enumerate(known) if name.startswith(f"{floor}.")}
+        there = {i: f"{line}.{floor}" for i, line in lines.items() if f"{line}.{floor}" in geometry.nodes}
+        if points is not None and len(there) > 1:
+            places = np.array([geometry.nodes[node][:2] for node in there.values()])
+            middle, mean, turn = rigid_motion(places, np.asarray(points.values, dtype=float)[:, list(there)])
+            found[:, floor] = np.column_stack((mean[:, 0] + turn * middle[1], mean[:, 1] - turn * middle[0], turn))
     return found
 
 

@@ -197,7 +197,8 @@ def motion_caption(scene: Scene) -> str:
     else:
         turn = ", and turn with their floor" if scene.in_space else ""
         sentences.append(
-            f"Only floors were kept over time: joints are drawn without rotation and without vertical displacement{turn}"
+            "Only floors were kept over time: joints are drawn without rotation and without vertical displacement"
+            + turn
         )
     if any(one.ends and one.rotation is None for one in scene.variants):
         sentences.append(

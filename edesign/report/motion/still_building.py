@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from edesign.report.drawing.frame_drawing import SUPPORTS
 from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.motion.encoding import fitting_scale
-from edesign.report.motion.geometry import Geometry
 from edesign.report.motion.moving import Moving
 from edesign.report.motion.scenes import Scene
 from edesign.report.motion.still import MARGIN, UNMOVED, class_legend, hung_place, member_curve
@@ -46,7 +45,9 @@ def building_still(scene: Scene) -> Figure:
     tall = float(max(sides[up] for _, (_, up) in _VIEWS))
     inches = min(_WIDTH / sum(wide), _HIGHEST / tall)
     figure, axes = new_figure(count, len(_VIEWS), max(4.2, inches * sum(wide)), count * (inches * tall + 0.35) + 0.3)
-    axes[0][0].get_gridspec().set_width_ratios(wide)
+    grid = axes[0][0].get_gridspec()
+    assert grid is not None
+    grid.set_width_ratios(wide)
     ranks: set[int] = set()
     for row, one in zip(axes, scene.variants, strict=True):
         curves = _curves(one, scene.peak, scale)
@@ -98,7 +99,7 @@ def _draw(
     moved = places + scale * motion[:, :3]
     for kind in dict.fromkeys(support.kind for support in geometry.supports):
         at = moved[[support.node for support in geometry.supports if support.kind == kind]]
-        style = {"ms": 3.4, "mfc": "white", "mec": MEAN, "mew": 0.6}
+        style: Any = {"ms": 3.4, "mfc": "white", "mec": MEAN, "mew": 0.6}
         axis.plot(*at[:, across].T, marker=SUPPORTS[kind], ls="none", zorder=2, **style)
     return _hinges(axis, one, picture, {n: curves[n][:, across] for n in shown})
 
@@ -114,12 +115,12 @@ def _hinges(axis: Axes, one: Moving, picture: int, curves: dict[str, np.ndarray]
             of.setdefault(rank, []).append(near + 0.4 * (far - near))
     for rank, places in of.items():
         color, kept = COLORS[rank - 1], one.rotation is not None
-        looks = {"mfc": color if kept else "white", "mec": MEAN if kept else color, "mew": 0.4}
+        looks: Any = {"mfc": color if kept else "white", "mec": MEAN if kept else color, "mew": 0.4}
         axis.plot(*np.array(places).T, marker="o", ls="none", ms=0.75 * SIZES[rank - 1], zorder=3 + rank, **looks)
     return set(of)
 
 
-def _strokes(axis: Axes, lines: Iterable[np.ndarray], **looks: object) -> None:
+def _strokes(axis: Axes, lines: Iterable[np.ndarray], **looks: Any) -> None:
     """Draw lines (n, 2) as one path, which is small."""
     gap = np.full((1, 2), np.nan)
     points = [part for line in lines for part in (line, gap)]

@@ -36,7 +36,7 @@ def test_nodes_come_back_as_the_formula_has_them(scene: Scene) -> None:
 
 
 def test_floors_of_the_archive_say_how_every_node_moves_in_plan(tmp_path: Path) -> None:
-    """Nodes as rigid floors have them: from the places that were kept of each, and from centre and turn without these."""
+    """The places that are kept of each floor determine it as a rigid body; what nodes do beside is not known."""
     with open_archive(moving_archive(tmp_path, motion=False)) as archive:
         (scene,) = scenes(archive)
     (one,) = scene.variants
