@@ -57,7 +57,6 @@ def class_legend(figure: Figure, scene: Scene, ranks: Collection[int], columns: 
 
     Args:
         ranks: their numbers, from 1.
-        columns: of the legend.
     """
     from matplotlib.lines import Line2D
 
