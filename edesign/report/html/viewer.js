@@ -321,10 +321,10 @@
       if (frames.some(f => f.masses.length)) dot(TUNED, "tuned mass");
     }
 
-    profile(side, title = "Storey drift; pale: largest so far", frames = this.frames) {
+    profile(side, title = "Storey drift; pale: largest so far", frames = this.frames, scaled = frames) {
       const { scene } = this, storeys = Math.max(...frames.map(f => f.storeys));
       let most = 1e-6;
-      for (const f of frames) {
+      for (const f of scaled) {
         for (let i = 0; i < f.storeys; i++) {
           most = Math.max(most, f.drift_max(scene.n - 1, i), -f.drift_min(scene.n - 1, i));
         }

@@ -386,8 +386,9 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
     }
 
     profile(side) {
+      const frames = AXES.map((_, d) => this.frames.map(f => f.along(d)));
       this.twice("drawProfile", (axis, d) =>
-        super.profile(side, `Storey drift along ${axis}, pale: largest`, this.frames.map(f => f.along(d))));
+        super.profile(side, `Storey drift along ${axis}, pale: largest`, frames[d], frames.flat()));
     }
 
     motion(side, ground) {
