@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 Law = Literal["elastic", "bilinear", "menegotto_pinto"]
 Geometry = Literal["linear", "p_delta", "corotational"]
 
+MOST_POINTS = 10  # of a force-based element in OpenSees, which shares those between two pieces
 PROJECTS = Path(__file__).resolve().parents[2] / "projects"
 
 
@@ -125,6 +126,20 @@ class PeerBuilding:
     def watched(self) -> int:
         """Number of the column whose forces are compared, the first one."""
         return next(number for number, member in enumerate(self.members) if member.kind == "column")
+
+    @cached_property
+    def breaks(self) -> dict[int, tuple[float, ...]]:
+        """Places of point loads inside members, by their numbers, between which members are integrated."""
+        places: dict[int, set[float]] = {}
+        for load in self.points:
+            if 0.0 < load.position < 1.0:
+                places.setdefault(load.member, set()).add(load.position)
+        return {number: tuple(sorted(found)) for number, found in places.items()}
+
+    def points_of_pieces(self, number: int) -> int:
+        """Gauss-Lobatto points of each piece of a member; OpenSees' force-based element has 10 at most."""
+        pieces = 1 + len(self.breaks.get(number, ()))
+        return min(self.stations, 1 + (MOST_POINTS - 1) // pieces)
 
     @cached_property
     def weight(self) -> float:

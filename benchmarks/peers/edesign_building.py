@@ -57,8 +57,9 @@ def build(building: PeerBuilding) -> CoreBuilding:
             area = member.share * building.sections[s].area
             model.truss(member.name, *ends, materials[s], area, geometry)
             continue
+        breaks, points = building.breaks.get(number, ()), building.points_of_pieces(number)
         element = model.beam_column(
-            member.name, *ends, sections[s], building.stations, building.geometry, member.pins, web=member.web
+            member.name, *ends, sections[s], points, building.geometry, member.pins, breaks, member.web
         )
         if building.uniform[number].any():
             model.uniform_load(pattern, element, *building.uniform[number].tolist())
