@@ -32,6 +32,7 @@ class LimitFrame:
     Attributes:
         E: Pa.
         fy: Pa.
+        hardening: E_t / E of the fibres in the core.
         nodes: places, m.
         held: degrees of nodes that are supported.
         members: start, end, section, web.
@@ -40,6 +41,7 @@ class LimitFrame:
 
     E: float = 2.1e11
     fy: float = 235e6
+    hardening: float = 0.0
     nodes: list[tuple[float, ...]] = field(default_factory=list)
     held: dict[int, Sequence[str]] = field(default_factory=dict)
     members: list[tuple[int, int, str, tuple[float, ...]]] = field(default_factory=list)
@@ -73,9 +75,9 @@ class LimitFrame:
         return {name: space_section(name) for name in dict.fromkeys(member[2] for member in self.members)}
 
     def in_core(self, geometry: str, points: int = 5, torsion: float = 1.0) -> tuple[Model, int]:
-        """The model without hardening, and its pattern; `torsion` is the share of the torsional stiffness."""
+        """The model and its pattern; `torsion` is the share of the torsional stiffness."""
         model = Model(3)
-        steel = model.material(Bilinear(self.E, self.fy, 0.0))
+        steel = model.material(Bilinear(self.E, self.fy, self.hardening))
         for k, place in enumerate(self.nodes):
             model.node(f"n{k}", *place)
         for node, held in self.held.items():
@@ -164,15 +166,15 @@ class LimitFrame:
         return float(found.x[0])
 
 
-def two_storeys() -> tuple[LimitFrame, int]:
+def two_storeys(parts: int = 1) -> tuple[LimitFrame, int]:
     """One bay by one, columns turned, beams loaded at midspan, forces beside the centre; and a node of the roof."""
     frame = LimitFrame()
     floors = [[frame.node(*at, h, ALL if h == 0.0 else ()) for at in PLAN] for h in (0.0, 3.5, 7.0)]
     for k in (1, 2):
         for c in range(4):
-            frame.member(floors[k - 1][c], floors[k][c], "HEB160", SKEW[c % 2])
-            (middle,) = frame.member(floors[k][c], floors[k][(c + 1) % 4], "IPE240", UP, 2)
-            frame.load(middle, fz=-60e3)
+            frame.member(floors[k - 1][c], floors[k][c], "HEB160", SKEW[c % 2], parts)
+            inner = frame.member(floors[k][c], floors[k][(c + 1) % 4], "IPE240", UP, 2 * parts)
+            frame.load(inner[parts - 1], fz=-60e3)
         frame.load(floors[k][0], fx=30e3 * k, fy=12e3 * k)
         frame.load(floors[k][3], fx=10e3 * k)
     return frame, floors[2][0]
