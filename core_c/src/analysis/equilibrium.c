@@ -49,26 +49,29 @@ static inline double larger(double a, double b)
   return a > b ? a : b;
 }
 
-ED_INLINE void raise_by_member(const double *f, const int forces, const int moments, double *force, double *moment)
+/* Of the ends of members, each with so many forces before so many moments. */
+ED_INLINE void raise_by_members(const ed_analysis *a, const int forces, const int moments, double *force, double *moment)
 {
-  for (int end = 0; end < 2; end++, f += forces + moments) {
+  double most_force = 0.0, most_moment = 0.0;
+  const double *f = a->members.force;
+  for (int end = 0; end < 2 * a->model->n_members; end++, f += forces + moments) {
     for (int i = 0; i < forces; i++)
-      *force = larger(*force, fabs(f[i]));
+      most_force = larger(most_force, fabs(f[i]));
     for (int i = 0; i < moments; i++)
-      *moment = larger(*moment, fabs(f[forces + i]));
+      most_moment = larger(most_moment, fabs(f[forces + i]));
   }
+  *force = most_force;
+  *moment = most_moment;
 }
 
 /* Largest force on a member's end or node, of the accepted steps and of this iterate; iterates that were left do not count. */
 void ed_raise_force_level(ed_analysis *a)
 {
-  double force = 0.0, moment = 0.0;
-  for (int m = 0; m < a->model->n_members; m++) {
-    if (a->model->dimension == 2)
-      raise_by_member(a->members.force + 6 * m, 2, 1, &force, &moment);
-    else
-      raise_by_member(a->members.force + ED_MAX_DEGREES * m, 3, 3, &force, &moment);
-  }
+  double force, moment;
+  if (a->model->dimension == 2)
+    raise_by_members(a, 2, 1, &force, &moment);
+  else
+    raise_by_members(a, 3, 3, &force, &moment);
   for (int i = 0; i < a->numbering.n; i++) {
     double *largest = a->numbering.rotational[i] ? &moment : &force;
     *largest = larger(*largest, fabs(a->loading.external[i]));

@@ -70,21 +70,45 @@ void ed_element_initialise(const ed_element *e, double *block, double *layers)
   }
 }
 
+static void update_elastic_beam(const ed_element *e, const double *v, double *block)
+{
+  const int rows = ed_basic(e->axes);
+  double relative[ED_MAX_BASIC];
+  memcpy(block + ED_BLOCK_V, v, (size_t)rows * sizeof *block);
+  for (int i = 0; i < rows; i++)
+    relative[i] = v[i] - e->free_deformation[i];
+  ed_sym_times(rows, e->stiffness, relative, block + ed_block_q(e->axes));
+}
+
+static void update_truss(const ed_element *e, const double *v, const double *layers, double *block)
+{
+  double stress, tangent;
+  memcpy(block + ED_BLOCK_V, v, (size_t)ed_basic(ED_PLANE) * sizeof *block);
+  ed_steel_trial(e->steel, layers, v[0] / e->length, &stress, &tangent);
+  block[ED_BLOCK_Q] = stress * e->area;
+  block[ED_BLOCK_K] = tangent * e->area / e->length;
+}
+
+static int update_spring(const ed_element *e, const double *displacement, const double *layers, double *block)
+{
+  double u = 0.0;
+  for (int i = 0; i < e->degrees; i++)
+    u += e->member->coefficient[i] * displacement[i];
+  block[ED_BLOCK_V] = u;
+  return ed_spring_trial(e->spring, layers, u, &block[ED_BLOCK_Q], &block[ED_BLOCK_K]);
+}
+
 int ed_element_update(const ed_element *e, const double *displacement, const double *layers, double *block,
                       ed_element_control *control)
 {
-  if (e->kind == ED_LINK)
-    return ED_OK;
+  ed_kinematics k;
   if (e->kind == ED_SPRING) {
-    double u = 0.0;
-    for (int i = 0; i < e->degrees; i++)
-      u += e->member->coefficient[i] * displacement[i];
     control->updates++;
-    block[ED_BLOCK_V] = u;
-    control->elastic += ed_spring_trial(e->spring, layers, u, &block[ED_BLOCK_Q], &block[ED_BLOCK_K]);
+    control->elastic += update_spring(e, displacement, layers, block);
     return ED_OK;
   }
-  ed_kinematics k;
+  if (e->kind == ED_LINK)
+    return ED_OK;
   ed_kinematics_of(e, displacement, &k);
   if (e->axes == ED_SPACE)
     block[ed_block_twist(ED_SPACE)] = k.twist;
@@ -93,20 +117,10 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
   if (e->kind == ED_STRUT)
     return ed_strut_update(e->strut, k.v[0], layers, block, control);
   control->updates++;
-  const int rows = ed_basic(e->axes);
-  memcpy(block + ED_BLOCK_V, k.v, (size_t)rows * sizeof *block);
-  double *q = block + ed_block_q(e->axes);
-  if (e->kind == ED_ELASTIC_BEAM) {
-    double relative[ED_MAX_BASIC];
-    for (int i = 0; i < rows; i++)
-      relative[i] = k.v[i] - e->free_deformation[i];
-    ed_sym_times(rows, e->stiffness, relative, q);
-    return ED_OK;
-  }
-  double stress, tangent;
-  ed_steel_trial(e->steel, layers, k.v[0] / e->length, &stress, &tangent);
-  q[0] = stress * e->area;
-  block[ED_BLOCK_K] = tangent * e->area / e->length;
+  if (e->kind == ED_ELASTIC_BEAM)
+    update_elastic_beam(e, k.v, block);
+  else
+    update_truss(e, k.v, layers, block);
   return ED_OK;
 }
 
@@ -124,30 +138,34 @@ int ed_element_layers_valid(const ed_element *e, const double *layers)
   return 1;
 }
 
-double ed_element_commit(const ed_element *e, double *block, double *layers)
+ED_INLINE double commit_points(const ed_element *e, double *block, double *layers, const int axes)
 {
-  if (e->kind == ED_TRUSS)
-    return e->area * e->length * ed_steel_commit(e->steel, layers, block[ED_BLOCK_V] / e->length);
-  if (e->kind == ED_STRUT)
-    return ed_strut_commit(e->strut, block, layers);
-  const int axes = e->axes;
   double dissipated = 0.0;
-  if (e->kind == ED_SPRING) {
-    dissipated = ed_spring_commit(e->spring, layers, block[ED_BLOCK_V]);
-    if (dissipated != 0.0)
-      block[ED_BLOCK_INELASTIC] = 1.0;
-  }
-  double *point = block + ed_block_points(axes);
-  const int elastic = ed_point_elastic(axes), size = ed_point_size(axes);
-  for (int p = 0; p < e->points; p++, point += size) {
-    if (point[elastic] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
+  for (int p = 0; p < e->points; p++) {
+    double *point = block + ed_point_at(axes, p), *reach = point + ed_point_reach(axes);
+    if (point[ed_point_elastic(axes)] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
       continue; /* no layer yields: nothing to remember */
-    double *reach = point + ed_point_reach(axes);
     const double *record = *reach > 0.0 ? e->record[p] : NULL; /* 0: no trial since the last commit */
     block[ed_block_inelastic(axes)] = point[ed_point_inelastic(axes)] = 1.0;
     *reach = 0.0;
     dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point, record);
   }
+  return dissipated;
+}
+
+double ed_element_commit(const ed_element *e, double *block, double *layers)
+{
+  if (e->kind == ED_FIBRE_BEAM)
+    return e->axes == ED_PLANE ? commit_points(e, block, layers, ED_PLANE) : commit_points(e, block, layers, ED_SPACE);
+  if (e->kind == ED_TRUSS)
+    return e->area * e->length * ed_steel_commit(e->steel, layers, block[ED_BLOCK_V] / e->length);
+  if (e->kind == ED_STRUT)
+    return ed_strut_commit(e->strut, block, layers);
+  if (e->kind != ED_SPRING)
+    return 0.0;
+  const double dissipated = ed_spring_commit(e->spring, layers, block[ED_BLOCK_V]);
+  if (dissipated != 0.0)
+    block[ED_BLOCK_INELASTIC] = 1.0;
   return dissipated;
 }
 

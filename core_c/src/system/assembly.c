@@ -1,3 +1,4 @@
+#include "base/lanes.h"
 #include "system/analysis.h"
 
 #include <limits.h>
@@ -155,29 +156,46 @@ static void put_on_masters(const ed_analysis *a, const ed_element *e, double *t)
   }
 }
 
-void ed_member_tangent(const ed_analysis *a, int m, const double *block, double *t)
+ED_INLINE void member_tangent(const ed_analysis *a, int m, const double *block, double *t, const int degrees)
 {
   const ed_element *e = &a->members.element[m];
   double d[ED_MAX_DEGREES];
-  ed_gather(&a->members, m, d);
+  ed_gather_some(&a->members, m, d, degrees);
   ed_element_tangent(e, d, block, t);
-  if (a->numbering.plan)
+  if (degrees == ED_MAX_DEGREES && a->numbering.plan)
     put_on_masters(a, e, t);
+}
+
+void ed_member_tangent(const ed_analysis *a, int m, const double *block, double *t)
+{
+  if (a->model->dimension == 2)
+    member_tangent(a, m, block, t, 6);
+  else
+    member_tangent(a, m, block, t, ED_MAX_DEGREES);
+}
+
+/* Adds the tangents of all members, of so many degrees each. */
+ED_INLINE void add_tangents(ed_analysis *a, const int degrees)
+{
+  const int *place = a->matrix.scatter;
+  double *tangent = a->matrix.tangent;
+  for (int m = 0; m < a->model->n_members; m++, place += degrees * degrees) {
+    double t[ED_MAX_DEGREES * ED_MAX_DEGREES];
+    member_tangent(a, m, a->trial.elements + a->members.element[m].state, t, degrees);
+    for (int i = 0; i < degrees * degrees; i++)
+      tangent[place[i]] += t[i];
+  }
 }
 
 void ed_assemble_tangent(ed_analysis *a)
 {
   if (a->matrix.assembled_stamp == a->matrix.stamp)
     return;
-  const size_t terms = ed_tangent_size(a->model);
   memset(a->matrix.tangent, 0, ((size_t)a->matrix.nnz + 1) * sizeof *a->matrix.tangent);
-  for (int m = 0; m < a->model->n_members; m++) {
-    double t[ED_MAX_DEGREES * ED_MAX_DEGREES];
-    const int *place = a->matrix.scatter + terms * (size_t)m;
-    ed_member_tangent(a, m, a->trial.elements + a->members.element[m].state, t);
-    for (size_t i = 0; i < terms; i++)
-      a->matrix.tangent[place[i]] += t[i];
-  }
+  if (a->model->dimension == 2)
+    add_tangents(a, 6);
+  else
+    add_tangents(a, ED_MAX_DEGREES);
   a->matrix.tangent[a->matrix.nnz] = 0.0;
   a->matrix.assembled_stamp = a->matrix.stamp;
 }

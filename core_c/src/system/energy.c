@@ -44,9 +44,9 @@ static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_
 }
 
 /* Displacements of both ends along the reactions of the loads inside. */
-static void along_end_loads(const ed_element *e, const double *moved, double *local)
+ED_INLINE void along_end_loads(const ed_element *e, const double *moved, double *local, const int axes)
 {
-  if (e->axes == ED_PLANE) {
+  if (axes == ED_PLANE) {
     local[0] = e->c * moved[0] + e->s * moved[1];
     local[1] = -e->s * moved[0] + e->c * moved[1];
     local[2] = -e->s * moved[3] + e->c * moved[4];
@@ -59,30 +59,30 @@ static void along_end_loads(const ed_element *e, const double *moved, double *lo
 }
 
 /* Work of the element loads on the member's ends and inside it. */
-static double load_work(const ed_analysis *a, int member)
+ED_INLINE double load_work(const ed_analysis *a, int member, const int axes)
 {
   const ed_element *e = &a->members.element[member];
   const ed_member_loads *before = &a->loading.member_committed[member];
   double moved[ED_MAX_DEGREES], local[ED_MAX_BASIC];
-  for (int i = 0; i < e->degrees; i++)
+  for (int i = 0; i < (axes == ED_PLANE ? 6 : ED_MAX_DEGREES); i++)
     moved[i] = ed_displacement(&a->numbering, &a->trial, e->dof[i]) - ed_displacement(&a->numbering, &a->committed, e->dof[i]);
   double work = e->rigid ? arm_load_work(a, e, before, moved) : 0.0;
-  along_end_loads(e, moved, local);
-  for (int i = 0; i < ed_basic(e->axes); i++)
+  along_end_loads(e, moved, local, axes);
+  for (int i = 0; i < ed_basic(axes); i++)
     work -= 0.5 * (e->end_load[i] + before->end_load[i]) * local[i];
   const double *now = a->trial.elements + e->state, *then = a->committed.elements + e->state;
-  const int size = ed_point_size(e->axes);
-  for (int p = 0, k = ed_block_points(e->axes); p < e->points; p++, k += size) {
+  const int size = ed_point_size(axes);
+  for (int p = 0, k = ed_block_points(axes); p < e->points; p++, k += size) {
     const double *load = e->section_load[p], *was = before->section_load[p];
     work += 0.5 * e->weight[p] * (load[0] + was[0]) * (now[k] - then[k]);
     work += 0.5 * e->weight[p] * (load[1] + was[1]) * (now[k + 1] - then[k + 1]);
-    if (e->axes == ED_SPACE)
+    if (axes == ED_SPACE)
       work += 0.5 * e->weight[p] * (load[2] + was[2]) * (now[k + 2] - then[k + 2]);
   }
   if (e->kind == ED_ELASTIC_BEAM)
-    for (int i = 0; i < ed_basic(e->axes); i++)
+    for (int i = 0; i < ed_basic(axes); i++)
       work += 0.5 * (e->free_deformation[i] + before->free_deformation[i]) *
-              (now[ed_block_q(e->axes) + i] - then[ed_block_q(e->axes) + i]);
+              (now[ed_block_q(axes) + i] - then[ed_block_q(axes) + i]);
   return work;
 }
 
@@ -100,17 +100,16 @@ static double rigid_second_order(ed_analysis *a, const ed_element *e, const doub
 
 void ed_count_energy(ed_analysis *a, double dissipated)
 {
-  const int n = a->numbering.n, members = a->model->n_members;
+  const int n = a->numbering.n, members = a->model->n_members, across = a->model->dimension - 1;
   ed_state_head *head = a->trial.head;
   double second_order = 0.0;
   double input = mean_work(n, a->loading.external_committed, a->loading.external, a->committed.u, a->trial.u);
   for (int m = 0; m < members; m++) {
     const ed_element *e = &a->members.element[m];
     if (e->member->loaded)
-      input += load_work(a, m);
+      input += e->axes == ED_PLANE ? load_work(a, m, ED_PLANE) : load_work(a, m, ED_SPACE);
     if (e->geometry != ED_P_DELTA || e->kind == ED_LINK)
       continue;
-    const int across = a->model->dimension - 1;
     double d[ED_MAX_DEGREES], *now = a->trial.p_delta + 2 * across * m;
     const double *then = a->committed.p_delta + 2 * across * m;
     ed_gather(&a->members, m, d);

@@ -37,20 +37,26 @@ void ed_members_free(ed_members *members, int n)
   free(members->force);
 }
 
-/* Forces of one element at its present state, added to those at the degrees. */
-static void add_forces(ed_analysis *a, int m, const double *d)
+/* Forces of one element at its present state, added to those at its degrees. */
+ED_INLINE void add_forces(ed_analysis *a, int m, const double *d, const int degrees)
 {
   const ed_element *e = &a->members.element[m];
-  double *force = ed_member_force(&a->members, m);
+  double *force = a->members.force + degrees * m, *resisting = a->members.resisting;
   ed_element_forces(e, d, a->trial.elements + e->state, force);
-  for (int i = 0; i < e->degrees; i++)
-    a->members.resisting[e->dof[i]] += force[i];
+  for (int i = 0; i < degrees; i++)
+    resisting[e->dof[i]] += force[i];
 }
 
 static void clear_forces(ed_analysis *a)
 {
-  for (int i = 0; i < a->numbering.degrees; i++)
-    a->members.displacement[i] = ed_displacement(&a->numbering, &a->trial, i);
+  const ed_numbering *numbering = &a->numbering;
+  double *displacement = a->members.displacement;
+  if (numbering->plan)
+    for (int i = 0; i < numbering->degrees; i++)
+      displacement[i] = ed_displacement(numbering, &a->trial, i);
+  else
+    for (int i = 0; i < numbering->degrees; i++)
+      displacement[i] = *ed_at_equation(numbering, a->trial.u, a->trial.support_u, i);
   memset(a->members.resisting, 0, (size_t)a->numbering.degrees * sizeof *a->members.resisting);
 }
 
@@ -59,28 +65,40 @@ static void sum_forces(ed_analysis *a)
   ed_add_device_forces(a);
   memset(a->trial.resisting, 0, (size_t)a->numbering.n * sizeof *a->trial.resisting);
   memset(a->trial.support_force, 0, (size_t)a->numbering.n_supports * sizeof *a->trial.support_force);
-  for (int i = 0; i < a->numbering.degrees; i++)
-    ed_add_at_degree(&a->numbering, i, a->members.resisting[i], a->trial.resisting, a->trial.support_force);
+  const ed_numbering *numbering = &a->numbering;
+  const double *resisting = a->members.resisting;
+  if (numbering->plan)
+    for (int i = 0; i < numbering->degrees; i++)
+      ed_add_at_degree(numbering, i, resisting[i], a->trial.resisting, a->trial.support_force);
+  else
+    for (int i = 0; i < numbering->degrees; i++)
+      *ed_at_equation(numbering, a->trial.resisting, a->trial.support_force, i) += resisting[i];
   a->matrix.stamp++;
 }
 
-static int update_members(ed_analysis *a)
+/* The loops over members are written for both dimensions, with the degrees of a member as a constant. */
+ED_INLINE int update_all(ed_analysis *a, const int degrees)
 {
-  clear_forces(a);
   for (int m = 0; m < a->model->n_members; m++) {
     const ed_element *e = &a->members.element[m];
     if (ed_watch_step(&a->watch))
       return ED_E_STOPPED;
     double d[ED_MAX_DEGREES];
-    ed_gather(&a->members, m, d);
+    ed_gather_some(&a->members, m, d, degrees);
     const int status = ed_element_update(e, d, a->storage.layers + e->layers, a->trial.elements + e->state, &a->members.control);
     if (status != ED_OK) {
       a->members.failed = m;
       return status;
     }
-    add_forces(a, m, d);
+    add_forces(a, m, d, degrees);
   }
   return ED_OK;
+}
+
+static int update_members(ed_analysis *a)
+{
+  clear_forces(a);
+  return a->model->dimension == 2 ? update_all(a, 6) : update_all(a, ED_MAX_DEGREES);
 }
 
 int ed_update_members(ed_analysis *a)
@@ -101,13 +119,21 @@ int ed_update_elements(ed_analysis *a)
   return status;
 }
 
+ED_INLINE void collect_all(ed_analysis *a, const int degrees)
+{
+  for (int m = 0; m < a->model->n_members; m++) {
+    double d[ED_MAX_DEGREES];
+    ed_gather_some(&a->members, m, d, degrees);
+    add_forces(a, m, d, degrees);
+  }
+}
+
 void ed_collect_forces(ed_analysis *a)
 {
   clear_forces(a);
-  for (int m = 0; m < a->model->n_members; m++) {
-    double d[ED_MAX_DEGREES];
-    ed_gather(&a->members, m, d);
-    add_forces(a, m, d);
-  }
+  if (a->model->dimension == 2)
+    collect_all(a, 6);
+  else
+    collect_all(a, ED_MAX_DEGREES);
   sum_forces(a);
 }

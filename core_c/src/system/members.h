@@ -26,16 +26,20 @@ static inline double *ed_member_force(const ed_members *members, int member)
   return members->force + members->element[member].degrees * member;
 }
 
-/* Displacements of a member's ends, of those over all degrees. */
-static inline void ed_gather(const ed_members *members, int member, double *d)
+/* Displacements of a member's ends, of those over all degrees; `degrees` are those of both ends. */
+ED_INLINE void ed_gather_some(const ed_members *members, int member, double *d, const int degrees)
 {
   const ed_element *e = &members->element[member];
-  if (e->degrees == 6)
-    for (int i = 0; i < 6; i++)
-      d[i] = members->displacement[e->dof[i]];
+  for (int i = 0; i < degrees; i++)
+    d[i] = members->displacement[e->dof[i]];
+}
+
+static inline void ed_gather(const ed_members *members, int member, double *d)
+{
+  if (members->element[member].degrees == 6)
+    ed_gather_some(members, member, d, 6);
   else
-    for (int i = 0; i < ED_MAX_DEGREES; i++)
-      d[i] = members->displacement[e->dof[i]];
+    ed_gather_some(members, member, d, ED_MAX_DEGREES);
 }
 
 #endif

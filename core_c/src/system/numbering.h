@@ -25,6 +25,13 @@ void ed_numbering_free(ed_numbering *numbering);
 /* node.ux and so on; "?" where there is no such equation */
 const char *ed_equation_name(const ed_model *model, const ed_numbering *numbering, int equation, char *buffer, int size);
 
+/* Where the value of a degree lies, among those of equations or of supports. */
+static inline double *ed_at_equation(const ed_numbering *numbering, double *of_equations, double *of_supports, int degree)
+{
+  const int equation = numbering->equation[degree];
+  return equation >= 0 ? of_equations + equation : of_supports + numbering->support[degree];
+}
+
 /* Adds what acts at a degree, where a diaphragm moves it on the degrees of its master. `of_supports` may be NULL. */
 static inline void ed_add_at_degree(const ed_numbering *numbering, int degree, double value, double *of_equations, double *of_supports)
 {

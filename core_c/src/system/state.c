@@ -1,5 +1,6 @@
 /* Committed and trial state, each one block copied whole. The layers' committed state is advanced only by a commit; trial
  * evaluations never write it, so that a failed attempt leaves nothing behind. */
+#include "base/lanes.h"
 #include "system/analysis.h"
 
 #include <limits.h>
@@ -151,10 +152,14 @@ void ed_restore(ed_analysis *a)
 
 static int all_finite(const double *value, int n)
 {
-  double nothing = 0.0; /* stays 0 unless a value is not finite; a sum needs no branch */
-  for (int i = 0; i < n; i++)
-    nothing += 0.0 * value[i];
-  return nothing == 0.0;
+  ed_lanes nothing = {0}; /* stays 0 unless a value is not finite; a sum needs no branch */
+  int i = 0;
+  for (; i + ED_LANE_WIDTH <= n; i += ED_LANE_WIDTH)
+    nothing += 0.0 * ED_LOAD(value + i);
+  for (; i < n; i++)
+    nothing[0] += 0.0 * value[i];
+  const ed_mask some = nothing != (ed_lanes){0};
+  return !ED_ANY(some);
 }
 
 int ed_state_finite(const ed_storage *storage, const ed_state *state)
