@@ -80,12 +80,16 @@ enum {
 };
 int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,
                const int *component, int keep_history);
+/* The resultant of two channels that were made before, sqrt(first^2 + second^2). */
+int ed_channel_root(ed_analysis *analysis, int first, int second, int keep_history);
 /* A run ends with ED_LIMIT at the end of the step in which the magnitude of a channel exceeds its limit (> 0). */
 int ed_channel_limit(ed_analysis *analysis, int channel, double limit);
 void ed_clear_channels(ed_analysis *analysis); /* and their limits */
 /* Extremes since the run began: n_channels each. */
 void ed_extremes(const ed_analysis *analysis, double *maximum, double *time_of_maximum, double *minimum,
                  double *time_of_minimum, double *last);
+/* Of a resultant the direction at its maximum, rad from the first channel towards the second, -pi to pi; 0 of other channels. n_channels. */
+void ed_angles(const ed_analysis *analysis, double *angle);
 
 enum { ED_INPUT = 0, ED_KINETIC = 1, ED_DAMPING = 2, ED_STORED = 3, ED_HYSTERETIC = 4, ED_GEOMETRIC = 5, ED_DAMPERS = 6,
        ED_BALANCE = 7, ED_N_ENERGY = 8 };

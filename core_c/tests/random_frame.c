@@ -367,7 +367,9 @@ static void add_channel(caller *c, run *r, const things *m)
     object[i] = some_id(c, kind[i] <= ED_REACTION ? m->nodes : kind[i] >= ED_DAMPER_FORCE && kind[i] < ED_GIVEN_FORCE ? m->dampers : m->elements);
     component[i] = chance(c, 0.6) ? 0 : whole(c, -1, 14);
   }
-  const int keep = chance(c, 0.5), id = ed_channel(r->analysis, n, coefficient, kind, object, component, keep);
+  const int keep = chance(c, 0.5), root = chance(c, 0.1);
+  const int id = root ? ed_channel_root(r->analysis, some_id(c, r->channels), some_id(c, r->channels), keep)
+                      : ed_channel(r->analysis, n, coefficient, kind, object, component, keep);
   expect_listed(c, id < 0 ? id : ED_OK);
   if (id >= 0) {
     CHECK_INT(id, r->channels);
@@ -446,13 +448,14 @@ static void begin_run(caller *c, run *r, const things *m)
 
 static void check_results(caller *c, run *r, int status)
 {
-  double *of[5];
-  for (int k = 0; k < 5; k++)
+  double *of[6];
+  for (int k = 0; k < 6; k++)
     of[k] = room(r->channels + 1);
   const int rows = ed_run_rows(r->analysis);
   if (rows > 0) {
     ed_extremes(r->analysis, of[0], of[1], of[2], of[3], of[4]);
-    for (int k = 0; k < 5; k++)
+    ed_angles(r->analysis, of[5]);
+    for (int k = 0; k < 6; k++)
       expect_finite(status, of[k], r->channels);
   }
   if (r->abscissa)
@@ -474,7 +477,7 @@ static void check_results(caller *c, run *r, int status)
   }
   ed_event event;
   ed_get_event(r->analysis, some_id(c, ed_n_events(r->analysis)), &event);
-  for (int k = 0; k < 5; k++)
+  for (int k = 0; k < 6; k++)
     free(of[k]);
 }
 

@@ -57,9 +57,13 @@ static void check_channels(ed_analysis *analysis)
   REFUSED(ed_channel(analysis, 0, NULL, NULL, NULL, NULL, 1), ED_E_ARGUMENT, "term");
   CHECK_INT(add_channel(analysis, ED_FIBRE_STRAIN, 0, 47), 0); /* 4 points of 12 layers */
   CHECK_INT(add_channel(analysis, ED_SECTION_FORCE, 2, 7), 1);
+  REFUSED(ed_channel_root(analysis, 2, 0, 1), ED_E_ID, "channel 2"); /* itself */
+  REFUSED(ed_channel_root(analysis, 0, -1, 1), ED_E_ID, "channel -1");
+  CHECK_INT(ed_channel_root(analysis, 0, 1, 0), 2);
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 2), ED_OK);
   CHECK_STATUS(ed_run_advance(analysis, 1), ED_OK);
   REFUSED(add_channel(analysis, ED_DISPLACEMENT, 2, 0), ED_E_STATE, "channels");
+  REFUSED(ed_channel_root(analysis, 0, 1, 0), ED_E_STATE, "channels");
   ed_run_end(analysis);
   ed_clear_channels(analysis);
 }

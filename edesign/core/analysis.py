@@ -140,6 +140,8 @@ class Analysis:
         recording.take_rest()
         extremes = [np.zeros(len(recording.channels)) for _ in range(5)]
         lib.ed_extremes(self._c, *(_doubles(e) for e in extremes))
+        angles = np.zeros(len(recording.channels))
+        lib.ed_angles(self._c, _doubles(angles))
         names = [c.name for c in recording.channels]
         maximum, at_maximum, minimum, at_minimum, last = (
             {name: float(v) for name, v in zip(names, e, strict=True)} for e in extremes
@@ -166,6 +168,7 @@ class Analysis:
             energy_final=recording.energy_final,
             start=recording.start,
             energy_start=recording.energy_start,
+            angle={c.name: float(a) for c, a in zip(recording.channels, angles, strict=True) if c.beside is not None},
         )
 
     def _check(self, status: int) -> None:
@@ -448,20 +451,39 @@ class Analysis:
         repeated = {name for name, count in Counter(c.name for c in channels).items() if count > 1}
         if repeated:
             raise ValueError(f"channels of the same name: {', '.join(sorted(repeated))}")
+        numbers: dict[str, int] = {}
         for channel in channels:
-            kinds = [KINDS[kind] for _, kind, _, _ in channel.terms]
-            status = lib.ed_channel(
-                self._c,
-                len(kinds),
-                [float(c) for c, _, _, _ in channel.terms],
-                kinds,
-                [int(i) for _, _, i, _ in channel.terms],
-                [int(k) for _, _, _, k in channel.terms],
-                channel.history or channel.tail or channel.start,
-            )
+            status = self._add_channel(channel, numbers)
+            numbers[channel.name] = status
             if status < 0:
                 message = ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
                 raise CoreError(status_name(status), f"channel {channel.name}: {message}")
+
+    def _add_channel(self, channel: Channel, numbers: Mapping[str, int]) -> int:
+        """Add a channel after those with `numbers`; the return is its own, or a status below zero."""
+        written = channel.history or channel.tail or channel.start
+        if channel.beside is not None:
+            for name in channel.beside:
+                if name not in numbers:
+                    raise ValueError(
+                        f"channel {channel.name} is the resultant of {name}, which does not come before it"
+                    )
+            if channel.terms:
+                raise ValueError(f"channel {channel.name} is a resultant and has terms")
+            first, second = (numbers[name] for name in channel.beside)
+            return int(lib.ed_channel_root(self._c, first, second, written))
+        coefficients, kinds, objects, components = zip(*channel.terms, strict=True) if channel.terms else ((),) * 4
+        return int(
+            lib.ed_channel(
+                self._c,
+                len(kinds),
+                [float(c) for c in coefficients],
+                [KINDS[kind] for kind in kinds],
+                [int(i) for i in objects],
+                [int(k) for k in components],
+                written,
+            )
+        )
 
     def _set_limits(self, channels: Sequence[Channel], limits: Mapping[str, float]) -> None:
         number = {channel.name: i for i, channel in enumerate(channels)}

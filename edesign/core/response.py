@@ -49,22 +49,25 @@ FALLBACK_NAMES = {
 
 @dataclass(frozen=True)
 class Channel:
-    """A recorded quantity: the weighted sum of terms.
+    """A recorded quantity: the weighted sum of terms, or the resultant of two other channels.
 
     Attributes:
         name: key of the results.
         terms: (coefficient, kind, id of the node or element, component); edanalysis.h lists kinds and components,
             `KINDS` the names.
+        beside: names of two channels before this one, at right angles to each other: without terms, this one is their
+            resultant, sqrt(x^2 + y^2).
         history: keep the samples, not only the extremes.
         tail: keep the samples of the last steps.
         start: keep the value at the start of the run.
     """
 
     name: str
-    terms: tuple[tuple[float, str, int, int], ...]
+    terms: tuple[tuple[float, str, int, int], ...] = ()
     history: bool = True
     tail: bool = False
     start: bool = False
+    beside: tuple[str, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -87,6 +90,8 @@ class Response:
             displacement control.
         values: (nt,) of every channel with history.
         maximum, minimum, final, time_of_maximum, time_of_minimum: of every channel, every step counted.
+        angle: of every resultant the direction of its maximum, rad from the first channel beside towards the second,
+            -pi to pi.
         energy: (nt,) J of each of ENERGIES; (0,) if they were not kept.
         events: fallbacks where a step did not converge: time, step, fallback, halvings, success, iterations.
         statistics: counts, worst relative unbalance, `energy_error` (see the function), CPU seconds.
@@ -116,6 +121,7 @@ class Response:
     energy_final: dict[str, float] = field(default_factory=dict)
     start: dict[str, float] = field(default_factory=dict)
     energy_start: dict[str, float] = field(default_factory=dict)
+    angle: dict[str, float] = field(default_factory=dict)
 
     def peak(self, name: str) -> float:
         """Return the largest magnitude of a channel.

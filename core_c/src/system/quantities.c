@@ -127,9 +127,8 @@ static double strut_value(const ed_analysis *a, const ed_term *term)
   return term->kind == ED_DAMAGE ? ed_strut_damage(e->strut, layers) : ed_strut_broken_share(e->strut, layers);
 }
 
-double ed_channel_value(const ed_analysis *a, int channel)
+double ed_channel_sum(const ed_analysis *a, const ed_channel_head *head)
 {
-  const ed_channel_head *head = &a->channels.head[channel];
   double value = 0.0;
   for (int i = 0; i < head->n_terms; i++) {
     const ed_term *term = &a->channels.terms[head->first + i];
