@@ -12,6 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
+from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.motion.building_geometry import moving_building
@@ -113,9 +114,11 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
             masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
             dampers, own = tuple(names_of(group, "damper")), file if of is None else of.project(variant)
-            geometry = (
-                moving_frame(own.frame, dampers, masses) if isinstance(own, Project) else moving_building(own, dampers)
-            )
+            if isinstance(own, Project):
+                geometry = moving_frame(own.frame, dampers, masses)
+            else:
+                assert isinstance(own, Building)
+                geometry = moving_building(own, dampers)
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]
