@@ -202,9 +202,13 @@ TUNED = {
 """Direction and column line of tuned masses of 3 t, 0.9 Hz and 12 %."""
 
 
-def by_hand(tuned: list[tuple[str, str]]) -> tuple[np.ndarray, ...]:
+def by_hand(tuned: list[tuple[str, str]], aside: tuple[float, float]) -> tuple[np.ndarray, ...]:
     """Mass, damping and stiffness over u_x, u_y and the turn about the centre of the floor's own mass and the tuned
-    masses, the directions of ground motion, and what the displacements of corner A2 are of all these."""
+    masses, the directions of ground motion, and what the displacements of corner A2 are of all these.
+
+    Args:
+        aside: by how much the floor's masses stand beside their places, m.
+    """
     g, corners = 9.80665, {"A1": (0.0, 0.0), "A2": (0.0, 5.0), "B1": (6.0, 0.0), "B2": (6.0, 5.0)}
     weights = {"A1": 100e3, "A2": 100e3, "B1": 250e3, "B2": 100e3}
     centre = np.average(list(corners.values()), axis=0, weights=list(weights.values()))
@@ -220,8 +224,8 @@ def by_hand(tuned: list[tuple[str, str]]) -> tuple[np.ndarray, ...]:
         of, along = (steel_section("HEB240"), 1) if line == "B2" else (steel_section("HEB200"), 0)
         K[2, 2] += 210e9 / 2.6 * of.I_t / 4.0
         for axis in (0, 1):
-            row = moved(place, axis)
-            M += weights[line] / g * np.outer(row, row)
+            row, beside = moved(place, axis), moved((place[0] + aside[0], place[1] + aside[1]), axis)
+            M += weights[line] / g * np.outer(beside, beside)
             K += 3.0 * 210e9 * (of.I_y if axis == along else of.I_z) / 4.0**3 * np.outer(row, row)
     for c, row in ((90e3, moved((0.0, 0.0), 0)), (60e3, moved((6.0, 0.0), 1))):
         C += c * np.outer(row, row)
@@ -275,8 +279,8 @@ def extrapolated(frame: FrameModel, channels: list[Channel], ground: np.ndarray)
     return order.tolist(), (64.0 * third - 20.0 * second + first) / 45.0
 
 
-@pytest.mark.parametrize("case", TUNED)
-def test_a_storey_with_dampers_at_its_edges_follows_its_equations(case: str) -> None:
+@pytest.mark.parametrize(("case", "eccentricity"), [*((case, 0.0) for case in TUNED), ("both ways", 0.05)])
+def test_a_storey_with_dampers_at_its_edges_follows_its_equations(case: str, eccentricity: float) -> None:
     """Displacements of a corner, of the turn and of tuned masses are those of the complex modes of 3 by 3 equations.
 
     1e-7 of the largest: extrapolated from steps of 1/8 of the motion's.
@@ -287,8 +291,9 @@ def test_a_storey_with_dampers_at_its_edges_follows_its_equations(case: str) -> 
         f"{', at: ' + line if line else ''}}}\n"
         for direction, line in tuned
     )
-    frame = make_frame(building(FLOOR + ("  attachments:\n" + block if block else "")), dampers=True)
-    M, C, K, along, corner = by_hand(tuned)
+    whole = building(FLOOR + ("  attachments:\n" + block if block else ""))
+    frame = make_frame(whole, dampers=True, eccentricity=(eccentricity, -eccentricity))
+    M, C, K, along, corner = by_hand(tuned, (eccentricity * 6.0, -eccentricity * 5.0))
     size = len(M)
     inverse = np.linalg.inv(M)
     A = np.block([[np.zeros((size, size)), np.eye(size)], [-inverse @ K, -inverse @ C]])

@@ -48,9 +48,8 @@ def add_masses(
     for floor, centre in zip(diaphragm_floors(frame), masters(frame), strict=True):
         nodes = np.flatnonzero(frame.node_floor == floor)
         riders = [item for item in attachments if item.floor == floor]
-        plan = np.vstack(
-            [frame.coordinates[nodes, :2] + shift[nodes], *(attachment_place(frame, i)[:2] for i in riders)]
-        )
+        at = [attachment_place(frame, item)[:2] for item in riders]
+        plan = np.vstack([frame.coordinates[nodes, :2] + shift[nodes], *at])
         own, centre = frame.node_mass[nodes], centre + shift[nodes[0]]
         along = [np.append(own, [item.mass * (item.direction != axis) for item in riders]) for axis in (0, 1)]
         # what moves along y turns the floor by its lever along x
