@@ -124,12 +124,13 @@ _STANDING = {"V": "chevron", "R": "rising diagonal", "F": "falling diagonal", "S
 
 
 def damper_place(name: str) -> tuple[str, str]:
-    """Return how a damper stands and where, in words, by its name: `V_2_5` is a chevron in bay 2."""
+    """Return how a damper stands and where, in words, by its name: `V_2_5` is a chevron in bay 2, `VX_1_2_5` of X1."""
     letter, _, rest = name.partition("_")
     parts = rest.split("_")
-    if letter in _STANDING and len(parts) > 1:
+    if letter[0] in _STANDING and len(parts) > 1:
+        frame = f"{letter[1]}{parts.pop(0)} " if len(letter) > 1 else ""
         in_place = parts[2:3] in (["r"], ["f"])
-        return "in place of chevron braces" if in_place else _STANDING[letter], f"bay {parts[0]}"
+        return "in place of chevron braces" if in_place else _STANDING[letter[0]], f"{frame}bay {parts[0]}"
     if letter == "N":
         return "between nodes", " to ".join(parts[:2])
     if letter == "I":

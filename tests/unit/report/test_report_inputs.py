@@ -84,6 +84,9 @@ def test_places_of_dampers_are_words() -> None:
     assert damper_place("V_2_5") == ("chevron", "bay 2") == damper_place("V_2_5_2")
     assert damper_place("V_2_5_r") == ("in place of chevron braces", "bay 2")
     assert damper_place("S_1_3") == ("between floors", "bay 1")
+    assert damper_place("RY_A_1_5") == ("rising diagonal", "YA bay 1")
+    assert damper_place("VX_12_2_5_f") == ("in place of chevron braces", "X12 bay 2")
+    assert damper_place("N_A1.0_B1.1") == ("between nodes", "A1.0 to B1.1")
     assert damper_place("I_AB") == ("isolator", "line AB") and damper_place("N_A0_B1") == ("between nodes", "A0 to B1")
     assert damper_place("G_A_2") == ("beside the isolated base", "line A")
 
