@@ -13,7 +13,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.damper_stiffness import damped_modes, store_damper_stiffness
 from edesign.study.analysis.footings import interaction, store_footings, store_interaction
 from edesign.study.analysis.isolation_estimate import store_isolation_estimate
-from edesign.study.analysis.leading_mode import torsional_ratios
+from edesign.study.analysis.leading_mode import leading_mode, torsional_ratios
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
 from edesign.study.results.coordinates import direction_coordinate
 from edesign.study.results.recording import coordinate, directed
@@ -70,30 +70,9 @@ def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> tuple
     try:
         structure = frame_alone(project, fixed_base=fixed_base)
         structure.apply_gravity()
-        return leading_periods(structure)
+        return tuple(leading_mode(structure, direction).period for direction in structure.frame.directions)
     except AnalysisError as error:
         raise AnalysisError(f"{project.path}: the first period cannot be found: {error}") from error
-
-
-def leading_periods(structure: Structure) -> tuple[float, ...]:
-    """Return the period of the leading mode of each direction in the present state, s.
-
-    That of a plane frame is the first mode, that of a building the one in which most of the mass moves along it.
-
-    Raises:
-        AnalysisError: the structure is unstable.
-    """
-    frame, count = structure.frame, 1
-    if len(frame.directions) == 1:
-        return (float(structure.modes(count).period[0]),)
-    most = int(np.count_nonzero(structure.analysis.masses()))
-    while True:
-        count = min(2 * count + 1, most)
-        modes = structure.modes(count)
-        ratios = modes.effective_mass_ratio[:, [direction.degree for direction in frame.directions]]
-        left = 1.0 - ratios.sum(axis=0)  # what no mode above the last one can exceed
-        if count == most or np.all(ratios.max(axis=0) >= left):
-            return tuple(float(modes.period[at]) for at in ratios.argmax(axis=0))
 
 
 def mode_count(project: AnalysisFile) -> int:
