@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from edesign.report.archive.kind import Figures
-from edesign.report.capacity.pushover_figures import hinge_figures, pushover_figures
+from edesign.report.capacity.pushover_figures import pushover_figures
+from edesign.report.capacity.target_hinges import hinge_figures
 from edesign.report.design.figures import design_figures
 from edesign.report.ground_motion.hazard_figures import hazard_figures
 from edesign.report.ground_motion.record_figures import record_figures

@@ -14,10 +14,9 @@ from edesign.assess.sets import TARGET
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.analysis.pushover import METHODS, SIDES, WAYS
+from edesign.project.analysis.pushover import SIDES, WAYS
 from edesign.report.archived import archived_building, archived_project
 from edesign.report.drawing.captions import file_name
-from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.drawing.style import (
     BEFORE,
     MEAN,
@@ -27,8 +26,6 @@ from edesign.report.drawing.style import (
     legend_label,
     styled,
 )
-from edesign.report.response.frame_figures import Hinges, hinge_figure, plastic_rotations
-from edesign.report.response.histories import names_of
 from edesign.study.results.kinds import ANALYSES
 
 if TYPE_CHECKING:
@@ -56,7 +53,6 @@ DASHES = {1.0: (), -1.0: (4, 1.5)}
 """By the sign of the push: to the right or along its axis, or against it."""
 LONGEST = 4.0  # s: EN 1998-1 gives the spectrum up to it, 3.2.2.2(1)P
 HIGHEST = 3.0  # spectra are drawn up to this multiple of the demand: the plateau says nothing of flexible frames
-ELEVATIONS = 4  # side by side
 _ROUNDING = (
     1e-3  # share of the largest base shear, up to which one below zero is what the equilibrium under gravity left
 )
@@ -135,31 +131,6 @@ def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         )
         chosen = [one for one in found if one.variant == variant]
         yield file_name("n2", variant), caption, adrs_figure(file.hazard, chosen)
-
-
-def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Yield the plastic rotations of the frame at its target displacements, by method and level.
-
-    Yields:
-        Name of the file, caption and figure.
-    """
-    project = archived_project(archive)
-    panels: dict[tuple[str, str], list[Hinges]] = {}
-    for name in archive.names(ANALYSES):
-        about = archive.group_attributes(f"{ANALYSES}/{name}")
-        if about.get("kind") == TARGET and about.get("status") == "completed":
-            method, level = str(about.get("method")), str(about.get("level"))
-            group = archive.view(f"{ANALYSES}/{name}")
-            title = in_words(name.removesuffix(f".{method}.{level}"))
-            one = Hinges(title, plastic_rotations(group), tuple(names_of(group, "damper")))
-            panels.setdefault((method, level), []).append(one)
-    for (method, level), found in panels.items():
-        words = next(text for key, text in METHODS.items() if key == method)
-        caption = f"Plastic rotations of member ends at the target displacements of {words} at {level}."
-        for first in range(0, len(found), ELEVATIONS):
-            if project is not None:
-                figure = hinge_figure(FrameElevation(project.frame), found[first : first + ELEVATIONS])
-                yield file_name("target_hinges", method, level), caption, figure
 
 
 @styled

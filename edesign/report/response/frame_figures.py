@@ -88,7 +88,7 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     if isinstance(project, Building):
         strong = strong_axes(archive)
         for name in frame_names(project):
-            seen = archive.seen_through(partial(_in_frame, name, strong))
+            seen = archive.seen_through(partial(in_frame, name, strong))
             judged = {column for column, axis in strong.items() if axis == name[0].lower()}
             for level, variants in by_level(histories(seen)).items():
                 elevation = _Elevation(BuildingElevation(project, name), name, judged)
@@ -98,7 +98,8 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             yield from _of_level(archive, level, variants, _Elevation(FrameElevation(project.frame)), of)
 
 
-def _in_frame(name: str, strong: Mapping[str, str], group: Group) -> Group:
+def in_frame(name: str, strong: Mapping[str, str], group: Group) -> Group:
+    """Return an analysis of a building as its plane frame of a name has it, and what has no directions as it is."""
     return frame_view(group, name, strong) if "direction" in group.coords else group
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.report.capacity.pushover_figures import hinge_figures, pushover_figures
+from edesign.report.capacity.pushover_figures import pushover_figures
 from edesign.report.capacity.pushover_tables import events_table, target_tables
+from edesign.report.capacity.target_hinges import hinge_figures
 from edesign.report.html.section import Folded, Part, Section
 from edesign.report.page.source import Source
 
