@@ -44,6 +44,19 @@ class Located:
     not_judged: tuple[float, str] = (0.0, "")
 
 
+def place_in_words(
+    storey: int | None, member: str, floor: int | None = None, line: str = "", direction: str = "", axis: str = ""
+) -> str:
+    """Return where something occurs: `floor 2`, `storey 3, line A4, y`, `C_A1_3, about y`; "" where it is everywhere.
+
+    Args:
+        storey: what is said of a member or floor is not said of its storey too.
+    """
+    where = member or (f"floor {floor}" if floor is not None else f"storey {storey}" if storey is not None else "")
+    parts = (where, f"line {line}" if line else "", direction, f"about {axis}" if axis else "")
+    return ", ".join(filter(None, parts))
+
+
 @dataclass(frozen=True)
 class Source:
     """Where a measure is taken from: the extremes or the residual of a quantity, and at which of its components."""
@@ -160,8 +173,10 @@ def _components(group: Group, measure: str, chosen: InSpace = EVERYWHERE) -> tup
     dims: tuple[str, ...] | None = None
     if chosen.direction == "resultant":
         values, dims = resultant(group, MEASURES[measure].resultant or "")
-    elif name in ELSEWHERE and dimension == "storey" and "drift_line" in group.coords:
-        name, dimension = ELSEWHERE[name], "drift_line"
+    elif name in ELSEWHERE and dimension == "storey":
+        on_lines = source.of(group, ELSEWHERE[name])
+        if on_lines is not None or chosen.at or chosen.frames:
+            name, dimension = ELSEWHERE[name], "drift_line"
     if dims is None:
         values, dims = source.of(group, name), stored_dims(group, name)
     if values is None or values.size == 0:

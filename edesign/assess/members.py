@@ -10,6 +10,7 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
+from edesign.assess.spread import stored_dims
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
@@ -200,7 +201,7 @@ def member_usages(
             continue
         stored = True
         of_columns = compressions(group) if kind == "column" else {}
-        if "axis" in group.coords:
+        if stored_dims(group, f"{kind}_plastic_rotation")[-1:] == ("axis",):
             about = [str(axis) for axis in group.coords["axis"].values]
             largest, others = (rotations[..., about.index(axis)].max(axis=1).tolist() for axis in ("y", "z"))
         else:

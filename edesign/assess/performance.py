@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from edesign.archive.dataset import Group
-from edesign.assess.measures import located_measure
+from edesign.assess.measures import located_measure, place_in_words
 from edesign.assess.members import ELASTIC_ROTATION, FrameMember, Kind, member_usages
 from edesign.assess.sets import TARGET, HistorySet
 from edesign.assess.statistics import STATISTICS, statistics
@@ -43,6 +43,11 @@ class Usage:
     direction: str = ""
     axis: str = ""
     not_judged: tuple[float, str] = (0.0, "")
+
+    @property
+    def place(self) -> str:
+        """The storey or member, of a building with its line and direction, or its axis."""
+        return place_in_words(self.storey, self.member, None, self.line, self.direction, self.axis)
 
     @property
     def of_force(self) -> str:

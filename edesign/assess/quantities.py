@@ -68,7 +68,7 @@ def _on_lines(group: Group, asked: QuantityCriterion) -> QuantityCriterion:
     """The criterion on column lines of a building, where it names some, and of the drift of a storey in any case."""
     name = asked.quantity
     if name in ELSEWHERE and (
-        asked.in_space.lines or asked.frames or (name == "storey_drift" and "drift_line" in group.coords)
+        asked.in_space.lines or asked.frames or (name == "storey_drift" and "line_drift_max" in group.variables)
     ):
         return asked.model_copy(update={"quantity": ELSEWHERE[name]})
     return asked

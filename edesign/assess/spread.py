@@ -37,7 +37,7 @@ def stored_dims(group: Group, quantity: str) -> tuple[str, ...]:
     """
     for name in (f"{quantity}_max", f"{quantity}_min", f"residual_{quantity}", f"{quantity}_final", quantity):
         if name in group.variables:
-            return tuple(dim for dim in group.variables[name].dims if dim != "time")
+            return tuple(dim for dim in group.variables[name].dims if dim not in ("time", "step"))
     return ()
 
 

@@ -9,7 +9,7 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.assess.judgement import share_met, statistic_of, within
-from edesign.assess.measures import Located
+from edesign.assess.measures import Located, place_in_words
 from edesign.assess.members import VariantMembers
 from edesign.assess.requirement import NEGLIGIBLE, Requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
@@ -103,14 +103,14 @@ class Verdict:
 
         In a building with its column line and direction, or the axis of bending of a member: `storey 3, line A4, y`.
         """
-        where = self.governing_member
-        if not where and self.governing_floor is not None:
-            where = f"floor {self.governing_floor}"
-        if not where and self.governing_storey is not None:
-            where = f"storey {self.governing_storey}"
-        line = f"line {self.governing_line}" if self.governing_line else ""
-        axis = f"about {self.governing_axis}" if self.governing_axis else ""
-        return ", ".join(filter(None, (where, line, self.governing_direction, axis)))
+        return place_in_words(
+            self.governing_storey,
+            self.governing_member,
+            self.governing_floor,
+            self.governing_line,
+            self.governing_direction,
+            self.governing_axis,
+        )
 
 
 def judge(

@@ -180,7 +180,7 @@ def _usage(worst: tuple[str, Usage] | None) -> str | None:
     if usage.ratio < ROUNDING:
         return "D/C 0"
     ratio = col("D/C", ONE, digits=3).text(beyond_or(usage.ratio, f"{usage.ratio:.3g}"))
-    return f"D/C {ratio}: {usage.governing}, {usage.member or f'storey {usage.storey}'}, {history}"
+    return f"D/C {ratio}: {usage.governing}, {usage.place}, {history}"
 
 
 def _performance(reached: str, counts: str, worst: str) -> tuple[Column[SetPerformance], ...]:
