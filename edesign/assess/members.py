@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Generic, Literal, TypeVar, cast
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
@@ -98,7 +98,10 @@ class MemberUsage:
     other: float = 0.0
 
 
-class VariantMembers:
+File = TypeVar("File", bound=AnalysisFile)
+
+
+class VariantMembers(Generic[File]):
     """The members of each variant, as `frame_members` gives them.
 
     Args:
@@ -106,11 +109,11 @@ class VariantMembers:
         study: whose variants may have other values of the project; None: there is none.
     """
 
-    def __init__(self, project: AnalysisFile, study: Study | None = None) -> None:
+    def __init__(self, project: File, study: Study | None = None) -> None:
         self._project, self._study = project, study
         self._found: dict[int, dict[str, FrameMember]] = {}
 
-    def project(self, variant: str) -> AnalysisFile:
+    def project(self, variant: str) -> File:
         """Return the file of a variant, which may be named with a temperature.
 
         Args:
@@ -119,7 +122,9 @@ class VariantMembers:
         own = own_variant(variant)
         if self._study is None or own not in self._study.variants:
             return self._project
-        return self._study.project_of(own) if self._study.variants[own].values else self._project
+        if not self._study.variants[own].values:
+            return self._project
+        return cast("File", self._study.project_of(own))  # of the kind of the study's own
 
     def __call__(self, variant: str) -> dict[str, FrameMember]:
         """Return the members of a variant by name."""
