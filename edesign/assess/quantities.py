@@ -249,20 +249,20 @@ def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
 def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     """Return the largest drift of the worst column line over the largest mean drift of all lines, by its own peak each.
 
-    The mean is that of the histories that are kept. Without a direction in the criterion those directions count in
-    which the mean drift of the storey is at least a tenth of that in the other one: where the building is hardly pushed
-    the ratio means nothing.
+    Without a direction in the criterion those directions count in which the mean drift of the storey is at least a
+    tenth of that in the other one: where the building is hardly pushed the ratio means nothing.
 
     Args:
-        group: of a history of a building.
+        group: of an analysis of a building.
 
     Returns:
         (storeys, directions); None without the drifts.
     """
-    lines = peak(group, "line_drift")
-    if lines is None or "storey_drift" not in group.variables:
+    lines, mean = peak(group, "line_drift"), peak(group, "mean_storey_drift")
+    if mean is None and "storey_drift" in group.variables:  # pushovers
+        mean = np.abs(np.asarray(group.variables["storey_drift"].values, dtype=float)).max(axis=0)
+    if lines is None or mean is None:
         return None
-    mean = np.abs(np.asarray(group.variables["storey_drift"].values, dtype=float)).max(axis=0)
     storeys = group.coords["storey"].values.tolist()
     of = np.array([line_and_number(str(label))[1] for label in group.coords["drift_line"].values])
     worst = np.array([lines[of == storey].max(axis=0) for storey in storeys])

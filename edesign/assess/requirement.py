@@ -119,12 +119,7 @@ def _of_measure(criterion: MeasureCriterion, members: Mapping[str, FrameMember],
         criterion.kind.unit,
         of_dampers=criterion.traits.of_dampers,
         lacks=partial(lacking_measure, measure=criterion.measure),
-        missing=partial(_missing, needed=criterion.traits.over_time),
     )
-
-
-def _missing(group: Group, needed: str) -> str:
-    return "" if not needed or needed in group.variables else needed
 
 
 def _of_hinges(criterion: HingeCriterion, members: Mapping[str, FrameMember], project: AnalysisFile) -> Requirement:

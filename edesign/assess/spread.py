@@ -83,14 +83,19 @@ def line_and_number(label: str) -> tuple[str, int]:
 
 
 def resultant(group: Group, quantity: str) -> tuple[np.ndarray | None, tuple[str, ...]]:
-    """Return the largest resultant of a quantity in both directions at instants that are kept, and its dimensions.
+    """Return the largest resultant of a quantity in both directions, and its dimensions.
+
+    Pushovers archive none: of them those of the steps count.
 
     Args:
-        group: results of a history of a building, as archived.
+        group: results of an analysis of a building, as archived.
 
     Returns:
-        The values in the unit of the quantity; None without its history.
+        The values in the unit of the quantity; None without it.
     """
+    stored = group.variables.get(f"{quantity}_resultant_max")
+    if stored is not None:
+        return np.asarray(stored.values, dtype=float), stored.dims
     variable = group.variables.get(quantity)
     if variable is None or variable.dims[-1:] != ("direction",):
         return None, ()

@@ -62,9 +62,8 @@ def check_criteria(
         if isinstance(criterion, LimitCriterion):
             _limits(problems, at, criterion)
             check_in_space(at, criterion, project, problems)
-            _kept(problems, at, criterion, kept)
         if isinstance(criterion, QuantityCriterion):
-            check_quantity(at, criterion, project, problems, dampers)
+            check_quantity(at, criterion, project, problems, kept, dampers)
         if isinstance(criterion, MeasureCriterion) and not _measured(problems, at, criterion, project):
             continue
         traits = criterion.traits
@@ -86,17 +85,6 @@ def _limits(problems: Problems, at: Keys, criterion: LimitCriterion) -> None:
             " [E-VALUE-04]"
         )
         problems.at_value((*at, "least"), message)
-
-
-def _kept(problems: Problems, at: Keys, criterion: LimitCriterion, kept: Collection[HistoryKind] | None) -> None:
-    needed = criterion.traits.kept
-    if needed is not None and kept is not None and needed not in kept:
-        what = f"the resultant of `{criterion.subject}`" if criterion.resultant else f"`{criterion.subject}`"
-        message = (
-            f"{what} is computed from the histories of {needed}, which are not kept; "
-            f"add `{needed}` to `outputs: histories` [E-CRIT-05]"
-        )
-        problems.at_value((*at, "measure" if isinstance(criterion, MeasureCriterion) else "quantity"), message)
 
 
 def _measured(problems: Problems, at: Keys, criterion: MeasureCriterion, project: AnalysisFile) -> bool:

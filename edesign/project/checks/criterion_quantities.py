@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
+from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.names import check_names
 from edesign.project.checks.selections import GridSelections, Selections
@@ -21,6 +22,7 @@ def check_quantity(
     criterion: QuantityCriterion,
     project: AnalysisFile,
     problems: Problems,
+    kept: Collection[HistoryKind] | None,
     dampers: Mapping[str, Sequence[str]],
 ) -> None:
     """Check the places of a quantity, and that the archive will have its values.
@@ -29,6 +31,7 @@ def check_quantity(
         criterion: as read; it has no schema problems.
         project: whose structure it means.
         problems: collects what is wrong.
+        kept: histories that the study keeps of every record; None: not known.
         dampers: names of the dampers of each variant.
     """
     name = criterion.quantity
@@ -43,6 +46,12 @@ def check_quantity(
     for key in quantity.own:
         if getattr(criterion, key) is None:
             problems.under(keys, key, f"this key is missing; `{name}` is not known without it [E-KEY-02]")
+    if quantity.kept is not None and kept is not None and quantity.kept not in kept:
+        message = (
+            f"`{name}` is computed from the histories of {quantity.kept}, which are not kept; "
+            f"add `{quantity.kept}` to `outputs: histories` [E-CRIT-05]"
+        )
+        problems.at_value((*keys, "quantity"), message)
     if "floors" in own:
         GridSelections(problems, project.grid.n_storeys, project.structure).floors(keys, criterion.floors)
     if "lines" in own and isinstance(project, Project):

@@ -221,8 +221,6 @@ class MeasureCriterion(_SomewhereInSpace):
             bends_beams=place == "beam",
             members=self.members,
             members_of=place if place == "column" or place == "beam" or place == "brace" else None,
-            kept=RESULTANTS[resultant] if (resultant := self.resultant) else None,
-            over_time=resultant or "",
             from_below=self.most is None,
         )
 
@@ -294,8 +292,8 @@ class QuantityCriterion(_SomewhereInSpace):
             of_dampers=quantity.place == "damper" or quantity.of_dampers or self.term == "dampers",
             bends_beams=quantity.bends,
             members=self.members,
-            kept=RESULTANTS[resultant] if (resultant := self.resultant) else quantity.kept,
-            over_time=resultant or quantity.over_time,
+            kept=quantity.kept,
+            over_time=quantity.over_time,
             from_below=self.most is None,
         )
 

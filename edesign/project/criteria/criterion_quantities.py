@@ -116,8 +116,6 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         MULTIPLE,
         "storey",
         "largest drift of the worst column line over the largest mean drift of all lines",
-        kept="storeys",
-        over_time="storey_drift",
         in_space=DIRECTED,
         of_buildings=True,
     ),
@@ -211,12 +209,7 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         FORCE, "frame", "sum of the horizontal reactions, those of dampers included", in_space=DIRECTED
     ),
     "base_shear_resultant": ArchivedQuantity(
-        FORCE,
-        "frame",
-        "of the base shears along x and y at one instant",
-        kept="storeys",
-        over_time="base_shear",
-        of_buildings=True,
+        FORCE, "frame", "of the base shears along x and y at one instant", of_buildings=True
     ),
     "overturning_moment": ArchivedQuantity(
         MOMENT,

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Literal
 
-from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.notation.quantities import ACCELERATION, FORCE, LENGTH, ROTATION, Kind
 from edesign.project.notation.units import parse_quantity, parse_ratio
 from edesign.project.notation.written import Json, quantity, ratio
@@ -51,15 +50,15 @@ ELSEWHERE = {
     "residual_storey_drift": "residual_line_drift",
 }
 """Quantities of floors and storeys of a building, and what they are on column lines."""
-RESULTANTS: dict[str, HistoryKind] = {
-    "floor_displacement": "floors",
-    "floor_acceleration": "floors",
-    "point_displacement": "floors",
-    "point_acceleration": "floors",
-    "storey_shear": "storeys",
-    "base_shear": "storeys",
-}
-"""Quantities whose resultants of both directions are computed, with the histories that must be kept for them."""
+RESULTANTS = (
+    "floor_displacement",
+    "floor_acceleration",
+    "point_displacement",
+    "point_acceleration",
+    "storey_shear",
+    "base_shear",
+)
+"""Quantities of buildings that have resultants of both directions."""
 
 
 @dataclass(frozen=True)

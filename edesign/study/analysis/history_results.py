@@ -35,12 +35,14 @@ from edesign.study.results.members import axial_forces, leaning_column_forces, m
 from edesign.study.results.motion import node_displacements, store_motion, without_histories
 from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, directed, store, store_run
 from edesign.study.results.requested import requested_quantities
+from edesign.study.results.resultants import Resultants
 from edesign.study.results.springs import hinge_warnings, spring_quantities
 from edesign.study.results.storeys import (
     by_line,
     drifts_in_words,
     line_drifts,
     store_drift_extremes,
+    store_mean_drifts,
     storey_drifts,
     storey_shears,
     storey_torques,
@@ -117,7 +119,9 @@ class HistoryResults:
         self._names = rotation_names(frame, self._drifts, self._others)
         drift = replace(self._drift, history=storeys or keep_drift)
         kept = [self._displacements, drift, *self._base, *self._others]
+        self._resultants = Resultants(kept)
         self.channels: list[Channel] = channels([*kept, self._drifts, *self._couples.quantities])
+        self.channels += self._resultants.channels()
         self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
 
     def drift(self, response: Response) -> np.ndarray:
@@ -151,7 +155,9 @@ class HistoryResults:
         store(group, [self._displacements, self._drift, *self._base, *others], response, "time", SINGLE)
         if self._moving:
             store_motion(group, self._moving, response)
+        self._resultants.store(group, response)
         store_drift_extremes(group, frame, self._drifts, response)
+        store_mean_drifts(group, self._drift, response)
         warnings = buckling_warnings(group, frame)
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))

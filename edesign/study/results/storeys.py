@@ -103,6 +103,21 @@ def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, resp
         group.add(f"line_drift_{which}", ("drift_line", "direction"), values, "1", label)
 
 
+def store_mean_drifts(group: Group, drifts: Quantity, response: Response) -> None:
+    """Add the extremes over time of the mean drifts of a building's storeys to a group; nothing of a plane frame.
+
+    Args:
+        group: of the analysis.
+        drifts: as `storey_drifts` gives them.
+        response: of the analysis.
+    """
+    if drifts.dims[-1] != "direction":
+        return
+    for which, words in (("max", "largest"), ("min", "smallest")):
+        label = f"{drifts.long_name}, {words} value"
+        group.add(f"mean_storey_drift_{which}", drifts.dims, drifts.extreme(response, which), "1", label)
+
+
 def storey_shears(frame: FrameModel, history: bool) -> Quantity:
     """Return the horizontal force in all columns and braces of each storey, second-order terms included, N.
 

@@ -183,6 +183,9 @@ def test_forces_of_storeys_and_of_the_base(judged: Judged) -> None:
         "measure: base_shear, direction: resultant",
     ):
         assert judged(asked, "most: 1 MN") == (both, "")
+    instant = np.hypot(*base.T).argmax()
+    angle = np.arctan2(base[instant, 1], base[instant, 0])
+    assert judged.values("base_shear_resultant_angle") == pytest.approx(angle, abs=1e-5)
     roof = judged.values("floor_displacement")[:, 1]
     value, place = judged("measure: roof_displacement, direction: resultant", "most: 1 m")
     assert (value, place) == (pytest.approx(np.hypot(*roof.T).max(), rel=SINGLE), "storey 2")
@@ -305,9 +308,9 @@ def test_words_say_where(whole: Building) -> None:
 
 
 def test_what_the_archive_lacks_is_said(judged: Judged) -> None:
-    bare = replace(judged.group, variables={n: v for n, v in judged.group.variables.items() if n != "base_shear"})
-    lacking = Judged(judged.whole, bare).verdict("measure: base_shear, direction: resultant", "most: 1 MN")
-    assert (lacking.answer, lacking.remark) == ("open", "`base_shear` is not in the archive")
+    bare = replace(judged.group, variables={n: v for n, v in judged.group.variables.items() if "bending" not in n})
+    lacking = Judged(judged.whole, bare).verdict("quantity: section_use")
+    assert (lacking.answer, lacking.remark) == ("open", "`member_bending_moment` is not in the archive")
     lacking = judged.verdict("quantity: point_displacement, at: B2", "most: 1 m")
     assert (lacking.answer, lacking.remark) == ("does not apply", "there is no corner of a floor in the places chosen")
     lacking = judged.verdict("quantity: line_drift, at: A1, frames: X3")

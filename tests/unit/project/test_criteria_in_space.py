@@ -67,15 +67,6 @@ def test_what_is_wrong_is_told_with_its_place(text: str, said: str) -> None:
     assert problem.startswith("1:") and says(problem, said), problem
 
 
-def test_histories_that_resultants_need_are_kept() -> None:
-    asked = "measure: base_shear, direction: resultant, most: 1 MN"
-    assert problems_of(asked, building(SMALL)) == []
-    (problem,) = problems_of(asked, building(SMALL), ("floors",))
-    assert says(problem, "the resultant of `base_shear_N` is computed from the histories of storeys E-CRIT-05")
-    (problem,) = problems_of("quantity: torsional_ratio, most: 1.4", building(SMALL), ("floors",))
-    assert says(problem, "`torsional_ratio` is computed from the histories of storeys E-CRIT-05")
-
-
 def test_all_keys_together_are_right() -> None:
     whole = building(SMALL)
     for text in (
