@@ -93,7 +93,7 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
     of = VariantMembers(file, archived_study(archive)) if isinstance(file, Project) else None
     for level, variants in levels.items():
         found = {
-            variant: dict((one.record, (one, group)) for one, group in with_results(archive, chosen, *NEEDED))
+            variant: {_motion(one, group): (one, group) for one, group in with_results(archive, chosen, *NEEDED)}
             for variant, chosen in variants.items()
         }
         found = {variant: records for variant, records in found.items() if records}
@@ -114,19 +114,26 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
             masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
             dampers, own = tuple(names_of(group, "damper")), file if of is None else of.project(variant)
-            if isinstance(own, Project):
-                geometry = moving_frame(own.frame, dampers, masses)
-            else:
-                assert isinstance(own, Building)
+            if isinstance(own, Building):
                 geometry = moving_building(own, dampers)
+            else:
+                assert isinstance(own, Project)
+                geometry = moving_frame(own.frame, dampers, masses)
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]
-        label = first[0][1][0].motion
+        label = f"{first[0][1][0].motion}{record.removeprefix(first[0][1][0].record)}"
         yield Scene(level, label, *counts, len(shown) - len(first), time, ground, scale, tuple(moving))
 
 
 NEEDED = ("floor_displacement", "ground_acceleration", "storey_height", "storey_drift_max", "storey_drift_min")
+
+
+def _motion(history: History, group: Group) -> str:
+    """The record; of a building with the angle and the place of the masses, of which there may be several."""
+    angle, place = (group.attributes.get(name) for name in ("angle_deg", "eccentricity"))
+    turned = f", turned by {float(str(angle)):g}°" if angle else ""
+    return f"{history.record}{turned}" + f", masses shifted to {place}" * (place not in (None, "", "0"))
 
 
 def _record(found: dict[str, dict[str, tuple[History, Group]]]) -> tuple[str, tuple[int, int]]:

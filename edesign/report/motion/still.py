@@ -183,7 +183,8 @@ def motion_caption(scene: Scene) -> str:
     many = ""
     if scene.of > 1:
         kept = f" and of the {scene.among} kept in most detail" if scene.among < scene.of else ""
-        many = f", of {scene.of} records{kept} the one nearest to the mean peak drift"
+        which = "motions" if scene.in_space else "records"  # of a building also angles and places of the masses
+        many = f", of {scene.of} {which}{kept} the one nearest to the mean peak drift"
     drifts = [f"{_largest_drift(one)}{f' ({one.title})' * bool(one.title)}" for one in scene.variants]
     sentences = [
         f"Motion of the {'building' if scene.in_space else 'frame'}, {scene.record}{at_level(scene.level)}{many}",

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from moving_building import DAMPERS, PICTURES, STEP, formula, moving_archive, small_building
+from moving_building import DAMPERS, PICTURES, STEP, formula, moving_archive, moving_group, small_building
 
 from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.report.motion.building_geometry import moving_building
 from edesign.report.motion.encoding import scene_text
 from edesign.report.motion.geometry import Geometry
@@ -17,6 +18,7 @@ from edesign.report.motion.moving import rigid_motion
 from edesign.report.motion.scenes import Scene, scenes
 from edesign.report.motion.still import member_curve, motion_caption
 from edesign.report.motion.still_building import building_still
+from edesign.study.results.provenance import root_group
 
 
 @pytest.fixture(scope="module")
@@ -139,6 +141,22 @@ def test_rigid_floors_are_three_numbers_and_others_three_a_node(scene: Scene) ->
     }
     assert '"loose":[]' in of["rigid"] and '"loose":[]' not in of["loose"]
     assert len(of["rigid"]) < len(of["loose"])
+
+
+def test_one_angle_of_a_record_is_shown_and_named(tmp_path: Path) -> None:
+    """Two angles of one record are two motions, of which one is shown, also where both have the same name."""
+    building = small_building(tmp_path)
+    writer = ArchiveWriter(tmp_path / "turned.h5", root_group(building, ["wave.0deg", "wave.90deg"], {}))
+    for angle in (0.0, 90.0):
+        group = moving_group(building)
+        group.attributes |= {"angle_deg": angle, "eccentricity": "+x+y"}
+        writer.write(f"analyses/wave.{angle:g}deg", group)
+    with open_archive(writer.finish({"status": "completed"})) as archive:
+        (scene,) = scenes(archive)
+    (one,) = scene.variants
+    turned = ", turned by 90°" if one.analysis.endswith("90deg") else ""
+    assert scene.record == f"wave{turned}, masses shifted to +x+y" and scene.of == 2
+    assert "of 2 motions" in motion_caption(scene)
 
 
 def test_still_has_two_elevations_and_the_plan(scene: Scene) -> None:
