@@ -370,8 +370,12 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
 
     legend(box) {
       const list = node(box, "ul", { class: "legend" }), { frames, scene } = this;
-      const entry = (color, text) => { node(node(list, "li"), "i").style.background = color; list.lastChild.append(text); };
-      if (frames.some(f => f.rings.length)) for (const [name, color] of scene.classes) entry(color, `hinge ${name}`);
+      const entry = (color, text, looks = "") => {
+        node(node(list, "li"), "i").style.cssText = `background: ${color};${looks}`;
+        list.lastChild.append(text);
+      };
+      const bar = "width: 1.3rem; height: .5rem; border-radius: .25rem";
+      if (frames.some(f => f.rings.length)) for (const [name, color] of scene.classes) entry(color, `hinge ${name}`, bar);
       if (!frames.some(f => f.worked)) return;
       const strokes = frames.some(f => f.deformation), most = Math.max(...frames.map(f => f.worked ? f.most : 0));
       const largest = `${+(most * (strokes ? 1e3 : 1e-3)).toPrecision(3)} ${strokes ? "mm" : "kN"}`;

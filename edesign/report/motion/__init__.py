@@ -1,1 +1,1 @@
-"""The motion of frames over time as the report shows it: what moves, read from the archive, packed, and one still."""
+"""The motion of frames and buildings over time as the report shows it: what moves, as read, packed, and one still."""

@@ -11,7 +11,8 @@ import numpy as np
 
 from edesign.report.drawing.captions import plain
 from edesign.report.motion.geometry import SIGN, Hung, floor_shares
-from edesign.report.motion.moving import FINER, Loop, Moving, rigid_motion
+from edesign.report.motion.moving import FINER, Loop, Moving
+from edesign.report.motion.plan_motion import rigid_motion
 from edesign.report.motion.scenes import Scene
 from edesign.report.response.frame_figures import COLORS
 from edesign.study.results.motion import FINENESS

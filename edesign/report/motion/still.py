@@ -216,4 +216,4 @@ def _largest_drift(one: Moving) -> str:
     if not one.geometry.in_space:
         return f"{plain(100.0 * float(largest.max()))} %"
     along_x, along_y = (plain(100.0 * float(value)) for value in largest.max(axis=0))
-    return f"{along_x} % along x, {along_y} % along y"
+    return f"{along_x} % along x and {along_y} % along y"

@@ -14,7 +14,7 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.report.motion.building_geometry import moving_building
 from edesign.report.motion.encoding import scene_text
 from edesign.report.motion.geometry import Geometry
-from edesign.report.motion.moving import rigid_motion
+from edesign.report.motion.plan_motion import rigid_motion
 from edesign.report.motion.scenes import Scene, scenes
 from edesign.report.motion.still import member_curve, motion_caption
 from edesign.report.motion.still_building import building_still
