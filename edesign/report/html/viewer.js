@@ -461,7 +461,7 @@
   document.querySelectorAll(".viewer").forEach(async (root, number) => {
     try {
       const scene = JSON.parse(root.querySelector("script").textContent);
-      const tools = { node, path, short, signed, mixed, Diagram, Viewer, PUSH, PULL, REST };
+      const tools = { node, path, short, signed, mixed, Diagram, Viewer, PUSH, PULL, REST, TUNED };
       const Chosen = scene.space ? viewerOfBuildings(tools) : Viewer;
       new Chosen(root, scene, await unpack(scene.data), number);
     } catch (error) { // an old browser: the still stays

@@ -1,6 +1,6 @@
 /* The motion of whole buildings, in perspective: stands before viewer.js in pages that show one, and takes its tools. */
 "use strict";
-const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, PUSH, PULL, REST }) => {
+const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, PUSH, PULL, REST, TUNED }) => {
   const DEGREE = Math.PI / 180, AXES = ["x", "y"];
   const FAR = 4, PARALLEL = 1e4; // from the eye to the middle of the building, in its larger half side
   const STEP = 5, NEARER = 1.15, NEAREST = 8; // degrees and factor of a key; the largest factor
@@ -53,7 +53,7 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
     constructor(box, about, read, scene, eye) {
       Object.assign(this, { about, scene, eye, rings: about.ends, last: [0, 1, 0], fingers: new Map() });
       for (const name of ["floors", "drift", "drift_max", "drift_min", "uz", "rx", "ry", "ux", "uy", "rz", "rotation", "force",
-        "deformation"]) this[name] = about[name] ? read(about[name]) : null;
+        "deformation", "strokes"]) this[name] = about[name] ? read(about[name]) : null;
       this.bodies = about.bodies.map(({ nodes, at, moved, turn }) => ({ nodes, at, moved: read(moved), turn: read(turn) }));
       this.storeys = about.drift.w / 2;
       this.worked = this.deformation || this.force;
@@ -212,6 +212,17 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
         parts.push({ layer: 3 * this.layer(Math.max(one.body[0][2], one.body[1][2])), depth, draw: () =>
           this.drawDamper(pen, i, k, one.braces.map(ends => ends.map(end => see(hung(end)))),
             one.span.map(s => see(between(from, to, s))), faded(depth), colors) });
+      });
+      about.masses.forEach(([name, point, c], i) => {
+        const foot = hung(point), stroke = this.strokes(k, i) + share * (this.strokes(next, i) - this.strokes(k, i));
+        const place = see(plus(foot, [0, 1, 2].map(d => d === c ? stroke : 0), scale));
+        this.figure.dataset[`stroke${i}`] = stroke;
+        parts.push({ layer: 3 * this.layer(point[2]) + 2, depth: place[2] - 1e-3, draw: () => {
+          const [x, y] = place, [x0, y0] = see(foot);
+          this.stroke(pen, [[x0, y0], [x0, y0 - 6], [x, y - 6]], colors.soft, 1, faded(place[2]));
+          Object.assign(pen, { fillStyle: TUNED, globalAlpha: faded(place[2]) });
+          pen.fillRect(x - 6, y - 12, 12, 12);
+        } });
       });
       const below = this.eye.tilt < 0 ? -1 : 1; // what is nearer to the eye comes last
       parts.sort((a, b) => below * (a.layer - b.layer) || b.depth - a.depth).forEach(part => part.draw());
@@ -376,6 +387,7 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
       };
       const bar = "width: 1.3rem; height: .5rem; border-radius: .25rem";
       if (frames.some(f => f.rings.length)) for (const [name, color] of scene.classes) entry(color, `hinge ${name}`, bar);
+      if (frames.some(f => f.about.masses.length)) entry(TUNED, "tuned mass");
       if (!frames.some(f => f.worked)) return;
       const strokes = frames.some(f => f.deformation), most = Math.max(...frames.map(f => f.worked ? f.most : 0));
       const largest = `${+(most * (strokes ? 1e3 : 1e-3)).toPrecision(3)} ${strokes ? "mm" : "kN"}`;

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from itertools import combinations
+
+import numpy as np
 
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS, Layout, corners
@@ -15,18 +19,19 @@ from edesign.project.building.names import (
     node_name,
 )
 from edesign.project.building.supports import FIXED, PINNED, Springs
-from edesign.report.motion.geometry import Geometry, Hung, MovingDamper, Place, Support
+from edesign.report.motion.geometry import SAME, Geometry, Hung, MovingDamper, MovingMass, Place, Support
 
 _IN_BAY = re.compile(r"([VRFS])([XY])_([A-Z]+|\d+)_(\d+)_(\d+)(?:_(r|f))?(?:_\d+)?")
 _MIDDLE = (0.4, 0.6)  # the shares of a diagonal between which its damper is drawn
 
 
-def moving_building(building: Building, dampers: tuple[str, ...]) -> Geometry:
+def moving_building(building: Building, dampers: tuple[str, ...], masses: tuple[str, ...] = ()) -> Geometry:
     """Return what moves of a building.
 
     Args:
         building: its members.
         dampers: names of its dampers; those in places that the building does not have are left out.
+        masses: names of its tuned masses.
     """
     layout = building.layout
     nodes: dict[str, Place] = {name: tuple(map(float, place)) for name, place in layout.nodes.items()}
@@ -42,6 +47,7 @@ def moving_building(building: Building, dampers: tuple[str, ...]) -> Geometry:
         tuple(damper for damper in map(at.damper, dampers) if damper is not None),
         tuple(float(level) for level in layout.levels),
         tuple(supports),
+        masses=tuple(at.mass(name) for name in masses),
         hinged=_hinged(layout),
         slabs=_slabs(layout, order),
         grid=_grid(building),
@@ -120,6 +126,23 @@ class _Points:
         below = Hung(apex.at, (left.nodes[0], right.nodes[0]), 0.5)
         return MovingDamper(name, ((left, below), (right, below)), (below, apex), (0.0, 1.0))
 
+    def mass(self, name: str) -> MovingMass:
+        """Return a tuned mass by its name, whose number is that in the file; without a column line amid its floor."""
+        floor, number = (int(part) for part in name.split("_")[1:3])
+        attachments = self._building.dampers.attachments if self._building.dampers is not None else ()
+        item = attachments[number - 1] if number <= len(attachments) else None
+        direction = 1 if item is not None and item.direction == "y" else 0
+        at = self._of_node(node_name(item.at, floor)) if item is not None and item.at else None
+        return MovingMass(name, at or self._amid(floor), direction)
+
+    def _amid(self, floor: int) -> Hung:
+        """The middle of the two nodes of a floor between which its middle is best met."""
+        level = self._building.levels[floor]
+        there = {i: np.array(place) for i, place in enumerate(self._nodes.values()) if abs(place[2] - level) < SAME}
+        middle = np.mean(list(there.values()), axis=0)
+        pair = min(combinations(there, 2), key=lambda ends: float(np.linalg.norm(_half(there, ends) - middle)))
+        return Hung(tuple(_half(there, pair).tolist()), pair, 0.5)
+
     def _of_node(self, name: str) -> Hung | None:
         if name not in self._order:
             return None
@@ -141,6 +164,10 @@ class _Points:
             return found
         at = tuple(0.5 * (a + b) for a, b in zip(left.at, right.at, strict=True))
         return Hung(at, (left.nodes[0], right.nodes[0]), 0.5)
+
+
+def _half(places: Mapping[int, np.ndarray], ends: tuple[int, int]) -> np.ndarray:
+    return np.asarray(0.5 * (places[ends[0]] + places[ends[1]]))
 
 
 def _between(name: str, start: Hung | None, end: Hung | None) -> MovingDamper | None:

@@ -164,6 +164,7 @@ def _in_space(one: Moving, packed: Packed) -> dict[str, Any]:
         "hinged": sorted([names.index(name), end] for name, end in geometry.hinged),
         "slabs": geometry.slabs,
         "grid": [[label, _places(start), _places(end)] for label, start, end in geometry.grid],
+        "masses": [[mass.name, _hung(mass.at), mass.direction] for mass in geometry.masses],
         "whole": one.nodes is not None,
     }
     if loose:

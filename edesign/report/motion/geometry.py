@@ -62,10 +62,11 @@ class Support:
 
 @dataclass(frozen=True)
 class MovingMass:
-    """A tuned mass by its name, and the point of its floor that it stands over at rest."""
+    """A tuned mass by its name, the point of its floor that it stands over at rest, and whether it moves along x or y."""
 
     name: str
     at: Hung
+    direction: int = 0
 
 
 @dataclass(frozen=True)

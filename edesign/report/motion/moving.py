@@ -89,7 +89,7 @@ class Moving:
 
     @property
     def reach(self) -> float:
-        """The largest displacement of a floor or of a tuned mass, of a building also of a node, m."""
+        """The largest displacement of a floor or of a tuned mass, of a building that of a floor or node, m."""
         if self.geometry.in_space:
             return float(max(np.max(np.abs(self.floors)), np.max(np.abs(self.node_motion[..., :3]))))
         return float(np.max(np.abs(np.column_stack((self.floors, self._masses)))))

@@ -114,11 +114,11 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
             masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
             dampers, own = tuple(names_of(group, "damper")), file if of is None else of.project(variant)
-            if isinstance(own, Building):
-                geometry = moving_building(own, dampers)
-            else:
-                assert isinstance(own, Project)
+            if isinstance(own, Project):
                 geometry = moving_frame(own.frame, dampers, masses)
+            else:
+                assert isinstance(own, Building)
+                geometry = moving_building(own, dampers, masses)
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]

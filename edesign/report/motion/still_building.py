@@ -12,7 +12,7 @@ from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.motion.encoding import fitting_scale
 from edesign.report.motion.moving import Moving
 from edesign.report.motion.scenes import Scene
-from edesign.report.motion.still import MARGIN, UNMOVED, class_legend, hung_place, member_curve
+from edesign.report.motion.still import MARGIN, TUNED, UNMOVED, class_legend, hung_place, member_curve
 from edesign.report.response.frame_figures import COLORS, SIZES
 
 if TYPE_CHECKING:
@@ -94,6 +94,11 @@ def _draw(
         lines = [[hung_place(point, motion, scale) for point in brace] for brace in damper.braces]
         _strokes(axis, (np.array(line)[:, across] for line in lines), color=MEAN, lw=0.4, zorder=1.6)
         axis.plot(*body.T, color=MEAN, lw=1.8, zorder=1.7)
+    for mass, stroke in zip(geometry.masses, one.strokes[picture], strict=True):
+        foot = hung_place(mass.at, motion, scale)
+        top = foot + scale * float(stroke) * np.eye(3)[mass.direction]
+        _strokes(axis, (np.array((foot, top))[:, across],), color=MEAN, lw=0.6, zorder=1.6)
+        axis.plot(*top[across], marker="s", ms=4.5, color=TUNED, zorder=1.8)
     if plan:
         return set()
     moved = places + scale * motion[:, :3]

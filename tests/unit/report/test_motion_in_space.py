@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from moving_building import DAMPERS, PICTURES, STEP, formula, moving_archive, moving_group, small_building
+from moving_building import DAMPERS, PICTURES, STEP, TEXT, formula, moving_archive, moving_group, small_building
 
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
+from edesign.project.building import load_building
 from edesign.report.motion.building_geometry import moving_building
 from edesign.report.motion.encoding import scene_text
 from edesign.report.motion.geometry import Geometry
@@ -112,6 +113,25 @@ def test_dampers_hang_where_their_names_say(tmp_path: Path) -> None:
     # this one meets the node in the middle of the beam that the braces halve
     assert [names[i] for i in dampers["VY_A_1_1_r"].body[1].nodes] == ["BY_A_1_1"] * 2
     assert ends("SY_B_2_1_2") == [(6.0, 6.0, 0.0), (6.0, 6.0, 4.0)]
+
+
+def test_tuned_masses_stand_where_the_file_says(tmp_path: Path) -> None:
+    text = (
+        TEXT
+        + """\
+dampers:
+  attachments:
+    - {kind: tuned_mass, floor: 2, mass: 2 t, frequency: 1 Hz, damping: 8 %, direction: y, at: A3}
+    - {kind: tuned_mass, floor: 1, mass: 2 t, frequency: 1 Hz, damping: 8 %, direction: x}
+"""
+    )
+    (tmp_path / "building.yaml").write_text(text, encoding="utf-8")
+    found = moving_building(load_building(tmp_path / "building.yaml"), (), ("T_2_1", "T_1_2"))
+    first, second = found.masses
+    assert (first.at.at, first.direction) == ((0.0, 8.0, 7.0), 1)
+    # amid the floor, between two of its nodes: their mean is (5.2, 4, 4), one of them halves the beam on line A
+    assert second.direction == 0 and second.at.share == 0.5
+    assert second.at.at == pytest.approx((5.5, 4.0, 4.0), abs=0.5)
 
 
 def test_slabs_supports_and_hinged_ends_are_those_of_the_file(tmp_path: Path) -> None:
