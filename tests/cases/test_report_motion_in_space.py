@@ -17,7 +17,10 @@ from moving_building import DAMPERS, PICTURES, STEP, formula, moving_archive, sm
 
 from edesign.archive.reader import open_archive
 from edesign.report.html.render import Cover, render
+from edesign.report.motion.building_geometry import moving_building
 from edesign.report.motion.encoding import STEPS
+from edesign.report.motion.geometry import Geometry
+from edesign.report.motion.still import member_curve
 from edesign.report.page.sections.motion import motion
 from edesign.report.page.source import Source
 
@@ -37,6 +40,7 @@ DRIVER = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {wi
   }};
   const between = (a, b, share) => [0, 1].map(c => canvas.at[a][c] + share * (canvas.at[b][c] - canvas.at[a][c]));
   const state = () => ({{ ...canvas.dataset, ...figure.dataset, picture: +root.dataset.picture, at: canvas.at,
+    lines: canvas.lines,
     size: [canvas.clientWidth, canvas.clientHeight], hinge: color(between({hinge}, 0.1)),
     damper: color(between({damper}, 0.5)) }});
   const key = key => {{ const event = new page.KeyboardEvent('keydown', {{ key, bubbles: true, cancelable: true }});
@@ -83,9 +87,9 @@ def told(made: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]
 
 
 @pytest.fixture(scope="module")
-def nodes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[float, ...]]:
-    """The nodes of the building in the order in which they are drawn, m."""
-    return dict(small_building(tmp_path_factory.mktemp("nodes")).layout.nodes)
+def geometry(tmp_path_factory: pytest.TempPathFactory) -> Geometry:
+    """What moves of the building, in the order in which it is drawn."""
+    return moving_building(small_building(tmp_path_factory.mktemp("nodes")), ())
 
 
 def _page(archive: Path) -> Path:
@@ -124,21 +128,20 @@ def _eye(state: dict[str, Any], places: np.ndarray, middle: np.ndarray) -> np.nd
     return np.column_stack((rays @ right, rays @ up)) / (rays @ forward)[:, np.newaxis]
 
 
-def test_nodes_are_drawn_where_an_eye_sees_them(
-    made: Path, told: dict[str, Any], nodes: dict[str, tuple[float, ...]]
-) -> None:
+def test_nodes_are_drawn_where_an_eye_sees_them(made: Path, told: dict[str, Any], geometry: Geometry) -> None:
     assert told["requests"] == 0 and told["wide"] == 0
-    _compare(told, nodes, _data(made)["scale"])
+    _compare(told, geometry, _data(made)["scale"])
 
 
 @pytest.mark.slow
-def test_nodes_are_drawn_on_a_phone(made: Path, tmp_path: Path, nodes: dict[str, tuple[float, ...]]) -> None:
+def test_nodes_are_drawn_on_a_phone(made: Path, tmp_path: Path, geometry: Geometry) -> None:
     told = _seen(made, tmp_path, 360)
     assert told["wide"] == 0
-    _compare(told, nodes, _data(made)["scale"])
+    _compare(told, geometry, _data(made)["scale"])
 
 
-def _compare(told: dict[str, Any], nodes: dict[str, tuple[float, ...]], scale: float) -> None:
+def _compare(told: dict[str, Any], geometry: Geometry, scale: float) -> None:
+    nodes = geometry.nodes
     rest = np.array(list(nodes.values()))
     middle = 0.5 * (rest.min(axis=0) + rest.max(axis=0))
     for name, state in told["found"].items():
@@ -150,13 +153,20 @@ def _compare(told: dict[str, Any], nodes: dict[str, tuple[float, ...]], scale: f
         # displacements, up to 0.08 m, are rounded by the viewer to 1/4000 of the largest at most; nothing is nearer
         metre = focus / (float(state["away"]) - 8.0)
         assert drawn == pytest.approx(focus * seen, abs=scale * 0.08 / STEPS * metre + 0.01, rel=0.0), name
+        # members bend as cubics, which another test compares with beam theory
+        motion = formula(nodes, np.array([STEP * state["picture"]]))[0]
+        for member, line in zip(geometry.members, state["lines"], strict=True):
+            curve = _eye(state, member_curve(geometry, member, motion, scale, len(line)), middle)
+            found = (np.array(line)[:, :2] - (0.5 * wide, 0.5 * high)) * (1.0, -1.0)
+            # turns are rounded as displacements, in rad; their arm is 4/27 of the length of a member, 6 m at most
+            assert found == pytest.approx(focus * curve, abs=2.0 * scale * 0.08 / STEPS * metre + 0.01, rel=0.0), member
         if name not in ("near", "drag", "pinch"):  # nearer than all of it
             assert np.all(np.abs(drawn) < (0.5 * wide, 0.5 * high)), name
 
 
-def test_it_is_not_mirrored(told: dict[str, Any], nodes: dict[str, tuple[float, ...]]) -> None:
+def test_it_is_not_mirrored(told: dict[str, Any], geometry: Geometry) -> None:
     """Seen from the front x goes right, y away and z up; from above y goes up; and x across y points at the eye."""
-    names = list(nodes)
+    names = list(geometry.nodes)
 
     def at(state: str, node: str) -> np.ndarray:
         return np.array(told["found"][state]["at"][names.index(node)])
@@ -233,13 +243,14 @@ def test_only_pages_of_buildings_have_its_program(made: Path) -> None:
     assert f"script-src 'sha256-{digest}'" in text
 
 
-def test_floors_alone_move_as_rigid_bodies(tmp_path: Path, nodes: dict[str, tuple[float, ...]]) -> None:
+def test_floors_alone_move_as_rigid_bodies(tmp_path: Path, geometry: Geometry) -> None:
     """Without the nodes their motion in plan is that of the floors, turn included, to the rounding of the viewer."""
     page = _page(moving_archive(tmp_path, motion=False))
     (about,) = _data(page)["variants"]
     assert about["loose"] == [] and len(about["bodies"]) == 3 and not about["whole"]
     assert "Only floors were kept" in page.read_text(encoding="utf-8")
     state = _seen(page, tmp_path, 1280)["found"]["plan"]
+    nodes = geometry.nodes
     moved = formula(nodes, np.array([STEP * state["picture"]]))[0, :, :2]
     rest = np.array(list(nodes.values()))[:, :2]
     drawn = np.array(state["at"])[:, :2] * (1.0, -1.0)

@@ -189,8 +189,8 @@ const viewerOfBuildings = ({ node, path, short, signed, mixed, Diagram, Viewer, 
       this.drawGround(pen, see, colors);
       const depths = canvas.at.map(p => p[2]), near = Math.min(...depths), deep = Math.max(...depths) - near || 1;
       const faded = depth => 1 - 0.62 * Math.max(0, Math.min(1, (depth - near) / deep)); // the farther, the paler
-      const parts = about.members.map((_, i) => {
-        const points = this.curve(i, at, moved, scale).map(see);
+      canvas.lines = about.members.map((_, i) => this.curve(i, at, moved, scale).map(see));
+      const parts = canvas.lines.map((points, i) => {
         const depth = (points[0][2] + points[points.length - 1][2]) / 2;
         return { layer: this.order[i], depth, draw: () => this.drawMember(pen, i, points, faded(depth), ranks, colors) };
       });

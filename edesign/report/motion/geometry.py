@@ -62,7 +62,7 @@ class Support:
 
 @dataclass(frozen=True)
 class MovingMass:
-    """A tuned mass by its name, the point of its floor that it stands over at rest, and whether it moves along x or y."""
+    """A tuned mass by its name, the point of its floor that it stands over at rest, and its direction: 0 x, 1 y."""
 
     name: str
     at: Hung
