@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 
 from edesign.assess.statistics import CODES, code_statistic, statistic
@@ -102,14 +101,15 @@ def too_few_motions(study: Study, name: str) -> list[str]:
     ]
 
 
-def _motions(study: Study) -> Counter[tuple[str, str]]:
-    """How many motions each variant has at each level when all of the study has run."""
-    found: Counter[tuple[str, str]] = Counter()
+def _motions(study: Study) -> dict[tuple[str, str], int]:
+    """How many motions each variant has at each level when all of the study has run; one at all its angles is one."""
+    found: dict[tuple[str, str], set[str]] = {}
     for task in make_study_plan(study):
         if isinstance(task.spec, HistoryAnalysis) and task.stripe is None:
             warm = task.temperature_C
-            found[task.variant if warm is None else warm_variant(task.variant, warm), task.spec.level or ""] += 1
-    return found
+            variant = task.variant if warm is None else warm_variant(task.variant, warm)
+            found.setdefault((variant, task.spec.level or ""), set()).add(task.spec.record)
+    return {key: len(records) for key, records in found.items()}
 
 
 def kept_for_verification(study: Study, verify: AnyVerify) -> Outputs:
