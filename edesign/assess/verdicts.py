@@ -46,6 +46,7 @@ class Verdict:
         governing_line, governing_direction, governing_axis: of it in a building, "" where there is none.
         count: histories with a value.
         missing: histories without.
+        motions: of these histories, if several are of one motion.
         applies: False: it means nothing of this variant, or the study runs no history of it at this level.
         from_below: the value must not be less than the limit.
     """
@@ -66,6 +67,7 @@ class Verdict:
     count: int
     missing: tuple[str, ...]
     governing_floor: int | None = None
+    motions: int | None = None
     governing_line: str = ""
     governing_direction: str = ""
     governing_axis: str = ""
@@ -91,6 +93,11 @@ class Verdict:
         demand, capacity = (self.limit, self.value) if self.from_below else (self.value, self.limit)
         found = None if demand is None or not capacity else demand / capacity
         return math.inf if self.met is False and (found is None or found <= 1.0) else found
+
+    @property
+    def number(self) -> int:
+        """How many motions the statistic is over, those without a value included."""
+        return self.count + len(self.missing) if self.motions is None else self.motions
 
     @property
     def negligible(self) -> bool:
@@ -256,7 +263,9 @@ def _unanswered(asked: Requirement, found: HistorySet, remark: str, applies: boo
     missing = tuple(found.histories) if applies else ()
     below = asked.share is not None or asked.most is None
     nothing = (asked.statistic, None, limit, unit, None, remark, "", None, "", 0, missing)
-    return Verdict(asked.name, asked.words, found.label, found.level, *nothing, applies=applies, from_below=below)
+    empty = Verdict(asked.name, asked.words, found.label, found.level, *nothing, applies=applies, from_below=below)
+    motions = len(set(found.motion_of.values()))
+    return replace(empty, motions=motions) if applies and motions < len(found.histories) else empty
 
 
 def _limit(asked: Requirement) -> tuple[float, str]:

@@ -27,7 +27,7 @@ class _Check(NamedTuple):
         value = measured(self.found.value, self.found.unit)
         if value is None or (self.found.count == 1 and not self.found.missing):
             return value
-        return Marked(value, f" ({self.found.statistic} of {self.found.count})")
+        return Marked(value, f" ({self.found.statistic} of {min(self.found.count, self.found.number)})")
 
     @property
     def governs(self) -> str | None:

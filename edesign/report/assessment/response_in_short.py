@@ -32,7 +32,7 @@ RESPONSE = TableSpec[HistorySet](
     "{title}",
     (
         text("histories", _name),
-        count("n", lambda found: len(found.completed)),
+        count("n", lambda found: len({found.motion_of[name] for name in found.completed})),
         _mean("drift", PERCENT, "interstorey_drift"),
         _mean("residual", PERCENT, "residual_interstorey_drift"),
         _mean("V", KN, "base_shear_N"),

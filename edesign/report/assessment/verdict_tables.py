@@ -333,9 +333,8 @@ def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
     rules = rules_in_force(hazard)
     sets: dict[str, int] = {}
     for v in verdicts:
-        count = v.count + len(v.missing)
-        if v.statistic not in ("maximum", "share") and 0 < count < rules.number_for_mean:
-            sets[", ".join(part for part in (v.variant, v.level) if part) or "the frame"] = count
+        if v.statistic not in ("maximum", "share") and 0 < v.number < rules.number_for_mean:
+            sets[", ".join(part for part in (v.variant, v.level) if part) or "the frame"] = v.number
     single = [name for name, count in sets.items() if count == 1]
     few = [name for name, count in sets.items() if count > 1]
     lines = []

@@ -51,7 +51,7 @@ def test_the_statistic_is_over_the_worst_of_each_motion() -> None:
     }
     found = verdict("most: 0.85 %", histories())
     assert found.value == pytest.approx(0.008, rel=1e-14)  # the mean of 1.0 and 0.6 %; of all eight it is 0.56 %
-    assert (found.met, found.count, found.governing_history) == (True, 8, "bare.DBE.a.0deg.+x+y")
+    assert (found.met, found.count, found.motions, found.governing_history) == (True, 8, 2, "bare.DBE.a.0deg.+x+y")
     assert measure_statistics(of_one_level)["interstorey_drift"].mean == pytest.approx(0.008, rel=1e-14)
     least = verdict("least: 0.3 %", histories())
     assert (least.value, least.met) == (pytest.approx(0.003), True)  # the mean of 0.4 and 0.2 %
