@@ -21,7 +21,7 @@ def _position(value: Any) -> Any:
     return IN_PLACE if value == 0 and not isinstance(value, bool) else value
 
 
-_NAMES = given({"enum": [0, *get_args(Position)]})
+_NAMES = given({"enum": [0, *get_args(Position)[1:]]})
 Angles = Annotated[tuple[Angle, ...], Field(min_length=1), Written(several, one_or_list)]
 Positions = Annotated[
     tuple[Annotated[Position, Written(_position, _NAMES)], ...], Field(min_length=1), Written(several, one_or_list)
@@ -34,7 +34,6 @@ def eccentricity_of(position: str, ratio: float) -> tuple[float, float]:
 
     Args:
         position: one of `Position`.
-        ratio: of the eccentricity to the length.
     """
     signs = {position[i + 1]: 1.0 if position[i] == "+" else -1.0 for i in range(0, len(position) - 1, 2)}
     return ratio * signs.get("x", 0.0), ratio * signs.get("y", 0.0)

@@ -1,4 +1,4 @@
-"""Cross checks of pairs of records for models in space: components, files, and the fit to the hazard."""
+"""Cross checks of pairs of records for buildings: components, files, and the fit to the hazard."""
 
 from __future__ import annotations
 

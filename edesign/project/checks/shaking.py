@@ -42,7 +42,6 @@ def check_shaking(file: AnalysisFile, problems: Problems, keys: Keys, asked: _Sh
 
     Args:
         file: that is shaken.
-        problems: of the file with the histories.
         keys: their place there.
         asked: what that file says.
     """

@@ -11,10 +11,7 @@ from edesign.project.reading.problems import Keys, Problems, listed, unknown_nam
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import RecordSet, record_of
 
-_STILL = (
-    "the masses resist horizontal motion alone (`masses.directions`), so that vertical motion would do nothing"
-    " [E-VERT-01]"
-)
+_STILL = "the masses resist horizontal motion alone (`masses.directions`), so that vertical motion would do nothing"
 
 
 def check_vertical(
@@ -39,7 +36,7 @@ def check_vertical(
     pairs = {name: project.records.get(name) for name in map(record_of, records)}
     upwards = [name for name, pair in pairs.items() if isinstance(pair, InSpace) and pair.vertical]
     if upwards and still:
-        problems.at_value(keys[:-1], f"`{upwards[0]}` has a vertical component: {_STILL}")
+        problems.at_value(keys[:-1], f"`{upwards[0]}` has a vertical component: {_STILL} [E-VERT-01]")
     if motion is None:
         return
     if upwards:
@@ -53,7 +50,7 @@ def check_vertical(
         problems.at_key(keys, "give either `ratio` (times the horizontal record) or `record`, one of them [E-KEY-03]")
         return
     if still:
-        problems.at_key(keys, _STILL)
+        problems.at_key(keys, f"{_STILL} [E-VERT-01]")
     for key in ("pga", "scale"):
         if motion.record is None and getattr(motion, key) is not None:
             problems.at_key((*keys, key), "the `ratio` says the scale; leave this key out [E-KEY-03]")

@@ -1,4 +1,4 @@
-"""Pairs of horizontal components for models in space: where they come from, and how they act on the building."""
+"""Pairs of horizontal components for buildings: where they come from, and how they act on the building."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ class Study(FileModel):
         title: one line for tables and reports.
         document: what the cover of a report says beside the title.
         project: project file, relative to this file; its `analyses` are not run.
-        records: pairs of horizontal components by name, for models in space.
+        records: pairs of horizontal components by name, for buildings.
         designs: dampers to be sized, by name.
         variants: frames that are compared, by name.
         vary: values of the project in turn, each of which makes variants.

@@ -84,7 +84,6 @@ def ground_motion(
         project: the validated file, with its integration.
         spec: what it says of the history, which has one angle.
         motion: the record or the pair made ready, before the scaling of the history.
-        factor: that of the history.
         vertical: the other record made ready, if the history has one for its vertical motion.
 
     Raises:

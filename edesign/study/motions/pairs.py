@@ -184,7 +184,6 @@ def judged_pairs(
     """Return the pairs of a record that `prepare_pairs` made ready, with what the code says of them.
 
     Args:
-        motions: all pairs of the record.
         first_periods: as for `prepare_pairs`.
         angles: likewise.
     """
