@@ -43,6 +43,11 @@ class Motion:
     failure: str = ""
 
     @property
+    def parts(self) -> tuple[str, ...]:
+        """References of the recordings that it is made of."""
+        return (self.name,)
+
+    @property
     def scale(self) -> float:
         """The constant factor on the recording, that of its suite included."""
         return self.match.scale * self.match.suite_factor if self.match else 1.0

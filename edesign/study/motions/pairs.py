@@ -23,7 +23,7 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
 from edesign.project.records.pairs import InSpace, OnePair, SuitePairs
-from edesign.project.records.records import CombinedSpectrum, level_of_fit
+from edesign.project.records.records import CombinedSpectrum, level_of_fit, record_of
 from edesign.stopping import in_threads
 from edesign.study.motions.pair_criteria import FirstPeriods, PairSpectra
 
@@ -34,7 +34,7 @@ UNTURNED = (0.0,)
 class PairMotion:
     """A pair and its fit to the spectrum.
 
-    Of a single recording and of a pair `name`, `found`, `match`, `record` and `scale` are alike.
+    Of a single recording and of a pair `name`, `parts`, `found`, `match`, `record` and `scale` are alike.
 
     Attributes:
         pair: as recorded.
@@ -52,6 +52,11 @@ class PairMotion:
     def name(self) -> str:
         """Reference of the pair."""
         return self.pair.name
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """References of the recordings that it is made of."""
+        return tuple(f"{record_of(self.name)}/{found.record.name}" for found in self.pair.found)
 
     @property
     def found(self) -> Found:

@@ -41,12 +41,12 @@ def prepare_records(run: RunState, periods: Callable[[], tuple[float, ...] | Non
             run.report(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
 
     def each(motion: AnyMotion) -> None:
-        done.append(motion.name)
+        done.extend(motion.parts)
         report("advance")
 
     report("start")
     motions = project_motions(project, recordings, periods, run.workers, each, run.stopped)
-    report("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
+    report("end", f"{len([name for name in fits if name in done])} of {len(fits)} records")
     return motions
 
 
