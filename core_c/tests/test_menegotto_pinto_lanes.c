@@ -54,6 +54,7 @@ typedef struct {
   double direction; /* +1, -1; 0 while virgin */
   double strain_max, strain_min;
   double strain, stress;
+  int forgot;       /* has left more branches than it remembers */
 } mp_state;
 
 
@@ -125,8 +126,10 @@ static void prepare(const ed_steel *steel, mp_state *state, double strain)
   if (direction == state->direction)
     return;
   memory *leaving = of(state, state->direction), *entering = of(state, direction);
-  if (leaving->count == REMEMBERED)
+  if (leaving->count == REMEMBERED) {
     leaving->count--; /* the wide ones matter: forget the innermost */
+    state->forgot = 1;
+  }
   leaving->left[(int)leaving->count++] = state->now;
   /* a return behind the beginning of a branch, or across it, erases it */
   while (entering->count > 0.0 && !ahead(steel, state, direction, &entering->left[(int)entering->count - 1]))
@@ -188,10 +191,11 @@ typedef struct {
   mp_state plain[FIBRES];
 } fibres;
 
-static void set_up(fibres *f)
+static void set_up(fibres *f, int plain_turns)
 {
   memset(f, 0, sizeof *f);
   ed_menegotto_pinto_place(&f->law, FIBRES, f->block);
+  f->law.plain_turns = plain_turns;
   for (int i = 0; i < FIBRES; i++) {
     f->steel[i] = menegotto_pinto_steel(E, FY * (1.0 + 0.02 * i), 0.01 * (i % 4));
     f->steel[i].R0 = 3.0 + i % 7 * 3.0;
@@ -224,11 +228,11 @@ static double nonlinearity(const fibres *f, const double *stress, const double *
 
 /* Responses at strains on both sides of the committed ones, then the commit. Two things part the two: powers and exponentials, 2e-14,
  * with exponents up to 21 in the innermost; and a branch's line, in which 4e-15 is left out. */
-static void check_beside_plain(double size)
+static void check_beside_plain(double size, int plain_turns)
 {
   static fibres f;
   numbers source = {29};
-  set_up(&f);
+  set_up(&f, plain_turns);
   double worst = 0.0, worst_tangent = 0.0, farthest = 0.0, longest = 0.0;
   long turns = 0, remembered = 0;
   for (int step = 1; step <= 4000; step++) {
@@ -246,6 +250,8 @@ static void check_beside_plain(double size)
       CHECK_SAME(tangent, other_tangent, FIBRES);
       for (int i = 0; i < FIBRES; i++) {
         mp_state copy = f.plain[i];
+        if (!plain_turns && copy.forgot)
+          continue;
         double expected, expected_tangent;
         prepare(&f.steel[i], &copy, f.strain[i]);
         turns += copy.direction != f.plain[i].direction;
@@ -263,6 +269,8 @@ static void check_beside_plain(double size)
     for (int i = 0; i < FIBRES; i++) {
       double expected, ignored;
       const double work = advance(&f.steel[i], &f.plain[i], f.strain[i], &expected, &ignored);
+      if (!plain_turns && f.plain[i].forgot)
+        continue; /* with windows there are fewer branches, and others are forgotten */
       CHECK_NEAR(ed_menegotto_pinto_stress(f.state, i), expected, 1e-11 * FY);
       CHECK_NEAR(dissipated[i], work, 1e-11 * FY * YIELD);
     }
@@ -272,14 +280,16 @@ static void check_beside_plain(double size)
   CHECK(farthest < 1.5e-12); /* 1e-12, and powers good to 2e-14 on both sides */
   CHECK(longest > 1e-7 * YIELD);
   CHECK(turns > 10000 && remembered > 100000); /* the path is what it was meant to be */
-  printf("size %g: stress %.1e fy, tangent %.1e E, %ld turns, %ld with a memory; reach up to %.1e yield strains, to %.1e fy\n", size,
-         worst / FY, worst_tangent / E, turns, remembered, longest / YIELD, farthest);
+  printf("size %g%s: stress %.1e fy, tangent %.1e E, %ld turns, %ld with a memory; reach up to %.1e yield strains, to %.1e fy\n", size,
+         plain_turns ? ", plain turns" : "", worst / FY, worst_tangent / E, turns, remembered, longest / YIELD, farthest);
 }
 
 int main(void)
 {
-  check_beside_plain(0.1); /* elastic but for the curve's bend */
-  check_beside_plain(0.4);
-  check_beside_plain(2.0);
+  for (int plain_turns = 0; plain_turns < 2; plain_turns++) {
+    check_beside_plain(0.1, plain_turns); /* elastic but for the curve's bend */
+    check_beside_plain(0.4, plain_turns);
+    check_beside_plain(2.0, plain_turns);
+  }
   return checks_end("Menegotto-Pinto fibres in vectors");
 }

@@ -8,16 +8,18 @@
 
 enum { DEPTH = ED_LANE_WIDTH }; /* reversals inside reversals that are remembered: a fibre's fill one vector */
 
-/* What a fibre keeps beside the branches that it left; most trials read the first six. */
+/* What a fibre keeps beside the branches that it left; most trials read the first seven. */
 enum {
   STRAIN,                         /* committed */
   FROM_STRAIN, FROM_STRESS, SPAN, /* the branch followed, see below; the sign of its span is the direction of loading */
   STRAIGHT,                       /* how far that branch is straight, a size */
   SAFE,                           /* strain, in the direction, up to which no remembered branch can govern */
+  WINDOW,                         /* how far from its beginning a turn leaves the branch as it is, see set_lengths */
   EXPONENT,                       /* of the branch followed */
   STRESS,                         /* committed */
   AHEAD, BEHIND,                  /* how many branches are remembered for the direction, and for the other one */
   LARGEST, LEAST,                 /* strains so far, the yield strains at least */
+  FURTHEST,                       /* strain on the branch followed: the committed one, but where the fibre has turned in its window */
   FIELDS
 };
 /* The branches left while loading upwards, or downwards, from the widest to the innermost. A branch is where it begins, the strain from
@@ -39,6 +41,7 @@ void ed_menegotto_pinto_place(ed_menegotto_pinto *law, int n, double *block)
 {
   double **arrays[ED_MENEGOTTO_PINTO_ARRAYS] = {&law->E, &law->b, &law->yield_strain, &law->R0, &law->cR1, &law->cR2};
   law->n = n;
+  law->plain_turns = 1;
   for (int k = 0; k < ED_MENEGOTTO_PINTO_ARRAYS; k++)
     *arrays[k] = block + (size_t)k * (size_t)n;
 }
@@ -76,6 +79,72 @@ ED_INLINE void straight_length(const ed_lanes *span, const ed_lanes *R, ed_lanes
   *length *= size;
 }
 
+int ed_menegotto_pinto_valid(int n, const double *state)
+{
+  for (int i = 0; i < n; i++) {
+    const double *at = state + fields_at(i);
+    if (!(at[AT(AHEAD)] >= 0.0 && at[AT(AHEAD)] <= DEPTH && at[AT(BEHIND)] >= 0.0 && at[AT(BEHIND)] <= DEPTH))
+      return 0;
+  }
+  return 1;
+}
+
+double ed_menegotto_pinto_stress(const double *state, int fibre)
+{
+  return state[fields_at(fibre) + AT(STRESS)];
+}
+
+/* Branches that begin at (strain, stress) and go upwards or downwards, of a group of fibres with the fields `at`. The elastic line
+ * through the point meets stress = direction fy (1 - b) + b E strain. */
+ED_INLINE void branch_from(const ed_menegotto_pinto *law, const double *at, int i, const ed_lanes *strain, const ed_lanes *stress,
+                           const ed_mask *upwards, ed_lanes *span, ed_lanes *exponent)
+{
+  const ed_lanes zero = {0}, one = zero + 1.0, E = ED_LOAD(law->E + i), b = ED_LOAD(law->b + i);
+  const ed_lanes yield_strain = ED_LOAD(law->yield_strain + i), shortest = 1e-12 * yield_strain;
+  const ed_lanes direction = ED_SELECT(*upwards, one, -one);
+  const ed_lanes elastic = direction * yield_strain - (*stress - b * E * *strain) / (E * (1.0 - b));
+  /* a turn on the asymptote itself leaves no elastic part */
+  *span = ED_SELECT(direction * elastic < shortest, direction * shortest, elastic);
+  ed_lanes excursion = ED_SELECT(*upwards, ED_LOAD(at + AT(LARGEST)), ED_LOAD(at + AT(LEAST))) - (*strain + *span);
+  ed_lanes_size(&excursion, &excursion);
+  const ed_lanes share = excursion / (ED_LOAD(law->cR2 + i) * yield_strain + excursion);
+  *exponent = ED_LOAD(law->R0 + i) * (1.0 - ED_LOAD(law->cR1 + i) * share);
+}
+
+/* The branch that begins where the fibres of a group turn: at the furthest points of their branches. */
+ED_INLINE void reversal_branch(const ed_menegotto_pinto *law, const double *at, int i, ed_lanes *strain, ed_lanes *stress, ed_lanes *span,
+                               ed_lanes *exponent)
+{
+  const ed_lanes zero = {0}, E = ED_LOAD(law->E + i);
+  const ed_mask upwards = ED_LOAD(at + AT(SPAN)) < zero;
+  *strain = ED_LOAD(at + AT(FURTHEST));
+  *stress = ED_SELECT(*strain == ED_LOAD(at + AT(STRAIN)), ED_LOAD(at + AT(STRESS)),
+                      ED_LOAD(at + AT(FROM_STRESS)) + E * (*strain - ED_LOAD(at + AT(FROM_STRAIN))));
+  branch_from(law, at, i, strain, stress, &upwards, span, exponent);
+}
+
+/* Lengths of branches that have just begun or been resumed, in lanes `begun` and `resumed` of a group.
+ *
+ * Within its window a branch is its elastic line, and so would be the one that began at a turn there, back to where this one began. Such a
+ * turn needs no other branch, and most turns of frames are such. A turn at the distance m leaves to the other branch the span g + m,
+ * g that of one from the beginning of this one: m = r (g + m), where r is the share of it that is straight. A branch that is resumed has been
+ * left beyond its window. */
+ED_INLINE void set_lengths(const ed_menegotto_pinto *law, double *at, int i, const ed_mask *begun, const ed_mask *resumed)
+{
+  const ed_lanes zero = {0}, one = zero + 1.0, span = ED_LOAD(at + AT(SPAN)), own = ED_LOAD(at + AT(EXPONENT));
+  const ed_lanes strain = ED_LOAD(at + AT(FROM_STRAIN)), stress = ED_LOAD(at + AT(FROM_STRESS));
+  const ed_mask back = span < zero;
+  ed_lanes straight, share, other, exponent;
+  straight_length(&span, &own, &straight);
+  branch_from(law, at, i, &strain, &stress, &back, &other, &exponent);
+  straight_length(&one, &exponent, &share);
+  ed_lanes_size(&other, &other);
+  const ed_lanes turn = share * other / (one - share);
+  ED_STORE(at + AT(STRAIGHT), ED_SELECT(*begun | *resumed, straight, ED_LOAD(at + AT(STRAIGHT))));
+  const ed_lanes window = ED_SELECT(*begun, ED_SELECT(turn < straight, turn, straight), ED_LOAD(at + AT(WINDOW)));
+  ED_STORE(at + AT(WINDOW), ED_SELECT(*resumed, zero, window));
+}
+
 void ed_menegotto_pinto_initialise(const ed_menegotto_pinto *law, double *state)
 {
   memset(state, 0, (size_t)law->n * ED_MENEGOTTO_PINTO_STATE * sizeof *state);
@@ -92,38 +161,10 @@ void ed_menegotto_pinto_initialise(const ed_menegotto_pinto *law, double *state)
     at[AT(EXPONENT)] = law->R0[i];
     at[AT(SAFE)] = FAR;
   }
-}
-
-int ed_menegotto_pinto_valid(int n, const double *state)
-{
-  for (int i = 0; i < n; i++) {
-    const double *at = state + fields_at(i);
-    if (!(at[AT(AHEAD)] >= 0.0 && at[AT(AHEAD)] <= DEPTH && at[AT(BEHIND)] >= 0.0 && at[AT(BEHIND)] <= DEPTH))
-      return 0;
+  for (int i = 0; i < law->n && !law->plain_turns; i += ED_LANE_WIDTH) {
+    const ed_mask none = {0}, all = ~none;
+    set_lengths(law, state + fields_at(i), i, &all, &none);
   }
-  return 1;
-}
-
-double ed_menegotto_pinto_stress(const double *state, int fibre)
-{
-  return state[fields_at(fibre) + AT(STRESS)];
-}
-
-/* The branch that begins at the committed points of a group of fibres where they turn. The elastic line through the point meets
- * stress = direction fy (1 - b) + b E strain. */
-ED_INLINE void reversal_branch(const ed_menegotto_pinto *law, const double *at, int i, ed_lanes *span, ed_lanes *exponent)
-{
-  const ed_lanes zero = {0}, one = zero + 1.0, strain = ED_LOAD(at + AT(STRAIN)), E = ED_LOAD(law->E + i), b = ED_LOAD(law->b + i);
-  const ed_lanes yield_strain = ED_LOAD(law->yield_strain + i), shortest = 1e-12 * yield_strain;
-  const ed_mask upwards = ED_LOAD(at + AT(SPAN)) < zero;
-  const ed_lanes direction = ED_SELECT(upwards, one, -one);
-  const ed_lanes elastic = direction * yield_strain - (ED_LOAD(at + AT(STRESS)) - b * E * strain) / (E * (1.0 - b));
-  /* a turn on the asymptote itself leaves no elastic part */
-  *span = ED_SELECT(direction * elastic < shortest, direction * shortest, elastic);
-  ed_lanes excursion = ED_SELECT(upwards, ED_LOAD(at + AT(LARGEST)), ED_LOAD(at + AT(LEAST))) - (strain + *span);
-  ed_lanes_size(&excursion, &excursion);
-  const ed_lanes share = excursion / (ED_LOAD(law->cR2 + i) * yield_strain + excursion);
-  *exponent = ED_LOAD(law->R0 + i) * (1.0 - ED_LOAD(law->cR1 + i) * share);
 }
 
 enum {
@@ -207,7 +248,8 @@ typedef struct {
 /* Where a group of fibres is on its branches. */
 typedef struct {
   ed_lanes along, span, from_stress, straight, R;
-  ed_lanes moved, free; /* strain since the commit, and to where a remembered branch may govern */
+  ed_lanes moved;       /* strain since the commit */
+  ed_lanes back, free;  /* strain back to where it would turn, and on to where a remembered branch may govern */
   int marks; /* what its fibres do */
   int place; /* in the list of evaluations; -1 where it has none */
 } group;
@@ -254,7 +296,14 @@ ED_INLINE void continue_loading(const double *at, const double *strain, group *i
   it->along = to - ED_LOAD(at + AT(FROM_STRAIN));
   it->from_stress = ED_LOAD(at + AT(FROM_STRESS));
   it->place = -1;
-  const ed_mask upwards = it->span > zero, turns = (upwards & (it->moved < zero)) | (~upwards & (it->moved > zero));
+  const ed_lanes before = ED_LOAD(at + AT(STRAIN)) - ED_LOAD(at + AT(FROM_STRAIN));
+  const ed_mask upwards = it->span > zero;
+  ed_lanes size;
+  ed_lanes_size(&before, &size);
+  const ed_mask inside = size <= ED_LOAD(at + AT(WINDOW)); /* it would turn where the branch begins, else where it is committed */
+  const ed_lanes way = ED_SELECT(inside, it->along, it->moved);
+  const ed_mask turns = (upwards & (way < zero)) | (~upwards & (way > zero));
+  ed_lanes_size(&way, &it->back);
   const ed_mask bounds = (upwards & (past > zero)) | (~upwards & (past < zero));
   ed_lanes_size(&past, &it->free);
   it->free = ED_SELECT(bounds, far, it->free);
@@ -267,14 +316,14 @@ ED_INLINE void reverse_loading(const ed_menegotto_pinto *law, const double *at, 
   const ed_mask bit = {1, 2, 4, 8}, none = {0};
   const ed_mask turns = ((it->marks & bit * REVERSES) != none), were_bounded = ((it->marks & bit * BOUNDED) != none);
   const ed_lanes zero = {0};
-  ed_lanes span, R, straight;
-  reversal_branch(law, at, i, &span, &R);
+  ed_lanes strain, stress, span, R, straight;
+  reversal_branch(law, at, i, &strain, &stress, &span, &R);
   straight_length(&span, &R, &straight);
   it->span = ED_SELECT(turns, span, it->span);
   it->straight = ED_SELECT(turns, straight, it->straight);
   it->R = ED_SELECT(turns, R, it->R);
-  it->along = ED_SELECT(turns, it->moved, it->along);
-  it->from_stress = ED_SELECT(turns, ED_LOAD(at + AT(STRESS)), it->from_stress);
+  it->along = ED_SELECT(turns, it->moved + (ED_LOAD(at + AT(STRAIN)) - strain), it->along);
+  it->from_stress = ED_SELECT(turns, stress, it->from_stress);
   const ed_mask bounds = (turns & (ED_LOAD(at + AT(BEHIND)) > zero)) | (~turns & were_bounded);
   mark(it, &turns, &bounds);
 }
@@ -292,7 +341,7 @@ ED_INLINE void list_bounds(const ed_menegotto_pinto *law, const double *state, c
   q->stack = branches_at(law->n, i, q->direction);
   const branches *stack = stack_of(state, q);
   if (reversed)
-    q->here = list_stack(&a->list, stack, q->ahead, at[AT(STRAIN)]);
+    q->here = list_stack(&a->list, stack, q->ahead, at[AT(FURTHEST)]);
   q->there = list_stack(&a->list, stack, q->ahead, strain);
 }
 
@@ -352,8 +401,7 @@ ED_INLINE void smooth_branch(const ed_menegotto_pinto *law, int i, const group *
 {
   const ed_lanes zero = {0}, one = zero + 1.0, tiny = zero + 1e-300;
   ed_lanes size, kink;
-  ed_lanes_size(&it->moved, &kink); /* where it would turn */
-  kink = ED_SELECT(it->free < kink, it->free, kink);
+  kink = ED_SELECT(it->free < it->back, it->free, it->back);
   ed_lanes_size(&it->along, &size);
   ed_lanes far = it->straight - size;
   if (it->place >= 0) {
@@ -403,7 +451,8 @@ ED_INLINE void bound(const ed_menegotto_pinto *law, const double *state, int fir
     const int i = first + q->fibre;
     const double *at = state + q->fields;
     const branches *stack = stack_of(state, q);
-    const double here = at[AT(STRAIN)], stress_here = at[AT(STRESS)];
+    const double here = at[AT(FURTHEST)];
+    const double stress_here = here == at[AT(STRAIN)] ? at[AT(STRESS)] : at[AT(FROM_STRESS)] + law->E[i] * (here - at[AT(FROM_STRAIN)]);
     /* elastic lines of many branches coincide: neither rounding nor what stresses leave out of bends must decide which are crossed */
     const double on_it = 2.0 * LINEAR * law->E[i] * law->yield_strain[i];
     double other, other_tangent;
@@ -494,8 +543,8 @@ ED_INLINE double safe_strain(const ed_menegotto_pinto *law, const evaluations *l
 ED_INLINE void reverse(const ed_menegotto_pinto *law, double *state, int i, int reversed)
 {
   double *fields = state + fields_at(i);
-  ed_lanes span, exponent, straight;
-  reversal_branch(law, fields, i, &span, &exponent);
+  ed_lanes strain, stress, span, exponent, straight;
+  reversal_branch(law, fields, i, &strain, &stress, &span, &exponent);
   straight_length(&span, &exponent, &straight);
   for (; reversed; reversed &= reversed - 1) {
     const int k = __builtin_ctz((unsigned)reversed);
@@ -510,8 +559,8 @@ ED_INLINE void reverse(const ed_menegotto_pinto *law, double *state, int i, int 
     leaving->exponent[left] = at[AT(EXPONENT)];
     at[AT(AHEAD)] = 0.0;
     at[AT(BEHIND)] = left + 1;
-    at[AT(FROM_STRAIN)] = at[AT(STRAIN)];
-    at[AT(FROM_STRESS)] = at[AT(STRESS)];
+    at[AT(FROM_STRAIN)] = strain[k];
+    at[AT(FROM_STRESS)] = stress[k];
     at[AT(SPAN)] = span[k];
     at[AT(EXPONENT)] = exponent[k];
     at[AT(STRAIGHT)] = straight[k];
@@ -519,10 +568,11 @@ ED_INLINE void reverse(const ed_menegotto_pinto *law, double *state, int i, int 
   }
 }
 
-/* Fibres that meet, or may soon meet, a remembered branch. */
+/* Fibres that meet, or may soon meet, a remembered branch; `resumed`: of each group, as bits, those that go on along one. */
 ED_INLINE void update_bounds(const ed_menegotto_pinto *law, double *state, int first, const double *strain, chunk *a, const double *stress,
-                             const double *tangent)
+                             const double *tangent, int *resumed)
 {
+  memset(resumed, 0, (size_t)a->groups * sizeof *resumed);
   int listed[CHUNK], count[CHUNK];
   evaluations *list = &a->list;
   const int before = list->count;
@@ -537,7 +587,8 @@ ED_INLINE void update_bounds(const ed_menegotto_pinto *law, double *state, int f
       at[AT(FROM_STRESS)] = stack->stress[q->governs];
       at[AT(SPAN)] = stack->span[q->governs];
       at[AT(EXPONENT)] = stack->exponent[q->governs];
-      at[AT(STRAIGHT)] = 0.0; /* where branches meet they curve */
+      at[AT(STRAIGHT)] = 0.0; /* where branches meet they curve, or set_lengths says better */
+      resumed[q->fibre / ED_LANE_WIDTH] |= 1 << q->fibre % ED_LANE_WIDTH;
     }
     at[AT(AHEAD)] = count[j];
     const double to = strain[q->fibre], step = fabs(to - at[AT(STRAIN)]);
@@ -559,6 +610,7 @@ ED_INLINE void commit_chunk(const ed_menegotto_pinto *law, double *state, int fi
                             double *dissipated)
 {
   double *const fields = state + fields_at(first), tangent[CHUNK];
+  int resumed[CHUNK / ED_LANE_WIDTH];
   chunk a;
   find_branches(law, state, first, count, strain, 1, &a);
   for (int g = 0; g < a.groups; g++)
@@ -568,10 +620,14 @@ ED_INLINE void commit_chunk(const ed_menegotto_pinto *law, double *state, int fi
   for (int g = 0; g < a.groups; g++)
     if (a.group[g].marks & ALL * REVERSES)
       reverse(law, state, first + g * ED_LANE_WIDTH, a.group[g].marks / REVERSES & ALL);
-  update_bounds(law, state, first, strain, &a, stress, tangent);
+  update_bounds(law, state, first, strain, &a, stress, tangent, resumed);
   for (int g = 0; g < a.groups; g++) {
     double *at = fields + g * GROUP;
-    const int i = g * ED_LANE_WIDTH;
+    const int i = g * ED_LANE_WIDTH, turned = a.group[g].marks / REVERSES & ALL;
+    if ((turned | resumed[g]) && !law->plain_turns) {
+      const ed_mask bit = {1, 2, 4, 8}, none = {0}, begun = (bit & turned) != none, going_on = (bit & resumed[g]) != none;
+      set_lengths(law, at, first + i, &begun, &going_on);
+    }
     const ed_lanes strains = ED_LOAD(strain + i), before = ED_LOAD(at + AT(STRAIN));
     const ed_lanes stresses = ED_LOAD(stress + i), stress_before = ED_LOAD(at + AT(STRESS));
     /* trapezoid, less what is stored */
@@ -579,6 +635,9 @@ ED_INLINE void commit_chunk(const ed_menegotto_pinto *law, double *state, int fi
     const ed_lanes stored = 0.5 * (stresses * stresses - stress_before * stress_before) / ED_LOAD(law->E + first + i);
     ED_STORE(dissipated + i, work - stored);
     const ed_lanes largest = ED_LOAD(at + AT(LARGEST)), least = ED_LOAD(at + AT(LEAST));
+    const ed_lanes zero = {0}, span = ED_LOAD(at + AT(SPAN)), furthest = ED_LOAD(at + AT(FURTHEST));
+    const ed_lanes ahead = ED_SELECT(span > zero, strains - furthest, furthest - strains);
+    ED_STORE(at + AT(FURTHEST), ED_SELECT(ahead < zero, furthest, strains));
     ED_STORE(at + AT(STRAIN), strains);
     ED_STORE(at + AT(STRESS), stresses);
     ED_STORE(at + AT(LARGEST), ED_SELECT(strains > largest, strains, largest));

@@ -12,13 +12,14 @@
 /* Laws of n fibres, n a multiple of ED_LANE_WIDTH; arrays of n. */
 typedef struct {
   int n;
+  int plain_turns; /* every turn begins a branch, also where both branches are the elastic line: of fibres in one plane */
   double *E, *b, *yield_strain;
   double *R0, *cR1, *cR2;
 } ed_menegotto_pinto;
 
 enum { ED_MENEGOTTO_PINTO_ARRAYS = 6 };
 
-/* Lays the arrays of n fibres into n ED_MENEGOTTO_PINTO_ARRAYS doubles. */
+/* Lays the arrays of n fibres into n ED_MENEGOTTO_PINTO_ARRAYS doubles; turns are plain. */
 void ed_menegotto_pinto_place(ed_menegotto_pinto *law, int n, double *block);
 void ed_menegotto_pinto_set(ed_menegotto_pinto *law, int fibre, const ed_steel *steel);
 

@@ -15,7 +15,7 @@ typedef struct {
 
 enum {
   ED_BILINEAR_STATE = 1,        /* plastic strain */
-  ED_MENEGOTTO_PINTO_STATE = 44
+  ED_MENEGOTTO_PINTO_STATE = 46
 };
 
 /* Doubles of state that a fibre of its own keeps. */

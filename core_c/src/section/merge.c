@@ -85,6 +85,7 @@ static int make_arrays(ed_section *section, int layers)
   for (int k = 0; k < count; k++)
     *arrays[k] = (double *)section->block + (size_t)k * (size_t)padded;
   ed_menegotto_pinto_place(&section->menegotto_pinto, padded, (double *)section->block + (size_t)count * (size_t)padded);
+  section->menegotto_pinto.plain_turns = section->axes == ED_PLANE;
   return 1;
 }
 
