@@ -149,13 +149,19 @@ def _period(number: int) -> Column[_Modes]:
     return col(f"T_{number}", S, of, form=".4f")
 
 
+def _most_mass(mode: Mode) -> float | None:
+    """The share of a mode in the mass, of a building in the direction in which it has most."""
+    known = [mass for mass in (mode.mass, mode.along_y, mode.about_z) if mass is not None]
+    return max(known, default=None)
+
+
 PERIODS = TableSpec[_Modes](
     "first_periods",
     "Periods",
     (
         text("analysis"),
         *(_period(number) for number in (1, 2, 3)),
-        col("effective mass of mode 1", PERCENT, lambda found: found.modes[0].mass, form=".2f"),
+        col("effective mass of mode 1", PERCENT, lambda found: _most_mass(found.modes[0]), form=".2f"),
     ),
     named_by_title=True,
 )

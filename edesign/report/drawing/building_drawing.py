@@ -73,7 +73,6 @@ class BuildingElevation:
 
         Args:
             axes: in m, with equal scales afterwards.
-            dampers: of the building by name.
         """
         for member, ((x0, y0), (x1, y1)) in self.lines.items():
             axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if member.startswith("D") else 1.6, zorder=1.5)

@@ -40,12 +40,17 @@ Entry = Mapping[str, Any]
 
 
 class Mode(NamedTuple):
-    """A mode: its number, its period in s, its share of the mass, and that of all modes up to it; None: not known."""
+    """A mode: its number, its period in s, its share of the mass, and that of all modes up to it; None: not known.
+
+    Both are along x of a building, whose modes have shares along y and about the vertical besides.
+    """
 
     number: int
     period: float
     mass: float | None
     total: float | None
+    along_y: float | None = None
+    about_z: float | None = None
 
 
 class _Storey(NamedTuple):
@@ -117,6 +122,8 @@ PERIODS = TableSpec[Mode](
         col("f", HZ, lambda mode: 1 / mode.period, form=".4f"),
         col("effective mass", PERCENT, "mass", form=".2f"),
         col("sum", PERCENT, "total", form=".2f"),
+        col("along y", PERCENT, "along_y", form=".2f", optional=True),
+        col("about z", PERCENT, "about_z", form=".2f", optional=True),
     ),
     keys=0,
     each="Periods",
@@ -183,17 +190,21 @@ def modes(group: Group) -> list[Mode]:
     ratio = group.variables.get("effective_mass_ratio_x")
     if ratio is None:
         return [Mode(i, period, None, None) for i, period in enumerate(periods, start=1)]
+    others = [group.variables.get(f"effective_mass_ratio_{axis}") for axis in ("y", "rz")]
     found, total = [], 0.0
-    for i, (period, mass) in enumerate(zip(periods, ratio.values.tolist(), strict=True), start=1):
+    for i, (period, mass) in enumerate(zip(periods, ratio.values.tolist(), strict=True)):
         total += mass
-        found.append(Mode(i, period, mass, total))
+        found.append(Mode(i + 1, period, mass, total, *(None if of is None else float(of.values[i]) for of in others)))
     return found
 
 
 def periods_table(name: str, group: Group) -> Table:
     """Return periods and effective modal masses of a modal analysis."""
     found = modes(group)
-    return PERIODS.of(found, whose=name, notes=amplitude_notes(group) if found else ())
+    notes = list(amplitude_notes(group)) if found else []
+    if any(mode.along_y is not None for mode in found):
+        notes.append("effective mass and its sum: along x; about z: share of the moment of inertia about the vertical")
+    return PERIODS.of(found, whose=name, notes=notes)
 
 
 def profile_table(name: str, group: Group) -> Table:

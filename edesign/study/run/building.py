@@ -107,7 +107,6 @@ def archive_design(building: Building, path: Path, run: RunState) -> None:
     Args:
         building: from `load_building`; nothing is done without its `design`.
         path: of the archive that an earlier run wrote.
-        run: with its archive.
 
     Raises:
         InputError, CoreError: as `run_building`.

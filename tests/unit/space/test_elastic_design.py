@@ -213,7 +213,7 @@ def test_what_the_commands_say(tmp_path: Path, capsys: pytest.CaptureFixture[str
         page = page_text(archive)
     assert "Design report" in page and "figure-elevation_X1" in page and "could not be shown" not in page
     assert main(["run", str(path), "--only", "x"]) == 2
-    assert "not for a building" in capsys.readouterr().err
+    assert "this building has none" in capsys.readouterr().err
 
 
 def test_check_ends_with_3_where_a_rule_is_not_met(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
