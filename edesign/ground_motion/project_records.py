@@ -48,7 +48,10 @@ def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
     if isinstance(spec, PairRecord):
         return component_references(name)
     if isinstance(spec, InSpace):
-        return pair_references(project.folder, name, spec)
+        try:
+            return pair_references(project.folder, name, spec)
+        except InputError as error:
+            raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
     if not isinstance(spec, SuiteRecords):
         return (name,)
     return tuple(f"{name}/{entry.id}" for entry in _suite(project, name, spec).records)

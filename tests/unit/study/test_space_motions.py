@@ -27,6 +27,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.building import Building, load_building
 from edesign.project.study.study import Study
 from edesign.report.ground_motion.record_tables import record_tables
+from edesign.study.check.check import check_inputs
 from edesign.study.motions.applied import GroundMotion, ground_motion, scale_factor
 from edesign.study.motions.motions import project_motions
 from edesign.study.motions.pair_criteria import FirstPeriods
@@ -255,6 +256,36 @@ def test_pairs_that_were_made_ready_are_judged_as_before(tmp_path: Path) -> None
         assert (one.clause, one.text, one.passed) == (other.clause, other.text, other.passed)
         if one.value is not None:
             assert other.value == pytest.approx(one.value, rel=1e-9)  # of factors before or after the spectra
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("id: e3, pair: 3", "id: e3, pair: 4", "building.yaml:26 pairs.yaml:9 `b` pairs.yaml:10 `a` E-PAIR-01"),
+        ("pair: 2, direction: b", "pair: 2, direction: a", "pairs.yaml:8 records[4].direction E-SUITE-07"),
+        ("azimuth: 90 deg", "azimuth: 80 deg", "building.yaml:26 records.motions: motions/1 E-PAIR-02"),
+        ("file: e2.csv", "file: n2.csv", "building.yaml:26 records.motions: motions/2 E-SUITE-07"),
+        ("file: e2.csv", "file: slow.csv", "building.yaml:26 records.motions: motions/2 0.01 0.02 E-MOTION-04"),
+        ("file: e2.csv", "file: lost.csv", "building.yaml:26 records.motions lost.csv E-FILE-01"),
+    ],
+)
+def test_pairs_that_are_none(tmp_path: Path, old: str, new: str, said: str) -> None:
+    """One message each, with the place in the building file, before anything is built."""
+    building = load_building(building_file(tmp_path, "{suite: pairs.yaml, components: [x, y]}"), BuildingSections())
+    write_csv(Record("slow", wave("e2")[:500], 2 * STEP, "slow"), tmp_path / "slow.csv")
+    (tmp_path / "pairs.yaml").write_text(changed(SUITE, (old, new)), encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        check_inputs(building, [task.spec for task in make_plan(building)])
+    assert says(str(caught.value), said), caught.value
+
+
+def test_shorter_components_end_with_zeros(tmp_path: Path) -> None:
+    path = building_file(tmp_path, "{suite: pairs.yaml, components: [x, y], only: 2}")
+    write_csv(Record("e2", wave("e2")[:700], STEP, "e2"), tmp_path / "e2.csv")
+    (motion,) = applied(load_building(path, BuildingSections())).values()
+    x, y = samples(motion)
+    assert x.size == y.size == 1000 and not y[700:].any()
+    assert np.array_equal(y[:700], wave("e2")[:700]) and np.array_equal(x, wave("n2"))
 
 
 def test_each_direction_is_a_set_of_its_own(tmp_path: Path) -> None:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
+from building_examples import PAIRS, building
 from cases.small_study import HISTORIES, PLANNED, write
 
 from edesign.archive.reader import open_archive
 from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis
-from edesign.project.study.study import Study
+from edesign.project.study.study import Histories, Study, StudyOutputs
 from edesign.study.plan.study_plan import make_study_plan, wanted_designs
 from edesign.study.run.run import run_study
 
@@ -37,6 +39,27 @@ def test_names_and_order(study: Study) -> None:
     assert [task.name for task in plan] == PLAN and len(PLAN) == PLANNED == 8 + HISTORIES
     assert [task.order for task in plan] == list(range(PLANNED))
     assert [task.path for task in plan] == [f"analyses/{name}" for name in PLAN]
+
+
+def test_histories_of_a_building(study: Study) -> None:
+    """Angles and places of its masses stand in the names where there are several, and in the labels."""
+    asked = Histories(
+        variants=("bare",),
+        levels=("DBE",),
+        records=("both",),
+        angles=("0 deg", "22.5 deg"),  # type: ignore[arg-type]
+        eccentricity=(0, "+x-y"),  # type: ignore[arg-type]
+    )
+    one = asked.model_copy(update={"eccentricity": ("+x-y",), "angles": (0.5 * math.pi,)})
+    for histories, names in ((asked, ["0deg.0", "0deg.+x-y", "22.5deg.0", "22.5deg.+x-y"]), (one, [""])):
+        update = {"histories": (histories,), "variants": {"bare": study.variants["bare"]}, "outputs": StudyOutputs()}
+        of = study.model_copy(update=update)
+        of.set_base(building(PAIRS))  # type: ignore[arg-type]
+        tasks = [task for task in make_study_plan(of) if task.record]
+        assert [task.name for task in tasks] == [f"bare.DBE.both.{name}".rstrip(".") for name in names]
+        assert {task.entry for task in tasks} == {"bare.DBE"}
+        last = tasks[-1].labels
+        assert last["eccentricity"] == "+x-y" and last["angle_deg"] == pytest.approx(90.0 if one is histories else 22.5)
 
 
 def test_labels_say_what_each_analysis_is_of(study: Study) -> None:
