@@ -36,8 +36,8 @@ class RecordedModel(Model):
         calls: every method that added something.
     """
 
-    def __init__(self) -> None:
-        super().__init__()
+    def __init__(self, dimension: int = 2) -> None:
+        super().__init__(dimension)
         self.calls: list[Call] = []
 
 
@@ -57,7 +57,7 @@ def _recorded(name: str) -> Callable[..., Any]:
     return call
 
 
-_ASKING = {"freeze", "layers"}
+_ASKING = {"freeze", "layers", "levers", "on_masters"}
 for _name, _method in vars(Model).items():
     if inspect.isfunction(_method) and not _name.startswith("_") and _name not in _ASKING:
         setattr(RecordedModel, _name, _recorded(_name))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import hypot
+from math import dist
 
 from edesign.exchange.opensees.commands import command
 from edesign.exchange.opensees.fixed_ends import released_flexibility_loads
@@ -19,7 +19,7 @@ class LoadBuilder:
         structure: that is filled.
         pieces: by element of the core, the tags of its parts and their lengths.
         calls: that added the elements, by element.
-        elastic: E A and E I of elastic sections by section, N and N m2.
+        elastic: E A, E I and in space further stiffnesses of elastic sections by section, N and N m2.
         without: the flexibility that an element lacks for hinges at its ends, by element.
     """
 
@@ -28,14 +28,14 @@ class LoadBuilder:
         structure: Structure,
         pieces: Mapping[int, tuple[list[int], Stretches]],
         calls: Mapping[int, Call],
-        elastic: Mapping[int, tuple[float, float]],
+        elastic: Mapping[int, tuple[float, ...]],
         without: Mapping[int, tuple[float, float]],
     ) -> None:
         self._to, self._pieces, self._calls = structure, pieces, calls
         self._elastic, self._without = elastic, without
 
-    def add(self, call: Call) -> None:
-        """Add what a call added to the core, if it is a load.
+    def add(self, call: Call) -> bool:
+        """Add what a call added to the core if it is a load, and say whether it is one.
 
         Raises:
             NotTranslated: OpenSees lacks such a load.
@@ -43,9 +43,11 @@ class LoadBuilder:
         make = getattr(self, f"_{call.name}", None)
         if make is not None:
             make(call)
+        return make is not None
 
     def _nodal_load(self, call: Call) -> None:
-        words = (self._to.nodes[call["node"]], call["fx"], call["fy"], call["mz"])
+        names = (("f" if degree[0] == "u" else "m") + degree[1] for degree in self._to.joined.degrees)
+        words = (self._to.nodes[call["node"]], *(call[name] for name in names))
         self._to.loads.append(command("load", *words, comment=self._to.names[call["node"]]))
 
     def _uniform_load(self, call: Call) -> None:
@@ -82,9 +84,9 @@ class LoadBuilder:
         if element not in self._without:
             return
         call, to = self._calls[element], self._to
-        (x0, y0), (x1, y1) = (to.places[call[end]] for end in "ij")
-        length = hypot(x1 - x0, y1 - y0)
-        c, s = (x1 - x0) / length, (y1 - y0) / length
+        start, end = (to.places[call[end]] for end in "ij")
+        length = dist(start, end)
+        c, s = ((b - a) / length for a, b in zip(start, end, strict=True))
         missing = released_flexibility_loads(self._elastic[call["section"]][1], length, self._without[element], loads)
         for end, (force, moment) in zip("ij", missing, strict=True):
             words = (to.nodes[call[end]], -s * force, c * force, moment)

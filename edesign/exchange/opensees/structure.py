@@ -63,7 +63,7 @@ class Structure:
         tags: that are free.
         nodes: tags by id; ids of added nodes are below 0.
         names: of nodes by id.
-        places: of nodes by id, m.
+        places: of nodes by id, 2 or 3 coordinates, m.
         copies: nodes that stand for a released end or an end of a damper, by the id of the node that they move with:
             what a support carries is on all of them.
         kept: nodes whose supports and ties are written by `commands`.
@@ -77,7 +77,7 @@ class Structure:
     tags: Tags
     nodes: dict[int, int] = field(default_factory=dict)
     names: dict[int, str] = field(default_factory=dict)
-    places: dict[int, tuple[float, float]] = field(default_factory=dict)
+    places: dict[int, tuple[float, ...]] = field(default_factory=dict)
     copies: dict[int, list[int]] = field(default_factory=lambda: defaultdict(list))
     kept: list[int] = field(default_factory=list)
     damping_factors: dict[int, float] = field(default_factory=dict)
@@ -90,7 +90,12 @@ class Structure:
     springs: list[Command] = field(default_factory=list)
     loads: list[Command] = field(default_factory=list)
 
-    def add_node(self, name: str, place: tuple[float, float], node: int | None = None) -> int:
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self.frame.model.dimension
+
+    def add_node(self, name: str, place: tuple[float, ...], node: int | None = None) -> int:
         """Add a node and return its id; without an id it gets one that the core does not have."""
         own = node if node is not None else -1 - len(self.nodes)
         self.nodes[own] = own + 1 if node is not None else self.tags.next("node")
@@ -99,7 +104,7 @@ class Structure:
         self.kept.append(own)
         return own
 
-    def tied_copy(self, name: str, node: int, degrees: Iterable[int], place: tuple[float, float] | None = None) -> int:
+    def tied_copy(self, name: str, node: int, degrees: Iterable[int], place: tuple[float, ...] | None = None) -> int:
         """Add a node that moves with another one in some degrees, at its place if no other is given."""
         copy = self.add_node(name, place or self.places[node])
         for at in degrees:
@@ -120,16 +125,19 @@ class Structure:
 
     def commands(self) -> tuple[Command, ...]:
         """Return the model without loads; the ties and supports follow the nodes."""
+        in_space = self.dimension == 3
+        ties = self.joined.commands(self.kept, self.nodes, self.names)
         parts = (
-            ("nodes: tag, x, y [m]", self.node_commands),
-            ("supports and ties", self.joined.commands(self.kept, self.nodes, self.names)),
-            ("masses: along x, y [kg], about z [kg m2]", self.masses),
+            (f"nodes: tag, x, y{', z' * in_space} [m]", self.node_commands),
+            (f"supports and {'rigid floors' if in_space else 'ties'}", [*ties, *self.joined.floors(self.nodes, self.names)]),
+            (f"masses: along x, y{', z' * in_space} [kg], about {'x, y, ' * in_space}z [kg m2]", self.masses),
             ("materials [Pa]; of springs and dampers [N/m, N m/rad, N, N m]", self.materials),
             ("sections: fibres at y [m], z, area [m2]", self.sections),
             ("members", self.elements),
             ("springs without length", self.springs),
         )
-        found = [command("wipe"), command("model", "basic", "-ndm", 2, "-ndf", 3)]
+        words = ("basic", "-ndm", self.dimension, "-ndf", len(self.joined.degrees))
+        found = [command("wipe"), command("model", *words)]
         for title, commands in parts:
             found += [heading(title), *commands] if commands else []
         return tuple(found)

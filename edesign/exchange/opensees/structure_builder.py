@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from math import hypot
+from collections.abc import Hashable, Iterable, Sequence
+from math import dist
 
 import numpy as np
 
@@ -30,6 +30,10 @@ PINNED = 1e-6
 """Of the bending stiffness of struts pinned at both ends, which carry no moment. The rotations of their ends are free
 in OpenSees: where a strut turns far, they feel damping, and the base shear holds what balances it."""
 SAME_PLACE = 1e-9  # m
+DIRECTIONS = {2: (1, 2, 6), 3: (1, 2, 3, 4, 5, 6)}
+"""Numbers of the degrees in elements without length, by dimension."""
+ELSEWHERE = {"fix", "tie", "diaphragm", "pattern", "damper", "rigid_ends", "without_flexibility", "damping_factor"}
+"""What is read of the calls as a whole."""
 
 
 class StructureBuilder:
@@ -44,17 +48,20 @@ class StructureBuilder:
     def __init__(self, frame: FrameModel, model: RecordedModel, structure: Structure) -> None:
         self._frame, self._model, self._to = frame, model, structure
         self._laws: dict[int, Steel] = {}
-        self._elastic: dict[int, tuple[float, float]] = {}
+        self._elastic: dict[int, tuple[float, ...]] = {}
         self._fibred: set[int] = set()
         self._member_of = {part: member.name for member in frame.members.values() for part in member.parts}
-        self._rules: dict[tuple[int, int, tuple[float, ...]], int] = {}
-        self._geometries: set[str] = set()
+        self._rules: dict[tuple[Hashable, ...], int] = {}
+        self._geometries: dict[tuple[Hashable, ...], int] = {}
         self._rigid = {c["element"]: (c["start"], c["end"]) for c in model.calls if c.name == "rigid_ends"}
         self._without = {c["element"]: (c["at_i"], c["at_j"]) for c in model.calls if c.name == "without_flexibility"}
         self._factors = {c["element"]: c["factor"] for c in model.calls if c.name == "damping_factor"}
         self._pieces: dict[int, tuple[list[int], Stretches]] = {}
         self._calls: dict[int, Call] = {}
-        self._loads = LoadBuilder(structure, self._pieces, self._calls, self._elastic, self._without)
+        self._loads = self._load_builder()
+
+    def _load_builder(self) -> LoadBuilder:
+        return LoadBuilder(self._to, self._pieces, self._calls, self._elastic, self._without)
 
     def build(self, calls: Iterable[Call]) -> None:
         """Add what calls added to the core; dampers are not among it.
@@ -66,14 +73,14 @@ class StructureBuilder:
             make = getattr(self, f"_{call.name}", None)
             if make is not None:
                 make(call)
-            else:
-                self._loads.add(call)
+            elif not self._loads.add(call):
+                assert call.name in ELSEWHERE, f"the core has {call.name}, which is not translated"
 
     def _node(self, call: Call) -> None:
-        self._to.add_node(call["name"], (call["x"], call["y"]), call.result)
+        self._to.add_node(call["name"], tuple(call[axis] for axis in "xyz"[: self._to.dimension]), call.result)
 
     def _mass(self, call: Call) -> None:
-        words = (call["mx"], call["my"], call["mrz"])
+        words = tuple(call["m" + degree.removeprefix("u")] for degree in self._to.joined.degrees)
         degrees = [(call["node"], at) for at, value in enumerate(words) if value > 0.0]
         self._to.moving |= {self._to.joined.leader(one) for one in degrees if not self._to.joined.is_fixed(one)}
         self._to.masses.append(command("mass", self._to.nodes[call["node"]], *words, comment=self._named(call["node"])))
@@ -106,10 +113,10 @@ class StructureBuilder:
                 return f"{member.section}, {member.material}"
         return "section"
 
-    def _geometry(self, name: str) -> int:
-        kind, tag = GEOMETRY[name]
-        if name not in self._geometries:
-            self._geometries.add(name)
+    def _geometry(self, call: Call) -> int:
+        kind, tag = GEOMETRY[call["geometry"]]
+        if (kind,) not in self._geometries:
+            self._geometries[kind,] = tag
             self._to.elements.append(command("geomTransf", kind, tag))
         return tag
 
@@ -118,7 +125,7 @@ class StructureBuilder:
         self._calls[number] = call
         ends = [call["i"], call["j"]]
         places = [to.places[end] for end in ends]
-        length = hypot(places[1][0] - places[0][0], places[1][1] - places[0][1])
+        length = dist(*places)
         tags, lengths = [number + 1], [length]
         arms = self._rigid.get(number, (0.0, 0.0))
         if any(arms):
@@ -128,17 +135,26 @@ class StructureBuilder:
                 name = f"{call['name']}, released at {to.names[ends[at]]}"
                 ends[at] = to.tied_copy(name, ends[at], (0, 1))
         self._pieces[number] = tags, Stretches((0.0, 0.0), tuple(lengths))
-        section = call["section"]
-        i, j = (to.nodes[end] for end in ends)
-        comment = f"{call['name']}: {self._section_name(section)}" if number in self._member_of else call["name"]
-        transformation = self._geometry(call["geometry"])
+        transformation = self._geometry(call)
         to.damp(number + 1, self._factors.get(number, 1.0))
-        if section in self._fibred:
-            rule = self._rule(call, arms, length)
-            words = ("forceBeamColumn", number + 1, i, j, transformation, rule, *ITERATIONS)
-            to.elements.append(command("element", *words, comment=comment))
-            return
-        EA, EI = self._elastic[section]
+        if call["section"] in self._fibred:
+            self._fibre_beam(call, ends, transformation, self._rule(call, arms, length))
+        else:
+            self._elastic_beam(call, ends, transformation, length)
+
+    def _fibre_beam(self, call: Call, ends: Sequence[int], transformation: int, rule: int) -> None:
+        pair = (self._to.nodes[end] for end in ends)
+        words = ("forceBeamColumn", call.result + 1, *pair, transformation, rule, *ITERATIONS)
+        self._to.elements.append(command("element", *words, comment=self._told(call)))
+
+    def _told(self, call: Call) -> str:
+        known = call.result in self._member_of
+        return f"{call['name']}: {self._section_name(call['section'])}" if known else call["name"]
+
+    def _elastic_beam(self, call: Call, ends: Sequence[int], transformation: int, length: float) -> None:
+        number, to, comment = call.result, self._to, self._told(call)
+        i, j = (to.nodes[end] for end in ends)
+        EA, EI = self._elastic[call["section"]]
         E = self._modulus(number)
         if number not in self._member_of and all(call["release"]):
             EI *= PINNED
@@ -158,12 +174,13 @@ class StructureBuilder:
     def _rule(self, call: Call, arms: tuple[float, float], length: float) -> int:
         middle = length - sum(arms)
         inside = tuple(x for at in call["breaks"] if 0.0 < (x := (at * length - arms[0]) / middle) < 1.0)
-        key = (call["section"], call["points"], inside)
+        first, last = self._end_sections(call)
+        section, points = call["section"] + 1, call["points"]
+        key = (section, points, inside, first, last)
         if key in self._rules:
             return self._rules[key]
         tag = self._rules[key] = len(self._rules) + 1
-        section, points = call["section"] + 1, call["points"]
-        if not inside:
+        if not inside and first == last == section:
             self._to.elements.append(command("beamIntegration", "Lobatto", tag, section, points))
             return tag
         places, weights = piecewise_lobatto(points, inside)
@@ -173,18 +190,22 @@ class StructureBuilder:
                 "fewer loads inside the member or fewer `elements.integration_points` [E-OPS-04]"
             )
             raise NotTranslated(call["name"], reason)
-        words = (tag, len(places), *[section] * len(places), *places, *weights)
+        words = (tag, len(places), first, *[section] * (len(places) - 2), last, *places, *weights)
         comment = f"{points} points of Gauss-Lobatto in each part between loads"
         self._to.elements.append(command("beamIntegration", "UserDefined", *words, comment=comment))
         return tag
 
+    def _end_sections(self, call: Call) -> tuple[int, int]:
+        """Tags of the sections at both ends of a member with fibres."""
+        return call["section"] + 1, call["section"] + 1
+
     def _arms(
-        self, call: Call, ends: list[int], places: list[tuple[float, float]], length: float, arms: tuple[float, float]
+        self, call: Call, ends: list[int], places: list[tuple[float, ...]], length: float, arms: tuple[float, float]
     ) -> tuple[list[int], list[float], list[int]]:
         """Add rigid ends; returns the tags and lengths of all parts, and the nodes between which the member bends."""
         to, number = self._to, call.result
         along = [(b - a) / length for a, b in zip(*places, strict=True)]
-        transformation = self._geometry(call["geometry"])
+        transformation = self._geometry(call)
         EA, EI = self.stiffness(call["section"])
         tags, lengths, inner = [number + 1], [length - sum(arms)], list(ends)
         for at, arm in enumerate(arms):
@@ -211,7 +232,7 @@ class StructureBuilder:
     def stiffness(self, section: int) -> tuple[float, float]:
         """Return E A and E I of a section, N and N m2."""
         if section in self._elastic:
-            return self._elastic[section]
+            return self._elastic[section][0], self._elastic[section][1]
         call = next(c for c in self._model.calls if c.name == "fibre_section" and c.result == section)
         y, area = (np.asarray(call[key], dtype=float) for key in ("y", "area"))
         E = self._laws[int(call["material"])].E
@@ -239,15 +260,11 @@ class StructureBuilder:
 
     def _spring(self, call: Call) -> None:
         terms = call["terms"]
-        degree = next((at for at in range(3) if terms[3 + at] == 1.0), None)
-        alone = degree is not None and [at for at, c in enumerate(terms) if c] == [degree, 3 + degree]
-        here, there = (self._to.places[call[end]] for end in "ij")
-        if (
-            degree is None
-            or not alone
-            or terms[degree] != -1.0
-            or hypot(there[0] - here[0], there[1] - here[1]) > SAME_PLACE
-        ):
+        n = len(terms) // 2
+        degree = next((at for at in range(n) if terms[n + at] == 1.0), None)
+        alone = degree is not None and [at for at, c in enumerate(terms) if c] == [degree, n + degree]
+        apart = dist(*(self._to.places[call[end]] for end in "ij"))
+        if degree is None or not alone or terms[degree] != -1.0 or apart > SAME_PLACE:
             raise NotTranslated(call["name"], "it couples displacements of several directions [E-OPS-05]")
         try:
             law = spring_material(call["law"])
@@ -258,7 +275,7 @@ class StructureBuilder:
     def _zero_length(self, call: Call, material: int, degree: int) -> None:
         to, tag = self._to, call.result + 1
         pair = (to.nodes[call["i"]], to.nodes[call["j"]])
-        direction = (1, 2, 6)[degree]
+        direction = DIRECTIONS[to.dimension][degree]
         factor = self._factors.get(call.result, 1.0)
         damped = ("-doRayleigh", 1) if factor > 0.0 else ()
         words = ("zeroLength", tag, *pair, "-mat", material, "-dir", direction, *damped)
