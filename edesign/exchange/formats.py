@@ -57,7 +57,7 @@ class Format:
         place: the module and the function that translate, loaded when they are needed. The function takes the project,
             the path of the model, whether the dampers are left out, and what takes the names of its stages; it raises
             InputError, with the place in the project file, for what the program lacks.
-        building: the function of the same module that takes a building in place of the project; "": there is none.
+        building: the function of the same module that takes a building in place of the project; "": the same one.
     """
 
     suffix: str
@@ -82,16 +82,11 @@ class Format:
             progress: takes the name of each stage of the work at its beginning.
 
         Raises:
-            InputError: the program lacks something that the project has, or takes no buildings.
+            InputError: the program lacks something that the source has.
         """
         module, function = self.place
-        if isinstance(source, Building):
+        if isinstance(source, Building) and self.building:
             function = self.building
-            if not function:
-                raise InputError(
-                    f"{source.path}: edesign writes no buildings for {self.program}; `edesign extract` takes a plane "
-                    "frame from it, which it does write [E-OPS-06]"
-                )
         make = cast("Translator", getattr(import_module(module), function))
         return make(source, path, without_dampers, progress)
 

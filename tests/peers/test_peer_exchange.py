@@ -10,11 +10,10 @@ import importlib.util
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
-from opensees_scripts import run, table, written
+from opensees_scripts import check_languages, off, run, table, written
 
 from edesign import load_project, new_project
 from edesign.archive.dataset import Group
@@ -126,12 +125,6 @@ def project_of(case: Case, folder: Path) -> Project:
     return load_project(file)
 
 
-def off(ours: Any, theirs: Any) -> float:
-    """Largest difference over the largest value."""
-    difference = np.max(np.abs(np.asarray(ours) - np.asarray(theirs)))
-    return float(difference / max(np.max(np.abs(ours)), 1e-300)) if difference else 0.0
-
-
 def check_gravity(group: Group, folder: Path, name: str) -> None:
     values = {key: variable.values for key, variable in group.variables.items()}
     moved = [values[f"node_displacement_{axis}_final"] for axis in "xy"]
@@ -176,49 +169,4 @@ TCL = ("loads_inside_members", "footings_on_soil", "hysteretic_dampers")
 
 @pytest.mark.parametrize("name", TCL)
 def test_tcl_does_what_python_does(tmp_path: Path, name: str) -> None:
-    """The tables are the same to the last digit, but for the order in which sums are rounded."""
-    project = project_of(Case(name), tmp_path)
-    for model in ("model.py", "script.tcl"):
-        written(project, tmp_path / model)
-    run(tmp_path / "model.py")
-    run_tcl(tmp_path / "script.tcl")
-    tables = sorted(path.name for path in (tmp_path / "model_results").iterdir())
-    assert tables == sorted(path.name for path in (tmp_path / "script_results").iterdir())
-    for file in tables:
-        ours, theirs = (tmp_path / f"{stem}_results" / file for stem in ("model", "script"))
-        assert off(table(ours), table(theirs)) < 1e-12
-        assert ours.read_text().splitlines()[0] == theirs.read_text().splitlines()[0]
-
-
-def run_tcl(script: Path) -> None:
-    """Run a script in the Tcl of Python; its commands for OpenSees go to OpenSeesPy."""
-    tkinter = pytest.importorskip("tkinter", reason="this Python has no Tcl")
-    import openseespy.opensees as ops
-
-    interpreter = tkinter.Tcl()
-
-    def forward(name: str) -> Callable[..., str]:
-        def call(*words: str) -> str:
-            body = words[-1] if name in ("section", "pattern") and "\n" in words[-1] else None
-            found = getattr(ops, name)(*map(word, words if body is None else words[:-1]))
-            if body is not None:
-                interpreter.eval(body)
-            return " ".join(map(repr, found)) if isinstance(found, list) else "" if found is None else repr(found)
-
-        return call
-
-    for name in dir(ops):
-        if callable(getattr(ops, name)) and not name.startswith("_") and name[0].islower() and name != "exit":
-            interpreter.createcommand(name, forward(name))
-    interpreter.setvar("argv", "all")
-    interpreter.evalfile(str(script))
-    ops.wipe()
-
-
-def word(text: str) -> str | int | float:
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
+    check_languages(project_of(Case(name), tmp_path), tmp_path)

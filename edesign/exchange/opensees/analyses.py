@@ -20,7 +20,7 @@ from edesign.project.analysis.analyses import (
     PlannedAnalysis,
     PushoverAnalysis,
 )
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.words import counted
 from edesign.project.records.records import record_of
 from edesign.study.analysis.capacity import capacity
@@ -32,7 +32,7 @@ from edesign.study.motions.applied import check_motion, ground_motion, scale_fac
 from edesign.study.motions.motions import AnyMotion, match_options, project_motions
 from edesign.study.plan.plan import make_plan
 
-PUSH, QUAKE, VERTICAL = 2, 3, 4
+PUSH, QUAKE, VERTICAL, ACROSS = 2, 3, 4, 5
 """Tags of the patterns beside gravity, and of their time series."""
 NAMED = 4
 """Analyses that a sentence names."""
@@ -70,8 +70,9 @@ class Parts:
         springs: makes the commands of linear springs in the place of dampers, from their stiffness by name; None: the
             script has no dampers.
         tuned: whether it has tuned masses, with modes of their own.
-        base, base_of_dampers: tags of nodes whose horizontal reactions are the base shear; of those that dampers add.
+        base, base_of_dampers: by direction tags of nodes whose reactions are the base shear; of those that dampers add.
         equations: independent degrees of freedom without and with dampers.
+        up: degree of the core along the vertical.
     """
 
     plain: tuple[Name, ...]
@@ -81,13 +82,16 @@ class Parts:
     moving: tuple[Name, ...]
     springs: Callable[[Mapping[str, float]], list[Command]] | None
     tuned: bool
-    base: tuple[int, ...]
-    base_of_dampers: tuple[int, ...]
+    base: tuple[tuple[int, ...], ...]
+    base_of_dampers: tuple[tuple[int, ...], ...]
     equations: tuple[int, int]
+    up: int
 
-    def bases(self, spec: PlannedAnalysis) -> tuple[int, ...]:
-        """Tags of the nodes whose horizontal reactions are the base shear of an analysis."""
-        return (*self.base, *(self.base_of_dampers if spec.dampers else ()))
+    def bases(self, spec: PlannedAnalysis) -> Value:
+        """Tags of the nodes whose reactions are the base shear of an analysis, in space by direction."""
+        both = zip(self.base, self.base_of_dampers, strict=True)
+        found = tuple((*own, *(more if spec.dampers else ())) for own, more in both)
+        return found if len(found) > 1 else found[0]
 
     def model(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
         """Blocks that build the model of an analysis."""
@@ -100,7 +104,7 @@ class Parts:
 
 
 def programme(
-    project: Project, structure: Structure, parts: Parts, stem: str, without_dampers: bool, progress: ProgressLine
+    project: AnalysisFile, structure: Structure, parts: Parts, stem: str, without_dampers: bool, progress: ProgressLine
 ) -> Programme:
     """Return the analyses of a project as data of a script.
 
@@ -125,6 +129,7 @@ def programme(
     if bare:
         found.left_out.append(f"the dampers of {_listed(bare)}")
     targets: list[str] = []
+    pushed: list[str] = []
     for spec in tasks:
         if spec.name in bare:
             spec = spec.model_copy(update={"dampers": False})
@@ -133,18 +138,22 @@ def programme(
                 _modal(found, project, spec, parts)
             case GravityAnalysis():
                 found.analyses[spec.name] = {"kind": "gravity", "model": parts.model(spec), "steps": spec.steps}
+            case PushoverAnalysis() if structure.dimension == 3:
+                pushed.append(spec.name)
             case PushoverAnalysis():
                 _pushover(found, project, spec, structure, parts)
             case HistoryAnalysis():
                 _history(found, project, spec, parts, motions, stem)
             case _:
                 targets.append(spec.name)
+    if pushed:
+        found.left_out.append(f"{_listed(pushed)}: pushovers of buildings are not translated")
     if targets:
         found.left_out.append(f"{_listed(targets)}: target displacements follow from clauses of a code")
     return found
 
 
-def has_placed_dampers(project: Project) -> bool:
+def has_placed_dampers(project: AnalysisFile) -> bool:
     """Return whether a project has dampers, tuned masses or isolators, and not their laws alone."""
     dampers = project.dampers
     return dampers is not None and bool(dampers.devices or dampers.attachments or dampers.isolation is not None)
@@ -157,7 +166,7 @@ def _listed(analyses: Sequence[str]) -> str:
     return f"the analys{'es' if len(analyses) > 1 else 'is'} {named}" + (f" and {others} more" if others > 0 else "")
 
 
-def _modal(found: Programme, project: Project, spec: ModalAnalysis, parts: Parts) -> None:
+def _modal(found: Programme, project: AnalysisFile, spec: ModalAnalysis, parts: Parts) -> None:
     gravity = GRAVITY_STEPS if spec.state == "gravity" else 0
     block: tuple[Name, ...] = ()
     if spec.dampers and parts.springs is not None:
@@ -181,7 +190,9 @@ def _modal(found: Programme, project: Project, spec: ModalAnalysis, parts: Parts
     }
 
 
-def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, structure: Structure, parts: Parts) -> None:
+def _pushover(
+    found: Programme, project: AnalysisFile, spec: PushoverAnalysis, structure: Structure, parts: Parts
+) -> None:
     frame = make_frame(project, spec.dampers)
     loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
     if spec.roof_drift is not None:
@@ -207,7 +218,9 @@ def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, struct
     }
 
 
-def _motions(project: Project, tasks: Iterable[PlannedAnalysis], progress: ProgressLine) -> dict[str, AnyMotion]:
+def _motions(
+    project: AnalysisFile, tasks: Iterable[PlannedAnalysis], progress: ProgressLine
+) -> dict[str, AnyMotion]:
     """All records of the histories, made ready."""
     wanted: list[str] = []
     for spec in tasks:
@@ -235,7 +248,7 @@ def _motions(project: Project, tasks: Iterable[PlannedAnalysis], progress: Progr
 
 def _history(
     found: Programme,
-    project: Project,
+    project: AnalysisFile,
     spec: HistoryAnalysis,
     parts: Parts,
     motions: dict[str, AnyMotion],
@@ -255,14 +268,17 @@ def _history(
     other = None if vertical is None else motions[vertical]
     ground = ground_motion(project, spec, motion, scale_factor(project, spec, motion.record), other)
     horizontal, dt = ground.horizontal.acceleration, ground.horizontal.time_step
-    if abs(horizontal[0]) > 0.01 * np.max(np.abs(horizontal)):
+    across = None if ground.across is None else ground.across.acceleration
+    if any(abs(one[0]) > 0.01 * np.max(np.abs(one)) for one in (horizontal, across) if one is not None):
         begins = "begins with more than 1 % of its peak, with which OpenSees does not begin from rest in equilibrium"
         found.left_out.append(f"analysis {spec.name}: its record {begins}; put a zero before it to compare")
     block = f"motion_{_identifier(spec.name)}"
     commands: list[Command] = []
     directions = [(1, QUAKE, horizontal, "")]
+    if across is not None:
+        directions.append((2, ACROSS, across, "_y"))
     if ground.samples is not None:
-        directions.append((2, VERTICAL, ground.samples, "_vertical"))
+        directions.append((parts.up + 1, VERTICAL, ground.samples, "_vertical"))
     for direction, tag, samples, which in directions:
         name = _file_of(found, f"{stem}_{spec.name}{which}.txt", samples)
         words = ("Path", tag, "-dt", dt, "-filePath", File(name), "-useLast")  # sums of steps pass the end by rounding

@@ -15,11 +15,11 @@ from edesign.project.analysis.damping import (
     StiffnessDamping,
 )
 from edesign.project.analysis.integration import GeneralisedAlphaIntegration, HHTIntegration, NewmarkIntegration
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.structure import frame_alone
 
 
-def damping_values(project: Project, dampers: bool) -> dict[str, Value]:
+def damping_values(project: AnalysisFile, dampers: bool) -> dict[str, Value]:
     """Return the inherent damping of histories; empty: none.
 
     Args:
@@ -44,7 +44,7 @@ def damping_values(project: Project, dampers: bool) -> dict[str, Value]:
     return values
 
 
-def integrator_words(project: Project) -> tuple[str | float, ...]:
+def integrator_words(project: AnalysisFile) -> tuple[str | float, ...]:
     """Return the integrator of histories.
 
     Source: OpenSees' HHT has 1 + alpha, its GeneralizedAlpha 1 - alpha_m and 1 - alpha_f of Chung & Hulbert (1993).

@@ -6,21 +6,39 @@ from collections.abc import Sequence
 
 from edesign.errors import InputError
 from edesign.exchange.opensees.dampers import Dampers
-from edesign.exchange.opensees.structure import NotTranslated
+from edesign.exchange.opensees.structure import NotTranslated, Structure
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.rigid_ends import rigid_ends
 from edesign.project.analysis.damping import CaugheyDamping, ModalDamping
 from edesign.project.analysis.integration import GeneralisedAlphaIntegration, NewmarkIntegration
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
 from edesign.project.frame.materials import BilinearMaterial, Material, MenegottoPintoMaterial
 from edesign.project.project import Project
+from edesign.project.reading.problems import keys_text
+from edesign.project.reading.words import counted
+from edesign.space.file_places import keys_of_member
 
 
-def refuse(project: Project, without_dampers: bool) -> None:
-    """Refuse what OpenSees lacks, where the project file has it.
+def refuse(project: AnalysisFile, without_dampers: bool) -> None:
+    """Refuse what OpenSees lacks, where the file has it.
 
     Raises:
         InputError: there is something.
     """
+    if isinstance(project, Project):
+        found = _of_frame(project, without_dampers)
+    elif project.dampers is not None and not project.dampers.none and not without_dampers:
+        where = project.where("dampers")
+        reason = "dampers of buildings are not translated; --without-dampers leaves them out"
+        found = [f"{where}: dampers: {reason} [E-OPS-06]"]
+    else:
+        found = []
+    if found:
+        raise InputError("\n".join(found))
+
+
+def _of_frame(project: Project, without_dampers: bool) -> list[str]:
     found = []
     if project.panel_zones:
         where = project.where("panel_zones", 0)
@@ -37,18 +55,17 @@ def refuse(project: Project, without_dampers: bool) -> None:
         found.append(
             f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports [E-OPS-01]"
         )
-    if found:
-        raise InputError("\n".join(found))
+    return found
 
 
-def places(project: Project, frame: FrameModel, problems: Sequence[NotTranslated]) -> list[str]:
+def places(project: AnalysisFile, frame: FrameModel, problems: Sequence[NotTranslated]) -> list[str]:
     """Return the refusals of several parts: of dampers of one law and one reason the first."""
     law_of = {device.name: device.law for device in frame.devices}
     first = {(law_of.get(problem.subject, problem.subject), str(problem)): problem for problem in reversed(problems)}
     return [_place(project, frame, problem) for problem in reversed(first.values())]
 
 
-def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
+def _place(project: AnalysisFile, frame: FrameModel, problem: NotTranslated) -> str:
     """The refusal of a part, at its place in the project file."""
     for device in frame.devices:
         if device.name == problem.subject and device.play > 0.0:
@@ -60,16 +77,21 @@ def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
             where = project.where("dampers", "laws", device.law)
             return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}"
     member = problem.subject.partition(".")[0]
+    if member in frame.members and isinstance(project, Building):
+        keys = keys_of_member(project, member)
+        return f"{project.where(*keys)}: {keys_text(keys)}: {problem.subject}: {problem}"
     if member in frame.members:
         kinds = {"column": "columns", "beam": "beams", "brace": "braces"}
         key = kinds[frame.members[member].kind]
         return f"{project.where('frame', key)}: frame.{key}: {problem.subject}: {problem}"
-    return f"{project.where('frame', 'supports')}: frame.supports: {problem.subject}: {problem}"
+    keys = ("supports",) if isinstance(project, Building) else ("frame", "supports")
+    return f"{project.where(*keys)}: {keys_text(keys)}: {problem.subject}: {problem}"
 
 
-def differences(project: Project, frame: FrameModel, dampers: Dampers) -> list[str]:
+def differences(project: AnalysisFile, structure: Structure, dampers: Dampers) -> list[str]:
     """Return sentences on what OpenSees does in another way."""
-    found = []
+    found, frame = [], structure.frame
+    geometry = project.elements.geometry
     laws = {member.material: member.steel for member in frame.members.values()}
     bending = {member.material for member in frame.members.values() if member.fibres is not None}
     soft = [name for name in laws if name in bending and _is_soft(laws[name])]
@@ -78,9 +100,20 @@ def differences(project: Project, frame: FrameModel, dampers: Dampers) -> list[s
         found.append(f"{', '.join(soft)} without hardening: {why}; compare with 0.01 % in a copy of the project")
     if any(isinstance(law, MenegottoPintoMaterial) for law in laws.values()):
         found.append("Steel02 forgets the curve that a small unloading has left; edesign reloads on to it")
-    if frame.of_kind("brace") and project.elements.geometry.braces == "p_delta":
+    if frame.of_kind("brace") and geometry.braces == "p_delta":
         found.append("braces with P-Delta are corotational, which differs by the square of the drift")
-    if rigid_ends(project):
+    if isinstance(project, Building) and "corotational" in (geometry.columns, geometry.beams):
+        found.append(
+            "corotational members in space are formulated otherwise, which differs by the square of their turns"
+        )
+    if structure.shifted:
+        found.append(f"{counted(len(structure.shifted), 'member')} with loads along them have these at their ends")
+    if any(frame.members[name].fibres is not None for name in structure.divided):
+        found.append(
+            f"{counted(len(structure.divided), 'member')} of more than 10 sections are divided: damping in proportion to "
+            "the stiffness acts within them too; compare with fewer `elements.integration_points` in a copy"
+        )
+    if isinstance(project, Project) and rigid_ends(project):
         found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by some 1e-5")
     modal = isinstance(project.damping, ModalDamping | CaugheyDamping)
     if modal and project.integration is not None and not isinstance(project.integration, NewmarkIntegration):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
@@ -26,12 +27,14 @@ class Script:
         blocks: of the model, in the order of their use.
         constants: by name, in order.
         analyses: by name, what each needs.
+        dimension: of the model.
     """
 
     head: Sequence[str]
     blocks: Sequence[Block]
     constants: Mapping[str, Value | Mapping[str, Value]]
     analyses: Mapping[str, Mapping[str, Value]]
+    dimension: int = 2
 
 
 def python_text(script: Script, path: Path) -> str:
@@ -49,7 +52,7 @@ def python_text(script: Script, path: Path) -> str:
     constants.append("ANALYSES = {")
     for name, analysis in script.analyses.items():
         constants.append(f'    "{name}": {_python(analysis)},')
-    constants += ["}", "", "", _procedures("python")]
+    constants += ["}", "", "", _procedures("python", script.dimension)]
     return "\n".join([*parts, *constants])
 
 
@@ -66,7 +69,7 @@ def tcl_text(script: Script, path: Path) -> str:
     lines.append("set ANALYSES [dict create]")
     for name, analysis in script.analyses.items():
         lines.append(f"dict set ANALYSES {name} {_tcl(analysis)}")
-    return "\n".join([*lines, "", _procedures("tcl")])
+    return "\n".join([*lines, "", _procedures("tcl", script.dimension)])
 
 
 def _head(paragraphs: Sequence[str], run: str) -> list[str]:
@@ -86,8 +89,15 @@ def _wrapped(paragraphs: Sequence[str]) -> list[str]:
     return lines
 
 
-def _procedures(language: str) -> str:
-    return files("edesign.exchange.opensees").joinpath(f"data/procedures_{language}.txt").read_text(encoding="utf-8")
+def _procedures(language: str, dimension: int) -> str:
+    """The procedures, with what is of frames in a plane or in space in the place of its name between two `@`."""
+    parts = re.split(r"^@(\w+)@\n", _text(f"{'plane' if dimension == 2 else 'space'}_{language}"), flags=re.MULTILINE)
+    of = {name: text.removesuffix("\n") for name, text in zip(parts[1::2], parts[2::2], strict=True)}
+    return re.sub(r"@(\w+)@", lambda mark: of[mark[1]], _text(f"procedures_{language}"))
+
+
+def _text(name: str) -> str:
+    return files("edesign.exchange.opensees").joinpath(f"data/{name}.txt").read_text(encoding="utf-8")
 
 
 def _python(value: Value | Mapping[str, Value]) -> str:

@@ -45,6 +45,7 @@ class Tags:
     node: int
     element: int
     material: int
+    section: int
 
     def next(self, kind: str) -> int:
         """Return a tag of a kind that nothing has yet."""
@@ -67,6 +68,8 @@ class Structure:
         copies: nodes that stand for a released end or an end of a damper, by the id of the node that they move with:
             what a support carries is on all of them.
         kept: nodes whose supports and ties are written by `commands`.
+        divided: names of members that OpenSees has as several.
+        shifted: names of members whose loads along them stand at their ends.
         moving: independent degrees of freedom with mass.
         damping_factors: of stiffness-proportional damping, by tag of the element. Others have none: they only help to
             express the structure in OpenSees.
@@ -81,6 +84,8 @@ class Structure:
     copies: dict[int, list[int]] = field(default_factory=lambda: defaultdict(list))
     kept: list[int] = field(default_factory=list)
     damping_factors: dict[int, float] = field(default_factory=dict)
+    divided: list[str] = field(default_factory=list)
+    shifted: list[str] = field(default_factory=list)
     moving: set[Degree] = field(default_factory=set)
     node_commands: list[Command] = field(default_factory=list)
     masses: list[Command] = field(default_factory=list)
@@ -129,7 +134,10 @@ class Structure:
         ties = self.joined.commands(self.kept, self.nodes, self.names)
         parts = (
             (f"nodes: tag, x, y{', z' * in_space} [m]", self.node_commands),
-            (f"supports and {'rigid floors' if in_space else 'ties'}", [*ties, *self.joined.floors(self.nodes, self.names)]),
+            (
+                f"supports and {'rigid floors' if in_space else 'ties'}",
+                [*ties, *self.joined.floors(self.nodes, self.names)],
+            ),
             (f"masses: along x, y{', z' * in_space} [kg], about {'x, y, ' * in_space}z [kg m2]", self.masses),
             ("materials [Pa]; of springs and dampers [N/m, N m/rad, N, N m]", self.materials),
             ("sections: fibres at y [m], z, area [m2]", self.sections),

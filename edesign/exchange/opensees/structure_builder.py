@@ -49,7 +49,7 @@ class StructureBuilder:
         self._frame, self._model, self._to = frame, model, structure
         self._laws: dict[int, Steel] = {}
         self._elastic: dict[int, tuple[float, ...]] = {}
-        self._fibred: set[int] = set()
+        self._fibred: dict[int, Call] = {}
         self._member_of = {part: member.name for member in frame.members.values() for part in member.parts}
         self._rules: dict[tuple[Hashable, ...], int] = {}
         self._geometries: dict[tuple[Hashable, ...], int] = {}
@@ -105,7 +105,7 @@ class StructureBuilder:
         named = self._section_name(call.result)
         comment = f"{named}: {depths.size} fibres, those at one depth as one"
         self._to.sections.append(command("section", "Fiber", call.result + 1, body=fibres, comment=comment))
-        self._fibred.add(call.result)
+        self._fibred[call.result] = call
 
     def _section_name(self, section: int) -> str:
         for member in self._frame.members.values():
@@ -130,22 +130,34 @@ class StructureBuilder:
         arms = self._rigid.get(number, (0.0, 0.0))
         if any(arms):
             tags, lengths, ends = self._arms(call, ends, places, length, arms)
-        for at, free in enumerate(call["release"]):
-            if free:  # where the member begins to bend: behind its rigid end
-                name = f"{call['name']}, released at {to.names[ends[at]]}"
-                ends[at] = to.tied_copy(name, ends[at], (0, 1))
+        ends = self._released_ends(call, ends)
         self._pieces[number] = tags, Stretches((0.0, 0.0), tuple(lengths))
         transformation = self._geometry(call)
         to.damp(number + 1, self._factors.get(number, 1.0))
         if call["section"] in self._fibred:
-            self._fibre_beam(call, ends, transformation, self._rule(call, arms, length))
+            middle = length - sum(arms)
+            inside = [x for at in call["breaks"] if 0.0 < (x := (at * length - arms[0]) / middle) < 1.0]
+            self._fibre_beam(call, ends, transformation, inside)
         else:
             self._elastic_beam(call, ends, transformation, length)
 
-    def _fibre_beam(self, call: Call, ends: Sequence[int], transformation: int, rule: int) -> None:
-        pair = (self._to.nodes[end] for end in ends)
-        words = ("forceBeamColumn", call.result + 1, *pair, transformation, rule, *ITERATIONS)
-        self._to.elements.append(command("element", *words, comment=self._told(call)))
+    def _released_ends(self, call: Call, ends: Sequence[int]) -> list[int]:
+        """Nodes between which a member bends, behind its rigid ends, with copies of those where it is released."""
+        to, found = self._to, list(ends)
+        for at, free in enumerate(call["release"]):
+            if free:
+                name = f"{call['name']}, released at {to.names[found[at]]}"
+                found[at] = to.tied_copy(name, found[at], (0, 1))
+        return found
+
+    def _fibre_beam(self, call: Call, ends: Sequence[int], transformation: int, inside: Sequence[float]) -> None:
+        section = call["section"] + 1
+        rule = self._rule(call, (section, section, section), inside)
+        self._force_based(call.result + 1, ends, transformation, rule, self._told(call))
+
+    def _force_based(self, tag: int, ends: Sequence[int], transformation: int, rule: int, comment: str) -> None:
+        words = ("forceBeamColumn", tag, *(self._to.nodes[end] for end in ends), transformation, rule, *ITERATIONS)
+        self._to.elements.append(command("element", *words, comment=comment))
 
     def _told(self, call: Call) -> str:
         known = call.result in self._member_of
@@ -171,12 +183,11 @@ class StructureBuilder:
         name = self._member_of.get(element)
         return 1.0 if name is None else self._frame.members[name].steel.E
 
-    def _rule(self, call: Call, arms: tuple[float, float], length: float) -> int:
-        middle = length - sum(arms)
-        inside = tuple(x for at in call["breaks"] if 0.0 < (x := (at * length - arms[0]) / middle) < 1.0)
-        first, last = self._end_sections(call)
-        section, points = call["section"] + 1, call["points"]
-        key = (section, points, inside, first, last)
+    def _rule(self, call: Call, sections: tuple[int, int, int], inside: Sequence[float]) -> int:
+        """Tag of the integration of a member with sections at its start, between and at its end."""
+        first, section, last = sections
+        points = call["points"]
+        key = (*sections, points, *inside)
         if key in self._rules:
             return self._rules[key]
         tag = self._rules[key] = len(self._rules) + 1
@@ -194,10 +205,6 @@ class StructureBuilder:
         comment = f"{points} points of Gauss-Lobatto in each part between loads"
         self._to.elements.append(command("beamIntegration", "UserDefined", *words, comment=comment))
         return tag
-
-    def _end_sections(self, call: Call) -> tuple[int, int]:
-        """Tags of the sections at both ends of a member with fibres."""
-        return call["section"] + 1, call["section"] + 1
 
     def _arms(
         self, call: Call, ends: list[int], places: list[tuple[float, ...]], length: float, arms: tuple[float, float]
@@ -233,7 +240,7 @@ class StructureBuilder:
         """Return E A and E I of a section, N and N m2."""
         if section in self._elastic:
             return self._elastic[section][0], self._elastic[section][1]
-        call = next(c for c in self._model.calls if c.name == "fibre_section" and c.result == section)
+        call = self._fibred[section]
         y, area = (np.asarray(call[key], dtype=float) for key in ("y", "area"))
         E = self._laws[int(call["material"])].E
         return E * float(area.sum()), E * float((area * y**2).sum())

@@ -1,4 +1,4 @@
-"""A project as a script for OpenSees."""
+"""A project or building as a script for OpenSees."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from math import hypot
+from math import dist
 from pathlib import Path
 
 from edesign._version import __version__
@@ -18,7 +18,9 @@ from edesign.exchange.opensees.dampers import DamperBuilder
 from edesign.exchange.opensees.dynamics import integrator_words
 from edesign.exchange.opensees.joined import JoinedDegrees
 from edesign.exchange.opensees.limits import differences, places, refuse
+from edesign.exchange.opensees.outputs import bases, outputs
 from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
+from edesign.exchange.opensees.space_builder import SpaceBuilder
 from edesign.exchange.opensees.structure import (
     GRAVITY,
     NotTranslated,
@@ -29,28 +31,30 @@ from edesign.exchange.opensees.structure import (
 from edesign.exchange.opensees.structure_builder import StructureBuilder
 from edesign.exchange.recorded_model import RecordedModel
 from edesign.frame.devices import DeviceLaw
-from edesign.frame.frame import build_frame
-from edesign.frame.frame_model import FrameModel
 from edesign.frame.tuned_masses import Attached
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import ChosenRecords
 from edesign.study.analysis.dampers import attachments, device_laws
-from edesign.study.analysis.structure import GRAVITY_STEPS
+from edesign.study.analysis.structure import GRAVITY_STEPS, build
 from edesign.study.plan.choosing import with_choices
 
 
-def translate_python(project: Project, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
+def translate_python(project: AnalysisFile, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
     """Return a script for OpenSeesPy and its records; errors as `Format.translate`."""
     return _translate(project, path, without_dampers, progress, python_text)
 
 
-def translate_tcl(project: Project, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
+def translate_tcl(project: AnalysisFile, path: Path, without_dampers: bool, progress: ProgressLine) -> Translation:
     """Return a script for OpenSees and its records; errors as `Format.translate`."""
     return _translate(project, path, without_dampers, progress, tcl_text)
 
 
 def _translate(
-    project: Project, path: Path, without_dampers: bool, progress: ProgressLine, text: Callable[[Script, Path], str]
+    project: AnalysisFile,
+    path: Path,
+    without_dampers: bool,
+    progress: ProgressLine,
+    text: Callable[[Script, Path], str],
 ) -> Translation:
     if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
         raise InputError(
@@ -65,9 +69,9 @@ def _translate(
 
 
 def opensees_script(
-    project: Project, path: Path, without_dampers: bool = False, progress: ProgressLine = lambda stage: None
+    project: AnalysisFile, path: Path, without_dampers: bool = False, progress: ProgressLine = lambda stage: None
 ) -> tuple[Script, Translation]:
-    """Return a project as blocks of commands and data, and beside it its records, with what is left out or differs.
+    """Return a file as blocks of commands and data, and beside it its records, with what is left out or differs.
 
     Args:
         without_dampers: whether dampers and tuned masses are left out.
@@ -77,33 +81,34 @@ def opensees_script(
         InputError: OpenSees lacks something that the project has, or a record is wrong.
         AnalysisError: an analysis that the script takes numbers from failed.
     """
-    progress("building the frame")
+    progress(f"building the {project.structure}")
     left_out = []
     has_dampers = project.dampers is not None and not without_dampers and any(s.dampers for s in project.analyses)
-    plain = RecordedModel()
-    frame = build_frame(project, plain)
+    plain = _recorded(project)
+    frame = build(project, model=plain)
     model, devices = plain, frame
     if has_dampers:
-        model = RecordedModel()
+        model = _recorded(project)
         laws: dict[str, DeviceLaw] = device_laws(project)
         added: Sequence[Attached] = attachments(project)
-        devices = build_frame(project, model, laws=laws, attachments=added)
+        devices = build(project, model=model, laws=laws, attachments=added)
     if without_dampers and has_placed_dampers(project):
         left_out.append("dampers, isolators and tuned masses, as --without-dampers asks")
     base, extra = plain.calls, model.calls[len(plain.calls) :] if has_dampers else []
     materials = 1 + sum(call.name == "material" for call in model.calls)
-    tags = Tags(len(model.node_names) + 1, len(model.element_names) + 1, materials)
-    structure = Structure(frame, JoinedDegrees(model.calls), tags)
-    builder = StructureBuilder(frame, plain, structure)
+    sections = 1 + sum(call.name.endswith("_section") for call in model.calls)
+    tags = Tags(len(model.node_names) + 1, len(model.element_names) + 1, materials, sections)
+    structure = Structure(frame, JoinedDegrees(model.calls, model.degrees), tags)
+    builder = (SpaceBuilder if structure.dimension == 3 else StructureBuilder)(frame, plain, structure)
     try:
         builder.build(base)
         largest = _largest_stiffness(builder, structure)
         soil = DamperBuilder(structure, largest).build(base)
-        build = (*structure.commands(), *soil.place)
+        build_commands = (*structure.commands(), *soil.place)
         loads = tuple(structure.loads)
         masses, plain_equations = len(structure.moving), structure.joined.independent(structure.kept)
-        outputs = _outputs(frame, structure)
-        bases = _base(frame, structure)
+        shown = outputs(frame, structure)
+        base_shear = bases(frame, structure)
         mark = _Mark(structure)
         builder.build(extra)
         damper_builder = DamperBuilder(structure, largest)
@@ -114,7 +119,7 @@ def opensees_script(
         raise InputError("\n".join(places(project, devices, [problem]))) from problem
     except NotTranslatedParts as several:
         raise InputError("\n".join(places(project, devices, several.problems))) from several
-    blocks = [Block("build", "The frame, without loads.", build)]
+    blocks = [Block("build", f"The {project.structure}, without loads.", build_commands)]
     gravity = (
         command("timeSeries", "Linear", GRAVITY),
         command("pattern", "Plain", GRAVITY, GRAVITY, body=loads, comment="N, N m; on members N/m, in their axes"),
@@ -126,7 +131,10 @@ def opensees_script(
     moving = _block(blocks, "set_in_dashpots", "What resists speed in dampers.", dampers.moving)
     springs = damper_builder.springs if devices.devices else None
     equations = plain_equations, structure.joined.independent(structure.kept)
-    added_bases = tuple(tag for tag in _base(devices, structure) if tag not in bases)
+    added_bases = tuple(
+        tuple(tag for tag in more if tag not in known)
+        for more, known in zip(bases(devices, structure), base_shear, strict=True)
+    )
     plain_model = (Name("build"),)
     parts = Parts(
         plain_model,
@@ -136,9 +144,10 @@ def opensees_script(
         moving,
         springs,
         has_dampers and more_modes,
-        bases,
+        base_shear,
         added_bases,
         equations,
+        frame.up,
     )
     found = programme(project, structure, parts, path.stem, without_dampers, progress)
     left_out += found.left_out
@@ -151,13 +160,17 @@ def opensees_script(
         "DAMPING": found.damping,
         "DAMPING_FACTORS": _factors(structure),
         "PLAIN_MODEL": plain_model,
-        **outputs,
+        **shown,
     }
     texts = {path.with_name(name): content for name, content in found.files.items()}
-    other = differences(project, frame, dampers)
-    head = _head(project, left_out, other)
-    script = Script(head, [*blocks, *found.blocks], constants, found.analyses)
+    other = differences(project, structure, dampers)
+    head = _head(project, structure, left_out, other)
+    script = Script(head, [*blocks, *found.blocks], constants, found.analyses, structure.dimension)
     return script, Translation(texts, tuple(left_out), tuple(other))
+
+
+def _recorded(project: AnalysisFile) -> RecordedModel:
+    return RecordedModel(len(next(iter(project.grid.nodes.values()))))
 
 
 class _Mark:
@@ -189,8 +202,8 @@ def _largest_stiffness(builder: StructureBuilder, structure: Structure) -> float
     """Largest E A / L of the members, N/m."""
     largest = 0.0
     for call in builder.members():
-        (x0, y0), (x1, y1) = (structure.places[call[end]] for end in "ij")
-        largest = max(largest, builder.stiffness(call["section"])[0] / hypot(x1 - x0, y1 - y0))
+        length = dist(*(structure.places[call[end]] for end in "ij"))
+        largest = max(largest, builder.stiffness(call["section"])[0] / length)
     return largest
 
 
@@ -202,47 +215,18 @@ def _factors(structure: Structure) -> tuple[Value, ...]:
     return tuple((factor, tuple(tags)) for factor, tags in of.items())
 
 
-def _reacting(frame: FrameModel, structure: Structure, support: str, degree: int) -> list[int]:
-    """Tags of the nodes whose reactions are that of a support."""
-    nodes = [node for _, kind, node, _ in frame.reaction(support, degree) if kind == "reaction"]
-    return [structure.nodes[one] for node in nodes for one in (node, *(structure.copies[node] if degree < 2 else ()))]
-
-
-def _base(frame: FrameModel, structure: Structure) -> tuple[int, ...]:
-    """Tags of the nodes whose horizontal reactions are the base shear, that of the leaning column among them."""
-    supports = [name for name, fixed in frame.supports.items() if fixed[0]]
-    found = [tag for name in supports for tag in _reacting(frame, structure, name, 0)]
-    if frame.leaning is not None:
-        found += [structure.nodes[one] for one in (frame.leaning.base, *structure.copies[frame.leaning.base])]
-    return tuple(found)
-
-
-def _outputs(frame: FrameModel, structure: Structure) -> dict[str, Value | dict[str, Value]]:
-    """Which nodes the results are of."""
-    reactions: dict[str, Value] = {
-        name: tuple(
-            tuple(_reacting(frame, structure, name, degree)) if restrained[degree] else () for degree in range(3)
-        )
-        for name, restrained in frame.supports.items()
-    }
-    return {
-        "NODES": {name: structure.nodes[node] for name, node in frame.nodes.items()},
-        "FLOORS": tuple(tuple(structure.nodes[node] for ((_, node, _),) in floor.movers[0]) for floor in frame.floors),
-        "STOREY_HEIGHTS": tuple(storey.height for storey in frame.storeys),
-        "CONTROL": structure.nodes[frame.control],
-        "REACTIONS": reactions,
-    }
-
-
-def _head(project: Project, left_out: Sequence[str], other: Sequence[str]) -> list[str]:
+def _head(project: AnalysisFile, structure: Structure, left_out: Sequence[str], other: Sequence[str]) -> list[str]:
     """Paragraphs of the comment at the top."""
+    degrees = "ux, uy upwards, rz anticlockwise"
+    if structure.dimension == 3:
+        degrees = "ux, uy, uz upwards, rx, ry, rz. Members have local x from start to end, local z along the web"
     head = [
         f"{MARK} {__version__} from {project.path.name}",
         project.title,
         f"Model and analyses of {project.path.name} (SHA-256 {project.checksum}), for OpenSees.",
-        "Units: m, N, kg, s, Pa, rad. Degrees of freedom: ux, uy upwards, rz anticlockwise.",
+        f"Units: m, N, kg, s, Pa, rad. Degrees of freedom: {degrees}.",
         "Tags of nodes and elements are those of edesign plus one; further ones follow.",
-        "What is not, or not quite, as in the project:",
+        f"What is not, or not quite, as in the {project.kind}:",
     ]
     head += [f"- {sentence}" for sentence in (*left_out, *other)] or ["- nothing is left out"]
     return head
