@@ -11,6 +11,7 @@ import numpy as np
 from edesign.exchange.formats import ProgressLine
 from edesign.exchange.opensees.commands import Block, Command, File, Name, Value, command
 from edesign.exchange.opensees.dynamics import damping_values
+from edesign.exchange.opensees.floors import FloorBlocks
 from edesign.exchange.opensees.structure import Structure
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.project.analysis.analyses import (
@@ -20,6 +21,7 @@ from edesign.project.analysis.analyses import (
     PlannedAnalysis,
     PushoverAnalysis,
 )
+from edesign.project.analysis.damping import CaugheyDamping
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.words import counted
 from edesign.project.records.records import record_of
@@ -27,6 +29,7 @@ from edesign.study.analysis.capacity import capacity
 from edesign.study.analysis.damper_stiffness import damped_modes
 from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
+from edesign.study.analysis.push import load_moments, pushed_along
 from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame, make_structure
 from edesign.study.motions.applied import check_motion, ground_motion, scale_factor
 from edesign.study.motions.motions import AnyMotion, match_options, project_motions
@@ -58,13 +61,21 @@ class Programme:
     damping: dict[str, Value] = field(default_factory=dict)
     left_out: list[str] = field(default_factory=list)
 
+    def block_name(self, kind: str, analysis: str) -> str:
+        """Return a name for a block of an analysis that no other one has."""
+        name = re.sub(r"\W", "_", f"{kind}_{analysis}")
+        while name in {block.name for block in self.blocks}:
+            name += "_"
+        return name
+
 
 @dataclass(frozen=True)
 class Parts:
     """Which blocks build the model.
 
     Attributes:
-        plain, with_dampers: of analyses without and with dampers; the first is `build`.
+        plain, with_dampers: of analyses without dampers, and what is added with them; the first is `build`.
+        floors: of rigid floors and masses of a building.
         soil, at_rest, moving: set in under the gravity loads: soil dashpots in histories; of dampers what resists at
             rest, and in histories what resists speed.
         springs: makes the commands of linear springs in the place of dampers, from their stiffness by name; None: the
@@ -77,6 +88,7 @@ class Parts:
 
     plain: tuple[Name, ...]
     with_dampers: tuple[Name, ...]
+    floors: FloorBlocks
     soil: tuple[Name, ...]
     at_rest: tuple[Name, ...]
     moving: tuple[Name, ...]
@@ -95,7 +107,11 @@ class Parts:
 
     def model(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
         """Blocks that build the model of an analysis."""
-        return self.with_dampers if spec.dampers else self.plain
+        return (*self.alone(spec), *(self.with_dampers if spec.dampers else ()))
+
+    def alone(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
+        """Blocks that build it without dampers."""
+        return (*self.plain, *self.floors.of(spec))
 
     def set_in(self, spec: PlannedAnalysis, moves: bool) -> tuple[Name, ...]:
         """Blocks that add what is set in under the gravity loads."""
@@ -129,7 +145,6 @@ def programme(
     if bare:
         found.left_out.append(f"the dampers of {_listed(bare)}")
     targets: list[str] = []
-    pushed: list[str] = []
     for spec in tasks:
         if spec.name in bare:
             spec = spec.model_copy(update={"dampers": False})
@@ -138,16 +153,12 @@ def programme(
                 _modal(found, project, spec, parts)
             case GravityAnalysis():
                 found.analyses[spec.name] = {"kind": "gravity", "model": parts.model(spec), "steps": spec.steps}
-            case PushoverAnalysis() if structure.dimension == 3:
-                pushed.append(spec.name)
             case PushoverAnalysis():
                 _pushover(found, project, spec, structure, parts)
             case HistoryAnalysis():
                 _history(found, project, spec, parts, motions, stem)
             case _:
                 targets.append(spec.name)
-    if pushed:
-        found.left_out.append(f"{_listed(pushed)}: pushovers of buildings are not translated")
     if targets:
         found.left_out.append(f"{_listed(targets)}: target displacements follow from clauses of a code")
     return found
@@ -177,7 +188,7 @@ def _modal(found: Programme, project: AnalysisFile, spec: ModalAnalysis, parts: 
         names = [device.name for device in structure.frame.devices]
         commands = parts.springs(dict(zip(names, map(float, stiffness), strict=True)))
         if commands:
-            block = (Name(f"springs_{_identifier(spec.name)}"),)
+            block = (Name(found.block_name("springs", spec.name)),)
             purpose = f"The stiffness of dampers and braces at the amplitude of {spec.name}, from edesign."
             found.blocks.append(Block(block[0].name, purpose, tuple(commands)))
     found.analyses[spec.name] = {
@@ -194,14 +205,19 @@ def _pushover(
     found: Programme, project: AnalysisFile, spec: PushoverAnalysis, structure: Structure, parts: Parts
 ) -> None:
     frame = make_frame(project, spec.dampers)
-    loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
+    direction = pushed_along(frame, spec)
+    loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers, direction)
+    moments = load_moments(project, frame, spec, loads, direction)
     if spec.roof_drift is not None:
-        sign = 1.0 if spec.directions[0] == "right" else -1.0
-        target = sign * spec.roof_drift * project.frame.height
+        target = spec.sign * spec.roof_drift * project.grid.height
     else:
         target = capacity(project, spec).push.target
-    block = f"push_{_identifier(spec.name)}"
-    lateral = [command("load", structure.nodes[frame.nodes[n]], load, 0.0, 0.0, comment=n) for n, load in loads.items()]
+    block = found.block_name("push", spec.name)
+    lateral = []
+    for name, load in loads.items():
+        values = [0.0] * len(structure.joined.degrees)
+        values[frame.directions[direction].degree], values[-1] = load, moments.get(name, 0.0)
+        lateral.append(command("load", structure.nodes[frame.nodes[name]], *values, comment=name))
     commands = (
         command("timeSeries", "Linear", PUSH),
         command("pattern", "Plain", PUSH, PUSH, body=lateral, comment="their sum is 1 N"),
@@ -215,12 +231,11 @@ def _pushover(
         "loads": Name(block),
         "target": target,
         "steps": spec.steps,
+        **({"way": frame.directions[direction].degree + 1} if structure.dimension == 3 else {}),
     }
 
 
-def _motions(
-    project: AnalysisFile, tasks: Iterable[PlannedAnalysis], progress: ProgressLine
-) -> dict[str, AnyMotion]:
+def _motions(project: AnalysisFile, tasks: Iterable[PlannedAnalysis], progress: ProgressLine) -> dict[str, AnyMotion]:
     """All records of the histories, made ready."""
     wanted: list[str] = []
     for spec in tasks:
@@ -260,6 +275,9 @@ def _history(
     if found.damping.get("kind") == "modal" and spec.dampers and parts.tuned:
         found.left_out.append(f"analysis {spec.name}: it has modal damping, and tuned masses have modes of their own")
         return
+    if isinstance(project.damping, CaugheyDamping) and any(spec.eccentricity_with(project.accidental_torsion)):
+        found.left_out.append(f"analysis {spec.name}: its Caughey damping is that of masses beside their places")
+        return
     if spec.collapse_drift is not None:
         found.left_out.append(f"analysis {spec.name}: its `collapse_drift` does not end it")
     motion = motions[spec.record]
@@ -272,7 +290,7 @@ def _history(
     if any(abs(one[0]) > 0.01 * np.max(np.abs(one)) for one in (horizontal, across) if one is not None):
         begins = "begins with more than 1 % of its peak, with which OpenSees does not begin from rest in equilibrium"
         found.left_out.append(f"analysis {spec.name}: its record {begins}; put a zero before it to compare")
-    block = f"motion_{_identifier(spec.name)}"
+    block = found.block_name("motion", spec.name)
     commands: list[Command] = []
     directions = [(1, QUAKE, horizontal, "")]
     if across is not None:
@@ -291,6 +309,7 @@ def _history(
         "base": parts.bases(spec),
         "set_in": parts.set_in(spec, moves=True),
         "motion": Name(block),
+        **({"alone": parts.alone(spec)} if parts.up == 2 and found.damping else {}),
         "step": dt,
         "steps": int(horizontal.size) - 1,
     }
@@ -304,7 +323,3 @@ def _file_of(found: Programme, name: str, samples: np.ndarray) -> str:
             return other
     found.files[name] = text
     return name
-
-
-def _identifier(name: str) -> str:
-    return re.sub(r"\W", "_", name)

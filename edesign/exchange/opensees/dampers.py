@@ -209,7 +209,7 @@ class DamperBuilder:
         return s.tied_copy(f"{name}, moving with {s.names[ends[-1]]}", ends[-1], (0, 1, 2), s.places[far]), far
 
     def _mean(
-        self, name: str, parts: list[tuple[float, int]], found: Dampers, place: tuple[float, float] | None = None
+        self, name: str, parts: list[tuple[float, int]], found: Dampers, place: tuple[float, ...] | None = None
     ) -> int:
         """A node that moves along x with the mean of others; with a diaphragm they are one."""
         s, nodes = self._to, [node for _, node in parts]
@@ -226,7 +226,7 @@ class DamperBuilder:
         s.joined.fix((mean, 2))
         return mean
 
-    def _lever(self, name: str, nodes: list[int], place: tuple[float, float], found: Dampers) -> int:
+    def _lever(self, name: str, nodes: list[int], place: tuple[float, ...], found: Dampers) -> int:
         """The middle of a stiff upright bar whose ends follow two nodes along x, and which turns freely."""
         s = self._to
         mean = s.add_node(name, place)
@@ -242,7 +242,7 @@ class DamperBuilder:
             found.place.append(command("element", *words, comment=f"{name}: mean of its sides"))
         return mean
 
-    def _apex(self, name: str, lower_ends: list[int], place: tuple[float, float], found: Dampers) -> int:
+    def _apex(self, name: str, lower_ends: list[int], place: tuple[float, ...], found: Dampers) -> int:
         """The point at which stiff bars from the lower ends of a chevron meet."""
         s = self._to
         apex = s.add_node(f"{name}, apex of the chevron", place)

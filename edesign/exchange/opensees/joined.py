@@ -25,13 +25,16 @@ class JoinedDegrees:
     Args:
         calls: that built the model.
         degrees: names of the degrees of a node.
+
+    Attributes:
+        masters: nodes of rigid floors by the id of the node that they move with.
     """
 
     def __init__(self, calls: Iterable[Call], degrees: Sequence[str] = PLANE_DEGREES) -> None:
         self.degrees = degrees
         self._above: dict[Degree, Degree] = {}
         self._fixed: set[Degree] = set()
-        self._floors: dict[int, list[int]] = {}
+        self.masters: dict[int, list[int]] = {}
         for call in calls:
             if call.name == "tie":
                 for at, name in enumerate(degrees):
@@ -42,7 +45,7 @@ class JoinedDegrees:
                     if call[name]:
                         self.fix((call["node"], at))
             elif call.name == "diaphragm":
-                self._floors.setdefault(call["master"], []).extend(call["nodes"])
+                self.masters.setdefault(call["master"], []).extend(call["nodes"])
 
     def leader(self, degree: Degree) -> Degree:
         """Return the degree that a degree moves with."""
@@ -67,7 +70,7 @@ class JoinedDegrees:
     def independent(self, nodes: Iterable[int]) -> int:
         """Return how many degrees of freedom nodes have that are neither fixed nor tied to others."""
         fixed = {self.leader(one) for one in self._fixed}
-        carried = {(node, at) for nodes in self._floors.values() for node in nodes for at in IN_PLAN}
+        carried = {(node, at) for nodes in self.masters.values() for node in nodes for at in IN_PLAN}
         return len({self.leader((node, at)) for node in nodes for at in range(len(self.degrees))} - fixed - carried)
 
     def commands(self, nodes: Iterable[int], tags: dict[int, int], names: dict[int, str]) -> list[Command]:
@@ -98,5 +101,5 @@ class JoinedDegrees:
         """Return the rigid floors of a model in space, each with its master first; arguments as of `commands`."""
         return [
             command("rigidDiaphragm", VERTICAL, tags[master], *(tags[node] for node in nodes), comment=names[master])
-            for master, nodes in self._floors.items()
+            for master, nodes in self.masters.items()
         ]

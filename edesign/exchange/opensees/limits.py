@@ -108,10 +108,11 @@ def differences(project: AnalysisFile, structure: Structure, dampers: Dampers) -
         )
     if structure.shifted:
         found.append(f"{counted(len(structure.shifted), 'member')} with loads along them have these at their ends")
-    if any(frame.members[name].fibres is not None for name in structure.divided):
+    divided = [name for name in structure.divided if frame.members[name].fibres is not None]
+    if divided:
         found.append(
-            f"{counted(len(structure.divided), 'member')} of more than 10 sections are divided: damping in proportion to "
-            "the stiffness acts within them too; compare with fewer `elements.integration_points` in a copy"
+            f"{counted(len(divided), 'member')} of more than 10 sections are divided: damping in proportion to the "
+            "stiffness acts within them too; compare with fewer `elements.integration_points` in a copy"
         )
     if isinstance(project, Project) and rigid_ends(project):
         found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by some 1e-5")

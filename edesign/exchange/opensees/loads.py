@@ -84,9 +84,9 @@ class LoadBuilder:
         if element not in self._without:
             return
         call, to = self._calls[element], self._to
-        start, end = (to.places[call[end]] for end in "ij")
-        length = dist(start, end)
-        c, s = ((b - a) / length for a, b in zip(start, end, strict=True))
+        first, last = (to.places[call[end]] for end in "ij")
+        length = dist(first, last)
+        c, s = ((b - a) / length for a, b in zip(first, last, strict=True))
         missing = released_flexibility_loads(self._elastic[call["section"]][1], length, self._without[element], loads)
         for end, (force, moment) in zip("ij", missing, strict=True):
             words = (to.nodes[call[end]], -s * force, c * force, moment)

@@ -51,7 +51,7 @@ def _of_building(frame: FrameModel, structure: Structure) -> Outputs:
         for storey in frame.storeys
         for direction, lines in zip(frame.directions, storey.drifts, strict=True)
     )
-    return {"FLOORS": tuple(_floors(frame, structure)), "DRIFTS": drifts}
+    return {"FLOORS": tuple(_floors(frame, structure)), "DRIFTS": drifts, "CONTROL": structure.nodes[frame.control]}
 
 
 def _floors(frame: FrameModel, structure: Structure) -> Iterator[Value]:

@@ -129,23 +129,34 @@ class Structure:
         return tag
 
     def commands(self) -> tuple[Command, ...]:
-        """Return the model without loads; the ties and supports follow the nodes."""
-        in_space = self.dimension == 3
-        ties = self.joined.commands(self.kept, self.nodes, self.names)
+        """Return the model without loads, of a building without rigid floors and masses."""
+        in_space, masters = self.dimension == 3, self.joined.masters
+        kept = [node for node in self.kept if node not in masters]
+        nodes = [one for node, one in zip(self.kept, self.node_commands, strict=True) if node not in masters]
         parts = (
-            (f"nodes: tag, x, y{', z' * in_space} [m]", self.node_commands),
-            (
-                f"supports and {'rigid floors' if in_space else 'ties'}",
-                [*ties, *self.joined.floors(self.nodes, self.names)],
-            ),
-            (f"masses: along x, y{', z' * in_space} [kg], about {'x, y, ' * in_space}z [kg m2]", self.masses),
+            (f"nodes: tag, x, y{', z' * in_space} [m]", nodes),
+            ("supports and ties", self.joined.commands(kept, self.nodes, self.names)),
+            ("masses: along x, y [kg], about z [kg m2]", [] if in_space else self.masses),
             ("materials [Pa]; of springs and dampers [N/m, N m/rad, N, N m]", self.materials),
             ("sections: fibres at y [m], z, area [m2]", self.sections),
             ("members", self.elements),
             ("springs without length", self.springs),
         )
         words = ("basic", "-ndm", self.dimension, "-ndf", len(self.joined.degrees))
-        found = [command("wipe"), command("model", *words)]
-        for title, commands in parts:
-            found += [heading(title), *commands] if commands else []
-        return tuple(found)
+        return (command("wipe"), command("model", *words), *_titled(parts))
+
+    def floor_commands(self) -> tuple[Command, ...]:
+        """Return the rigid floors and the masses of a building."""
+        nodes = [one for node, one in zip(self.kept, self.node_commands, strict=True) if node in self.joined.masters]
+        held = self.joined.commands(list(self.joined.masters), self.nodes, self.names)
+        parts = (
+            ("centres of mass: tag, x, y, z [m]", nodes),
+            ("what does not move there", held),
+            ("rigid floors: the centre, and what moves with it", self.joined.floors(self.nodes, self.names)),
+            ("masses: along x, y, z [kg], about x, y, z [kg m2]", self.masses),
+        )
+        return tuple(_titled(parts))
+
+
+def _titled(parts: Iterable[tuple[str, Sequence[Command]]]) -> list[Command]:
+    return [one for title, commands in parts if commands for one in (heading(title), *commands)]

@@ -172,11 +172,11 @@ class StructureBuilder:
             EI *= PINNED
         if number in self._without:
             factors = stiffness_factors(EI, length, self._without[number])
-            words = ("ModElasticBeam2d", number + 1, i, j, EA / E, E, EI / E, *factors, transformation)
+            words: tuple[str | float, ...] = ("ModElasticBeam2d", number + 1, i, j, EA / E, E, EI / E, *factors)
             comment += "; without the flexibility of its hinges"
         else:
-            words = ("elasticBeamColumn", number + 1, i, j, EA / E, E, EI / E, transformation)
-        to.elements.append(command("element", *words, comment=comment))
+            words = ("elasticBeamColumn", number + 1, i, j, EA / E, E, EI / E)
+        to.elements.append(command("element", *words, transformation, comment=comment))
 
     def _modulus(self, element: int) -> float:
         """E of an elastic member; 1 Pa where only its stiffnesses are known."""

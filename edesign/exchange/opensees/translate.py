@@ -16,6 +16,7 @@ from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, progra
 from edesign.exchange.opensees.commands import Block, Command, Name, Value, command
 from edesign.exchange.opensees.dampers import DamperBuilder
 from edesign.exchange.opensees.dynamics import integrator_words
+from edesign.exchange.opensees.floors import FloorBlocks
 from edesign.exchange.opensees.joined import JoinedDegrees
 from edesign.exchange.opensees.limits import differences, places, refuse
 from edesign.exchange.opensees.outputs import bases, outputs
@@ -135,10 +136,11 @@ def opensees_script(
         tuple(tag for tag in more if tag not in known)
         for more, known in zip(bases(devices, structure), base_shear, strict=True)
     )
-    plain_model = (Name("build"),)
+    plain_model, floors = (Name("build"),), FloorBlocks(project)
     parts = Parts(
         plain_model,
-        (*plain_model, *with_dampers),
+        with_dampers,
+        floors,
         soil_part,
         at_rest,
         moving,
@@ -159,13 +161,13 @@ def opensees_script(
         "EQUATIONS": plain_equations,
         "DAMPING": found.damping,
         "DAMPING_FACTORS": _factors(structure),
-        "PLAIN_MODEL": plain_model,
+        **({} if structure.dimension == 3 else {"PLAIN_MODEL": plain_model}),
         **shown,
     }
     texts = {path.with_name(name): content for name, content in found.files.items()}
     other = differences(project, structure, dampers)
     head = _head(project, structure, left_out, other)
-    script = Script(head, [*blocks, *found.blocks], constants, found.analyses, structure.dimension)
+    script = Script(head, [*blocks, *floors.blocks, *found.blocks], constants, found.analyses, structure.dimension)
     return script, Translation(texts, tuple(left_out), tuple(other))
 
 

@@ -114,7 +114,7 @@ def push(
     frame = make_frame(project, spec.dampers)
     direction = pushed_along(frame, spec)
     lateral, degree = frame.model.pattern(), frame.directions[direction].degree
-    moments = _moments(project, frame, spec, loads, direction)
+    moments = load_moments(project, frame, spec, loads, direction)
     for name, load in loads.items():
         along = (load, 0.0) if degree == 0 else (0.0, load)
         frame.model.nodal_load(lateral, frame.nodes[name], *along, moments.get(name, 0.0))
@@ -215,10 +215,15 @@ def pushed_along(frame: FrameModel, spec: Pushover) -> int:
     return [direction.name for direction in frame.directions].index(spec.axis)
 
 
-def _moments(
+def load_moments(
     project: AnalysisFile, frame: FrameModel, spec: Pushover, loads: Mapping[str, float], direction: int
 ) -> dict[str, float]:
-    """Moments about the vertical of the loads, by node, N m; none of a plane frame."""
+    """Return the moments about the vertical of lateral loads, by node, N m; none of a plane frame.
+
+    Args:
+        loads: on the nodes by name, N.
+        direction: index of that in which they act.
+    """
     if not isinstance(spec, Eccentric):
         return {}
     ratio = spec.eccentricity_ratio if spec.eccentricity_ratio is not None else project.accidental_torsion
