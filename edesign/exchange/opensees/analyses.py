@@ -136,6 +136,8 @@ def programme(
     """
     found = Programme()
     tasks = [task.spec for task in make_plan(project)]
+    if not tasks:
+        found.left_out.append("analyses: the file names none; `analyses` with a `kind: modal`, for one, gives periods")
     motions = _motions(project, tasks, progress)
     progress("translating the analyses")
     histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]

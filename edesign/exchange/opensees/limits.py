@@ -107,7 +107,8 @@ def differences(project: AnalysisFile, structure: Structure, dampers: Dampers) -
             "corotational members in space are formulated otherwise, which differs by the square of their turns"
         )
     if structure.shifted:
-        found.append(f"{counted(len(structure.shifted), 'member')} with loads along them have these at their ends")
+        along = f"loads along {counted(len(structure.shifted), 'member')} stand at their ends"
+        found.append(f"{along}: P-Delta takes the axial force in the middle, as in edesign")
     divided = [name for name in structure.divided if frame.members[name].fibres is not None]
     if divided:
         found.append(

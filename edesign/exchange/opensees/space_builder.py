@@ -47,7 +47,7 @@ class SpaceLoads(LoadBuilder):
         to, ends = self._to, (member["i"], member["j"])
         to.shifted.append(member["name"])
         start, end = (np.array(to.places[node]) for node in ends)
-        half = (0.5 * load * (end - start)).tolist()  # N/m times the length, along the member
+        half = (0.5 * load * (end - start) + 0.0).tolist()  # N/m times the length, along the member
         for node in ends:
             words = (to.nodes[node], *half, 0.0, 0.0, 0.0)
             to.loads.append(command("load", *words, comment=f"{member['name']}: half of its load along it"))
@@ -61,7 +61,8 @@ class SpaceLoads(LoadBuilder):
                 self._on(call["element"], tag, "-beamPoint", *words)
 
     def _partial_load(self, call: Call) -> None:
-        raise NotTranslated(self._calls[call["element"]]["name"], "it has a load on a part of its length [E-OPS-04]")
+        reason = "it has a load on a part of its length; give it uniform or at points [E-OPS-04]"
+        raise NotTranslated(self._calls[call["element"]]["name"], reason)
 
 
 class SpaceBuilder(StructureBuilder):
@@ -70,7 +71,7 @@ class SpaceBuilder(StructureBuilder):
     The force-based element knows no releases, and nodes of a rigid floor, which are tied to the master, can have no
     copies tied to them. A released end is a section there that hardly bends: at the ends of Gauss-Lobatto's points it
     has the moment of that end alone. Members with more sections than the element takes are several of them. So are
-    released elastic members at loads inside them: `elasticBeamColumn` lets releases alone of uniform loads.
+    released elastic members at loads inside them: `elasticBeamColumn` knows uniform loads alone beside releases.
     """
 
     def __init__(self, frame: FrameModel, model: RecordedModel, structure: Structure) -> None:
@@ -85,10 +86,12 @@ class SpaceBuilder(StructureBuilder):
         return SpaceLoads(self._to, self._pieces, self._calls, self._elastic, self._without)
 
     def _rigid_ends(self, call: Call) -> None:
-        raise NotTranslated(self._model.element_names[call["element"]], "it has rigid ends [E-OPS-06]")
+        reason = "rigid ends of buildings are not translated; leave them out of a copy [E-OPS-06]"
+        raise NotTranslated(self._model.element_names[call["element"]], reason)
 
     def _without_flexibility(self, call: Call) -> None:
-        raise NotTranslated(self._model.element_names[call["element"]], "it has hinges [E-OPS-06]")
+        reason = "hinges of buildings are not translated; leave them out of a copy [E-OPS-06]"
+        raise NotTranslated(self._model.element_names[call["element"]], reason)
 
     def _elastic_section(self, call: Call) -> None:
         self._elastic[call.result] = (call["EA"], call["EI"], call["EI_y"], call["GJ"])

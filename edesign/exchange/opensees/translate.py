@@ -137,6 +137,7 @@ def opensees_script(
         for more, known in zip(bases(devices, structure), base_shear, strict=True)
     )
     plain_model, floors = (Name("build"),), FloorBlocks(project)
+    floors.of()  # also of a building that is not analysed
     parts = Parts(
         plain_model,
         with_dampers,

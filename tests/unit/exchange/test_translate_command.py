@@ -7,11 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from building_examples import DAMPED, SMALL, building
 
 from edesign import load_project
 from edesign.cli.main import main
+from edesign.errors import InputError
+from edesign.exchange.formats import find_format
 from edesign.exchange.opensees.analyses import has_placed_dampers
-from edesign.exchange.opensees.commands import Block, command, heading, python_block, tcl_block
+from edesign.exchange.opensees.commands import Block, command, flat, heading, python_block, tcl_block
 from edesign.exchange.opensees.fixed_ends import released_flexibility_loads, stiffness_factors
 from edesign.exchange.opensees.integration import gauss_lobatto, piecewise_lobatto
 from edesign.exchange.opensees.translate import opensees_script
@@ -159,3 +162,71 @@ def test_every_record_is_written_once(tmp_path: Path) -> None:
     texts = list(beside.files.values())
     assert len(set(texts)) == len(texts)
     assert {"ratio", "other"} <= set(script.analyses)
+
+
+ANALYSES = """\
+analyses:
+  - {name: modes, kind: modal, modes: 3}
+  - {name: push, kind: pushover, pattern: uniform, direction: x, roof_drift: 1 %, steps: 20}
+"""
+OF_BUILDING = {
+    ".py": (
+        'ops.model("basic", "-ndm", 3, "-ndf", 6)',
+        'ops.geomTransf("PDelta", 1, 1.0, 0.0, 0.0)',
+        'ops.element("forceBeamColumn", 1, 1, 10, 1, 1, "-iter", 50, 1e-10)',
+        'ops.section("Aggregator", 4, 2, "P", 3, "My", 4, "Mz", 5, "T")',
+        "ops.rigidDiaphragm(3, 28, 10, 11, 12, 13, 14, 15, 16, 17, 18)",
+        "ops.fix(28, 0, 0, 1, 1, 1, 0)",
+        'ops.constraints("Transformation")',
+    ),
+    ".tcl": (
+        "model basic -ndm 3 -ndf 6",
+        "geomTransf PDelta 1 1.0 0.0 0.0",
+        "element forceBeamColumn 1 1 10 1 1 -iter 50 1e-10",
+        "section Aggregator 4 2 P 3 My 4 Mz 5 T",
+        "rigidDiaphragm 3 28 10 11 12 13 14 15 16 17 18",
+        "fix 28 0 0 1 1 1 0",
+        "constraints Transformation",
+    ),
+}
+
+
+@pytest.mark.parametrize("suffix", OF_BUILDING)
+def test_a_building_in_both_languages(tmp_path: Path, suffix: str) -> None:
+    """Two storeys: webs of columns along x, hinged beams along y, rigid floors with their masses at the centres."""
+    model = tmp_path / f"model{suffix}"
+    found = find_format(model).translate(building(SMALL, ("hazard:", ANALYSES + "hazard:")), model)
+    assert found.left_out == () and list(found.files) == [model]
+    assert any("loads along 18 members stand at their ends" in text for text in found.differences)
+    lines = [line.partition("#")[0].strip(" ;") for line in found.files[model].splitlines()]
+    assert [line for line in OF_BUILDING[suffix] if line not in lines] == []
+    assert not any("@" in line for line in lines)
+
+
+def test_loads_of_a_building_are_whole(tmp_path: Path) -> None:
+    """Forces upwards on nodes and members of the script are the weight of the gravity combination."""
+    whole = building(SMALL)
+    script, _ = opensees_script(whole, tmp_path / "model.py")
+    commands = [command for block in script.blocks for command in flat(block.commands)]
+    masses = sum(words[1] for name, *words in commands if name == "mass")
+    places = {words[0]: np.array(words[1:]) for name, *words in commands if name == "node"}
+    ends = {words[1]: words[2:4] for name, *words in commands if name == "element"}
+    carried = 0.0
+    for name, *words in commands:
+        if name == "load":
+            carried -= words[3]
+        elif name == "eleLoad" and words[3] == "-beamUniform":
+            start, end = (places[node] for node in ends[words[1]])
+            carried -= words[5] * np.linalg.norm(end - start)
+    assert masses > 1e5
+    # half of the columns and braces of the first storey is no mass: it stands on the ground
+    assert carried == pytest.approx(9.80665 * masses, rel=0.03) and carried > 9.80665 * masses
+
+
+def test_parts_of_a_building_without_a_place_in_opensees(tmp_path: Path) -> None:
+    whole = building(DAMPED)
+    model = tmp_path / "model.py"
+    with pytest.raises(InputError, match=r"building.yaml:\d+:3: dampers: .*E-OPS-06"):
+        find_format(model).translate(whole, model)
+    found = find_format(model).translate(whole, model, without_dampers=True)
+    assert found.left_out[0].startswith("dampers, isolators and tuned masses")
