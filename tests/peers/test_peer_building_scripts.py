@@ -72,6 +72,24 @@ DIVIDED = ("points: 4}", "points: 5}")
 BY_MASS = ("rayleigh, ratio: 2 %, modes: [1, 3], stiffness: initial", "mass_proportional, ratio: 2 %")
 
 
+FIRM = """\
+dampers:
+  laws:
+    pad: {type: kelvin_voigt, parameters: {k: 2 kN/mm, c: 100 kN*s/m}}
+    oil: {type: viscous, parameters: {c: 400 kN*s/m}}
+  devices:
+    - {kind: rising, along: y, frames: C, bays: 2, storeys: 1, law: pad}
+    - {kind: chevron_braces, along: x, frames: 2, bays: 1, storeys: all, law: oil}
+    - {kind: chevron, along: x, frames: 1, bays: 1, storeys: all, law: pad}
+    - {kind: storey, along: y, frames: B, bays: 1, storeys: all, law: oil}
+    - {kind: nodes, nodes: [A1.0, B2.1], law: pad}
+  attachments:
+    - {kind: tuned_mass, floor: 1, mass: 4 t, frequency: 1 Hz, damping: 8 %, direction: y}
+"""
+SERIES = ("law: pad}\n    - {kind: storey", "law: oil, brace: {stiffness: 20 kN/mm}}\n    - {kind: storey")
+DAMPERS = ("outputs:", FIRM + "outputs:")
+
+
 @dataclass(frozen=True)
 class Case:
     """Changes of the file, and how near the results are.
@@ -80,12 +98,14 @@ class Case:
         changes: of its text.
         history: largest difference over the largest value of a floor and of the base shear.
         period, static: of modes and gravity.
+        lacks: analyses that are left out.
     """
 
     changes: tuple[tuple[str, str], ...] = ()
     history: float = 1e-5
     period: float = 1e-8
     static: float = 1e-6
+    lacks: int = 0
 
 
 CASES = {
@@ -97,6 +117,9 @@ CASES = {
     # stiffness-proportional damping acts within divided beams too, once they yield
     "divided_beams_damped": Case((WITHOUT_WEIGHT, DIVIDED), history=2e-2),
     "elastic_without_a_rigid_floor": Case((ELASTIC, LOOSE)),
+    # stiff bars carry the apex of a chevron; a history whose masses stand beside the tuned mass is left out
+    "dampers": Case((ELASTIC, DAMPERS), history=1e-5, period=1e-6, lacks=1),
+    "springs_in_series": Case((ELASTIC, DAMPERS, SERIES), history=1e-3, period=1e-6, lacks=1),
     "modal_damping": Case((ELASTIC, MODAL)),
     # Steel02 forgets; corotational members of one piece differ by h^2 of their formulation, as in test_peer_buildings
     "curved_steel_and_large_turns": Case((CURVED, FAR), history=5e-2, period=5e-4, static=1e-3),
@@ -141,10 +164,13 @@ SLOW = ("divided_beams", "divided_beams_damped", "curved_steel_and_large_turns")
 def test_script_of_a_building(tmp_path: Path, name: str) -> None:
     case = CASES[name]
     whole = hall(tmp_path, *case.changes)
-    assert written(whole, tmp_path / "model.py") == ()
+    left_out = written(whole, tmp_path / "model.py")
+    assert len(left_out) == case.lacks
     run(tmp_path / "model.py")
     folder = tmp_path / "model_results"
     for task in make_plan(whole):
+        if any(task.name in sentence for sentence in left_out):
+            continue
         group = run_analysis(whole, task.spec)
         assert group.attributes["status"] == "completed"
         file = folder / f"{task.name}.csv"

@@ -1,4 +1,4 @@
-"""Projects as scripts for OpenSees, in Python (OpenSeesPy) and in Tcl.
+"""Projects and buildings as scripts for OpenSees, in Python (OpenSeesPy) and in Tcl.
 
 Both texts are printed from one list of commands.
 """

@@ -107,11 +107,11 @@ class Parts:
 
     def model(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
         """Blocks that build the model of an analysis."""
-        return (*self.alone(spec), *(self.with_dampers if spec.dampers else ()))
+        return (*self.plain, *self.floors.of(spec), *(self.with_dampers if spec.dampers else ()))
 
     def alone(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
-        """Blocks that build it without dampers."""
-        return (*self.plain, *self.floors.of(spec))
+        """Blocks that build it without dampers and tuned masses."""
+        return (*self.plain, *self.floors.of(spec.model_copy(update={"dampers": False})))
 
     def set_in(self, spec: PlannedAnalysis, moves: bool) -> tuple[Name, ...]:
         """Blocks that add what is set in under the gravity loads."""
@@ -137,7 +137,8 @@ def programme(
     found = Programme()
     tasks = [task.spec for task in make_plan(project)]
     if not tasks:
-        found.left_out.append("analyses: the file names none; `analyses` with a `kind: modal`, for one, gives periods")
+        dampers = "; dampers come with them" if has_placed_dampers(project) and not without_dampers else ""
+        found.left_out.append(f"analyses: the file names none; `kind: modal`, for one, gives periods{dampers}")
     motions = _motions(project, tasks, progress)
     progress("translating the analyses")
     histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]
@@ -277,9 +278,13 @@ def _history(
     if found.damping.get("kind") == "modal" and spec.dampers and parts.tuned:
         found.left_out.append(f"analysis {spec.name}: it has modal damping, and tuned masses have modes of their own")
         return
-    if isinstance(project.damping, CaugheyDamping) and any(spec.eccentricity_with(project.accidental_torsion)):
-        found.left_out.append(f"analysis {spec.name}: its Caughey damping is that of masses beside their places")
-        return
+    if any(spec.eccentricity_with(project.accidental_torsion)):
+        if isinstance(project.damping, CaugheyDamping):
+            found.left_out.append(f"analysis {spec.name}: its Caughey damping is that of masses beside their places")
+            return
+        if spec.dampers and parts.tuned:
+            found.left_out.append(f"analysis {spec.name}: its masses stand beside the tuned masses")
+            return
     if spec.collapse_drift is not None:
         found.left_out.append(f"analysis {spec.name}: its `collapse_drift` does not end it")
     motion = motions[spec.record]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from math import hypot
+from math import dist, hypot
 
 from edesign.exchange.opensees.commands import Command, command
 from edesign.exchange.opensees.materials import OTHER_LAW, Material, NoSuchMaterial, damper_branches
@@ -16,7 +16,7 @@ LEVER = 4
 """Tag of the transformation of levers."""
 STIFF = 1e5
 """Stiffness of bars that carry a point along, over the largest E A / L of the members."""
-_CLOSE = 1e-12  # of coefficients
+CLOSE = 1e-12  # of coefficients
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,13 @@ class DamperBuilder:
     Args:
         structure: that has their nodes; nodes are added to it.
         largest: E A / L of the members, N/m.
+
+    Attributes:
+        TURNS, DIRECTIONS: degrees that turn, and numbers of those that do not, in elements without length.
     """
+
+    TURNS: tuple[int, ...] = (2,)
+    DIRECTIONS: tuple[int, ...] = (1, 2)
 
     def __init__(self, structure: Structure, largest: float) -> None:
         self._to, self._stiff = structure, STIFF * largest
@@ -145,7 +151,8 @@ class DamperBuilder:
         """Add a spring in series; across it the node is tied to the spring's end, where no force acts."""
         s = self._to
         far = s.add_node(f"{name}, behind its spring", s.places[node])
-        s.joined.fix((far, 2))
+        for turn in self.TURNS:
+            s.joined.fix((far, turn))
         material, tag = s.tags.next("material"), s.tags.next("element")
         found.place.append(
             command("uniaxialMaterial", "Elastic", material, stiffness, comment=f"{name}: spring in series")
@@ -156,11 +163,9 @@ class DamperBuilder:
             s.nodes[node],
             s.nodes[far],
             "-mat",
-            material,
-            material,
+            *[material] * len(self.DIRECTIONS),
             "-dir",
-            1,
-            2,
+            *self.DIRECTIONS,
             *along.orient,
         )
         found.place.append(command("element", *words, comment=f"{name}: spring in series"))
@@ -194,7 +199,7 @@ class DamperBuilder:
         """Nodes at one place of a damper in one direction between two nodes, or between a node and the ground."""
         s = self._to
         ends = {round(c): node for c, node, _ in terms}
-        if any(abs(abs(c) - 1.0) > _CLOSE for c, _, _ in terms) or 1 not in ends:
+        if any(abs(abs(c) - 1.0) > CLOSE for c, _, _ in terms) or 1 not in ends:
             raise NotTranslated(
                 name, f"it couples displacements as no element of OpenSees does; {OTHER_LAW} [E-OPS-02]"
             )
@@ -242,13 +247,21 @@ class DamperBuilder:
             found.place.append(command("element", *words, comment=f"{name}: mean of its sides"))
         return mean
 
-    def _apex(self, name: str, lower_ends: list[int], place: tuple[float, ...], found: Dampers) -> int:
+    def _apex(
+        self,
+        name: str,
+        lower_ends: list[int],
+        place: tuple[float, ...],
+        found: Dampers,
+        fixed: Sequence[int] = (2,),
+    ) -> int:
         """The point at which stiff bars from the lower ends of a chevron meet."""
         s = self._to
         apex = s.add_node(f"{name}, apex of the chevron", place)
-        s.joined.fix((apex, 2))
+        for degree in fixed:
+            s.joined.fix((apex, degree))
         material = s.tags.next("material")
-        length = hypot(place[0] - s.places[lower_ends[0]][0], place[1] - s.places[lower_ends[0]][1])
+        length = dist(place, s.places[lower_ends[0]])
         words = ("Elastic", material, self._stiff * length)
         found.place.append(command("uniaxialMaterial", *words, comment=f"{name}: stiff; the brace is a spring"))
         for lower_end in lower_ends:
@@ -267,6 +280,6 @@ def _axial(terms: Terms) -> tuple[int, int, tuple[float, float]] | None:
     if len(terms) != 4 or len(of) != 2:
         return None
     (end, along), (start, back) = of.items()
-    if any(abs(a + b) > _CLOSE for a, b in zip(along, back, strict=True)) or abs(hypot(*along) - 1.0) > 1e-9:
+    if any(abs(a + b) > CLOSE for a, b in zip(along, back, strict=True)) or abs(hypot(*along) - 1.0) > 1e-9:
         return None
     return start, end, (along[0], along[1])

@@ -26,14 +26,7 @@ def refuse(project: AnalysisFile, without_dampers: bool) -> None:
     Raises:
         InputError: there is something.
     """
-    if isinstance(project, Project):
-        found = _of_frame(project, without_dampers)
-    elif project.dampers is not None and not project.dampers.none and not without_dampers:
-        where = project.where("dampers")
-        reason = "dampers of buildings are not translated; --without-dampers leaves them out"
-        found = [f"{where}: dampers: {reason} [E-OPS-06]"]
-    else:
-        found = []
+    found = _of_frame(project, without_dampers) if isinstance(project, Project) else []
     if found:
         raise InputError("\n".join(found))
 
@@ -76,6 +69,8 @@ def _place(project: AnalysisFile, frame: FrameModel, problem: NotTranslated) -> 
         if device.name == problem.subject:
             where = project.where("dampers", "laws", device.law)
             return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}"
+    if any(problem.subject.startswith(f"{name}_") for name in frame.attached):
+        return f"{project.where('dampers', 'attachments')}: dampers.attachments: {problem.subject}: {problem}"
     member = problem.subject.partition(".")[0]
     if member in frame.members and isinstance(project, Building):
         keys = keys_of_member(project, member)
@@ -125,6 +120,8 @@ def differences(project: AnalysisFile, structure: Structure, dampers: Dampers) -
             "GeneralizedAlpha of OpenSees 3.7 grows without bounds in frames of several storeys, and ends without "
             "convergence; compare with Newmark's method or HHT in a copy of the project"
         )
+    if structure.dimension == 3 and (dampers.moving or dampers.at_rest or dampers.carrying):
+        found.append("dampers are zeroLength between nodes that are apart, of which OpenSees warns without need")
     if dampers.moving or dampers.at_rest:
         found.append(
             "dampers follow their laws in the steps of the analysis; edesign follows them exactly within a step"

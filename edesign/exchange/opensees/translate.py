@@ -16,12 +16,13 @@ from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, progra
 from edesign.exchange.opensees.commands import Block, Command, Name, Value, command
 from edesign.exchange.opensees.dampers import DamperBuilder
 from edesign.exchange.opensees.dynamics import integrator_words
-from edesign.exchange.opensees.floors import FloorBlocks
+from edesign.exchange.opensees.floors import FloorBlocks, first_of_dampers
 from edesign.exchange.opensees.joined import JoinedDegrees
 from edesign.exchange.opensees.limits import differences, places, refuse
 from edesign.exchange.opensees.outputs import bases, outputs
 from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
 from edesign.exchange.opensees.space_builder import SpaceBuilder
+from edesign.exchange.opensees.space_dampers import SpaceDampers
 from edesign.exchange.opensees.structure import (
     GRAVITY,
     NotTranslated,
@@ -95,7 +96,7 @@ def opensees_script(
         devices = build(project, model=model, laws=laws, attachments=added)
     if without_dampers and has_placed_dampers(project):
         left_out.append("dampers, isolators and tuned masses, as --without-dampers asks")
-    base, extra = plain.calls, model.calls[len(plain.calls) :] if has_dampers else []
+    base, extra = plain.calls, model.calls[first_of_dampers(model.calls) :] if has_dampers else []
     materials = 1 + sum(call.name == "material" for call in model.calls)
     sections = 1 + sum(call.name.endswith("_section") for call in model.calls)
     tags = Tags(len(model.node_names) + 1, len(model.element_names) + 1, materials, sections)
@@ -104,7 +105,8 @@ def opensees_script(
     try:
         builder.build(base)
         largest = _largest_stiffness(builder, structure)
-        soil = DamperBuilder(structure, largest).build(base)
+        make_dampers = SpaceDampers if structure.dimension == 3 else DamperBuilder
+        soil = make_dampers(structure, largest).build(base)
         build_commands = (*structure.commands(), *soil.place)
         loads = tuple(structure.loads)
         masses, plain_equations = len(structure.moving), structure.joined.independent(structure.kept)
@@ -112,7 +114,7 @@ def opensees_script(
         base_shear = bases(frame, structure)
         mark = _Mark(structure)
         builder.build(extra)
-        damper_builder = DamperBuilder(structure, largest)
+        damper_builder = make_dampers(structure, largest)
         dampers = damper_builder.build(extra)
         more_modes = len(structure.moving) > masses
         added_commands = (*mark.commands(), *dampers.place, *dampers.carrying)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -207,7 +208,7 @@ def test_loads_of_a_building_are_whole(tmp_path: Path) -> None:
     """Forces upwards on nodes and members of the script are the weight of the gravity combination."""
     whole = building(SMALL)
     script, _ = opensees_script(whole, tmp_path / "model.py")
-    commands = [command for block in script.blocks for command in flat(block.commands)]
+    commands: list[Any] = [command for block in script.blocks for command in flat(block.commands)]
     masses = sum(words[1] for name, *words in commands if name == "mass")
     places = {words[0]: np.array(words[1:]) for name, *words in commands if name == "node"}
     ends = {words[1]: words[2:4] for name, *words in commands if name == "element"}
@@ -217,16 +218,26 @@ def test_loads_of_a_building_are_whole(tmp_path: Path) -> None:
             carried -= words[3]
         elif name == "eleLoad" and words[3] == "-beamUniform":
             start, end = (places[node] for node in ends[words[1]])
-            carried -= words[5] * np.linalg.norm(end - start)
+            carried -= words[5] * float(np.linalg.norm(end - start))
     assert masses > 1e5
     # half of the columns and braces of the first storey is no mass: it stands on the ground
     assert carried == pytest.approx(9.80665 * masses, rel=0.03) and carried > 9.80665 * masses
 
 
 def test_parts_of_a_building_without_a_place_in_opensees(tmp_path: Path) -> None:
-    whole = building(DAMPED)
-    model = tmp_path / "model.py"
-    with pytest.raises(InputError, match=r"building.yaml:\d+:3: dampers: .*E-OPS-06"):
-        find_format(model).translate(whole, model)
-    found = find_format(model).translate(whole, model, without_dampers=True)
+    """A tuned mass on a column line turns its floor; means of nodes need a rigid floor."""
+    model, analysed = tmp_path / "model.py", DAMPED.replace("hazard:", ANALYSES + "hazard:")
+    with pytest.raises(InputError, match=r"building.yaml:\d+:\d+: dampers.attachments: .*E-OPS-05"):
+        find_format(model).translate(building(analysed), model)
+    found = find_format(model).translate(building(analysed), model, without_dampers=True)
     assert found.left_out[0].startswith("dampers, isolators and tuned masses")
+    loose = (
+        analysed.partition("  attachments:")[0]
+        .replace("chevron_braces", "chevron")
+        .replace("columns:", "diaphragms: 1\ncolumns:")
+    )
+    with pytest.raises(InputError, match=r"building.yaml:\d+:\d+: dampers.laws.oil: VX_2_1_2: .*E-OPS-02"):
+        find_format(model).translate(building(loose), model)
+    found = find_format(model).translate(building(loose.replace("diaphragms: 1\n", "")), model)
+    assert found.left_out == () and any("zeroLength" in sentence for sentence in found.differences)
+    assert "dampers come with them" in find_format(model).translate(building(DAMPED), model).left_out[0]

@@ -1,0 +1,66 @@
+"""Dampers of a building as elements between its nodes, which are apart.
+
+Nodes of rigid floors are tied to the centre of mass already, so that no copies can be tied to them, as in plane frames.
+The elements measure displacements since they are set in; `twoNodeLink` would measure those under gravity too.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import numpy as np
+
+from edesign.exchange.opensees.dampers import CLOSE, DamperBuilder, Dampers, Direction, Terms
+from edesign.exchange.opensees.materials import OTHER_LAW
+from edesign.exchange.opensees.structure import NotTranslated
+
+UP = 2
+"""Degree of the core along the vertical."""
+
+
+class SpaceDampers(DamperBuilder):
+    """Makes the commands of dampers of a building; arguments as of `DamperBuilder`."""
+
+    TURNS = (3, 4, 5)
+    DIRECTIONS = (1, 2, 3)
+
+    def _ends(self, name: str, terms: Terms, found: Dampers) -> tuple[int, int, Direction]:
+        """Nodes whose distance in a direction is the deformation, and this direction."""
+        s = self._to
+        of: dict[int, np.ndarray] = defaultdict(lambda: np.zeros(len(s.joined.degrees)))
+        for coefficient, node, degree in terms:
+            of[node][degree] += coefficient
+        if len(of) == 2:
+            (end, ahead), (start, behind) = of.items()
+            if np.allclose(ahead, -behind, atol=CLOSE) and not ahead[3:].any():
+                return start, end, _along(ahead[:3])
+        ends = [(node, int(np.argmax(np.abs(of[node][:UP])))) for node in of]
+        top, low = ([node for node, at in ends if way * of[node][at] > 0.0] for way in (1.0, -1.0))
+        if len(top) != 2 or len(low) != 2 or any(values[3:].any() for values in of.values()):
+            raise NotTranslated(
+                name, f"it couples displacements as no element of OpenSees does; {OTHER_LAW} [E-OPS-02]"
+            )
+        across = ends[0][1]
+        if not (self._as_one(top) and self._as_one(low)):
+            raise NotTranslated(
+                name, f"it moves with the mean of nodes that no rigid floor holds together; {OTHER_LAW} [E-OPS-02]"
+            )
+        axis = np.eye(3)[across]
+        if not any(of[node][UP] for node in low):
+            return low[0], top[0], _along(axis)
+        first, last = sorted(top, key=lambda node: s.places[node][across])
+        middle = tuple((0.5 * (np.array(s.places[first]) + s.places[last])).tolist())
+        apex = self._apex(name, low, middle, found, (1 - across, *self.TURNS))
+        return apex, last, _along(axis)
+
+    def _as_one(self, nodes: list[int]) -> bool:
+        """Whether nodes move alike along their line: on one rigid floor, or all supported."""
+        floors = [master for master, on in self._to.joined.masters.items() if set(nodes) <= set(on)]
+        return bool(floors) or all(self._to.joined.is_fixed((node, at)) for node in nodes for at in range(UP))
+
+
+def _along(axis: np.ndarray) -> Direction:
+    """The direction of an axis, with another one at right angles to it."""
+    other = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    other /= np.linalg.norm(other)
+    return Direction(1, ("-orient", *axis.tolist(), *other.tolist()))
