@@ -12,7 +12,7 @@ from pathlib import Path
 from edesign._version import __version__
 from edesign.errors import InputError
 from edesign.exchange.formats import MARK, ProgressLine, Translation
-from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, programme
+from edesign.exchange.opensees.analyses import has_placed_dampers, programme
 from edesign.exchange.opensees.commands import Block, Command, Name, Value, command
 from edesign.exchange.opensees.dampers import DamperBuilder
 from edesign.exchange.opensees.dynamics import integrator_words
@@ -20,6 +20,7 @@ from edesign.exchange.opensees.floors import FloorBlocks, first_of_dampers
 from edesign.exchange.opensees.joined import JoinedDegrees
 from edesign.exchange.opensees.limits import differences, places, refuse
 from edesign.exchange.opensees.outputs import bases, outputs
+from edesign.exchange.opensees.programme import Parts
 from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
 from edesign.exchange.opensees.space_builder import SpaceBuilder
 from edesign.exchange.opensees.space_dampers import SpaceDampers
