@@ -22,6 +22,7 @@ class History:
         name: of the analysis.
         variant, level, record: "" where it has none; the record is a reference such as table_5_6/Tabas1978_FER-L1.
         temperature: degC, None: the variant's own.
+        shaking: angle of the record and place of the masses of a building, as at the end of names: 90deg.+x-y.
         completed: whether it came to its end.
         reason: why it did not.
     """
@@ -33,11 +34,20 @@ class History:
     temperature: float | None
     completed: bool
     reason: str
+    shaking: str = ""
+
+    @property
+    def shaken_by(self) -> str:
+        """The record with angle and place of the masses, in letters that names of files keep apart."""
+        shaking = self.shaking.replace("+", "plus").replace("-", "minus")
+        return f"{self.record}.{shaking}" if shaking else self.record
 
     @property
     def motion(self) -> str:
-        """The record in words."""
-        return record_label(self.record)
+        """The record in words, of a building with its angle and the place of the masses."""
+        angle, _, place = self.shaking.rpartition("deg")
+        masses = {"": "", "0": "masses in place"}.get(place.strip("."), f"masses {place.strip('.')}")
+        return ", ".join(filter(None, (record_label(self.record), f"{angle} deg" if angle else "", masses)))
 
     @property
     def temperature_label(self) -> str:
@@ -61,15 +71,23 @@ def histories(archive: Archive) -> list[History]:
         about = archive.group_attributes(f"{ANALYSES}/{name}")
         if about.get("kind") != "history" or about.get("incremental"):
             continue
-        variant, level, record = (str(about.get(key) or "") for key in ("variant", "level", "record"))
-        degrees = about.get("temperature_C")
-        temperature = None if degrees is None else float(str(degrees))
-        completed = about.get("status") == "completed"
-        found.append(History(name, variant, level, record, temperature, completed, str(about.get("reason") or "")))
-        same[variant, level, record, temperature, *turned(about)] += 1
+        one = history_of(name, about)
+        found.append(one)
+        same[one.variant, one.level, one.record, one.temperature, *turned(about)] += 1
         stems[name] = without_motion(name, about)
     mixed = {variant for (variant, *_), count in same.items() if count > 1}
     return [replace(one, variant=stems[one.name]) if one.variant in mixed else one for one in found]
+
+
+def history_of(name: str, about: Mapping[str, object]) -> History:
+    """Return a history by its name and attributes."""
+    variant, level, record = (str(about.get(key) or "") for key in ("variant", "level", "record"))
+    degrees = about.get("temperature_C")
+    temperature = None if degrees is None else float(str(degrees))
+    completed = about.get("status") == "completed"
+    own = record.rpartition("/")[2]
+    shaking = name.removeprefix(without_motion(name, about)).removeprefix(f".{own}").removeprefix(".")
+    return History(name, variant, level, record, temperature, completed, str(about.get("reason") or ""), shaking)
 
 
 def variant_colors(archive: Archive) -> dict[str, str]:
@@ -94,18 +112,18 @@ def by_level(chosen: Iterable[History]) -> dict[str, dict[str, list[History]]]:
 
 
 def by_motion(chosen: Iterable[History]) -> dict[tuple[str, str], list[History]]:
-    """Return histories by level and record."""
+    """Return histories by level and record, of a building also by angle and place of its masses."""
     found: dict[tuple[str, str], list[History]] = {}
     for history in chosen:
-        found.setdefault((history.level, history.record), []).append(history)
+        found.setdefault((history.level, history.shaken_by), []).append(history)
     return found
 
 
 def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list[History]]:
-    """Return histories by variant, level and record, those at the variant's own temperature first."""
+    """Return histories as `by_motion`, by variant too, those at the variant's own temperature first."""
     found: dict[tuple[str, str, str], list[History]] = {}
     for history in chosen:
-        found.setdefault((history.variant, history.level, history.record), []).append(history)
+        found.setdefault((history.variant, history.level, history.shaken_by), []).append(history)
     for same in found.values():
         same.sort(key=lambda history: (history.temperature is not None, history.temperature or 0.0))
     return found

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from edesign.archive.reader import Archive
 from edesign.report.drawing.captions import at_level, file_name
 from edesign.report.drawing.style import AFTER, VARIANTS
+from edesign.report.response.directions import in_each_direction
 from edesign.report.response.histories import by_temperature, histories, missing_text, with_results
 from edesign.report.response.response_figures import GROUND, ROWS, Series, numbers, response_figure
 
@@ -18,6 +19,7 @@ COLORS = (AFTER, VARIANTS[0], VARIANTS[3], VARIANTS[2])
 """From the variant's own temperature to further ones."""
 
 
+@in_each_direction
 def temperature_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Yield the histories that differ in temperature alone, overlaid.
 

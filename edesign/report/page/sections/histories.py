@@ -6,6 +6,7 @@ from edesign.report.drawing.captions import file_name
 from edesign.report.html.section import Folded, Part, Picture, Section
 from edesign.report.page.source import Source, by_level, level_heading
 from edesign.report.response.energy_figures import energy_figures
+from edesign.report.response.histories import history_of
 from edesign.report.response.response_figures import response_figures
 
 MANY = 6  # pictures of one level, beyond which only those of the governing records are shown at once
@@ -39,7 +40,8 @@ def governing(source: Source, level: str) -> list[str]:
     for histories, statistics in source.statistics:
         name = statistics["interstorey_drift"].governing
         if histories.level == level and name:
-            found.append(f"_{file_name(str(histories.histories[name].attributes.get('record') or ''))}")
+            ending = f"_{file_name(history_of(name, histories.histories[name].attributes).shaken_by)}"
+            found += [ending, f"{ending}_x", f"{ending}_y"]  # of a building in each direction
     return found
 
 
