@@ -10,7 +10,7 @@ from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.ground_motion.seismic_action.files import text_name
-from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.file_model import FileModel
@@ -62,23 +62,22 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
         InputError: the text is not that of a project of this version.
     """
     project = parse_project(texts.get("project_text", ""), path, BuildingSections(), files=False)
-    _take_hazard_texts(project, project.hazard, texts)
-    laws = project.dampers.laws if project.dampers is not None else {}
-    for name, law in laws.items():
-        if law.file is not None:
-            take_text(project, law.file, texts.get(f"law_text_{name}"))
+    _take_texts(project, texts)
     return project
 
 
-def _take_hazard_texts(holder: FileModel, hazard: Hazard | None, texts: Mapping[str, str]) -> None:
-    """Let a project or building read the files that its hazard names from the archived texts.
+def _take_texts(file: AnalysisFile, texts: Mapping[str, str]) -> None:
+    """Let a project or building read the files that its hazard and its laws name from the archived texts.
 
     Args:
-        hazard: the hazard; None: there is none.
         texts: texts of the root of the archive, by name.
     """
-    for keys, file in hazard.files() if hazard is not None else ():
-        take_text(holder, file, texts.get(text_name(keys)))
+    for keys, named in file.hazard.files() if file.hazard is not None else ():
+        take_text(file, named, texts.get(text_name(keys)))
+    laws = file.dampers.laws if file.dampers is not None else {}
+    for name, law in laws.items():
+        if law.file is not None:
+            take_text(file, law.file, texts.get(f"law_text_{name}"))
 
 
 def take_text(holder: FileModel, file: str, text: str | None) -> None:
@@ -105,8 +104,13 @@ def archived_building(archive: Archive) -> Building | None:
         return None
     path = Path(str(archive.attributes.get("building_file") or "building.yaml"))
     building = parse_building(texts["building_text"], path, BuildingSections(), files=False)
-    _take_hazard_texts(building, building.hazard, texts)
+    _take_texts(building, texts)
     return building
+
+
+def archived_base(archive: Archive) -> AnalysisFile | None:
+    """Return the project or the building whose analyses an archive has; errors as `archived_project`."""
+    return archived_project(archive) or archived_building(archive)
 
 
 def archived_study(archive: Archive) -> Study | None:
@@ -116,7 +120,7 @@ def archived_study(archive: Archive) -> Study | None:
         InputError: the text is not that of a study of this version.
         ArchiveError: there is no such text.
     """
-    base = archived_project(archive)
+    base = archived_base(archive)
     if base is None or archive.attributes.get("kind") != STUDY:
         return None
     text = archive.view().variables.get("study_text")

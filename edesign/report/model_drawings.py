@@ -43,7 +43,9 @@ def drawings_of(file: FileModel, heading: Sequence[str] = ()) -> Iterator[Named]
     Yields:
         Name of the file, caption and figure.
     """
-    if isinstance(file, Study):
+    if isinstance(file, Study) and isinstance(file.base, Building):
+        yield from drawings_of(file.base, heading)
+    elif isinstance(file, Study):
         yield from study_figures(file, {}, heading)
     elif isinstance(file, Building):
         from edesign.report.building.model_figures import building_model_figures

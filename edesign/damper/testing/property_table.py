@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from edesign.archive.csv_files import write_csv_file
 from edesign.damper.testing.properties import Properties
 from edesign.errors import InputError
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.problems import did_you_mean
 from edesign.tables.table import read_table
@@ -242,7 +242,7 @@ def from_properties(rows: Sequence[Properties], source: str = "property table") 
     return PropertyTable(**columns, source=source)
 
 
-def property_table_content(project: Project, path: Path) -> bytes:
+def property_table_content(project: AnalysisFile, path: Path) -> bytes:
     """Return the content of a table that a study of a project names, as a run sees it."""
     return project.content(path, lambda path: read_file(path, _WHAT))
 

@@ -127,16 +127,17 @@ class Eccentric(Model):
     eccentricity_ratio: EccentricityRatio = None
 
 
-class Pushovers(Pushover):
+class Pushovers(Pushover, Eccentric):
     """Pushovers of variants of a study, named VARIANT.NAME.
 
     Attributes:
         name: name of the pushovers, of letters, digits and `_ + -`.
-        direction: in which the frame is pushed; `both` stands for two pushovers.
+        direction: in which a frame is pushed, `both` for two pushovers; a building needs one of its own: `x` stands for
+            `x+` and `x-`, `y` likewise, `all` for all four.
         variants: variants of the study, or `all`.
     """
 
-    direction: FrameDirections = "right"
+    direction: FrameDirections | BuildingDirections = "right"
     name: ShortName = "push"
     variants: Names = ("all",)
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from edesign.project.analysis.analyses import BuildingHistory, BuildingPushover
 from edesign.project.analysis.damping import RayleighDamping
 from edesign.project.analysis.outputs import FibreOutput, SectionOutput
-from edesign.project.analysis.pushover import WAYS
+from edesign.project.analysis.pushover import WAYS, Pushovers
 from edesign.project.analysis.shaking import IN_PLACE, eccentricity_of
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
@@ -34,7 +34,7 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
             problems.at_key(("materials", name, key), f"the law `{steel.law}` does not have this key [E-KEY-03]")
     check_shared(building, problems, files)
     pairs = {name: record for name, record in building.records.items() if isinstance(record, InSpace)}
-    check_pairs(pairs, (), building.hazard, building.folder, problems, "building file" if files else "")
+    check_pairs(pairs, building.hazard, building.folder, problems, "building file" if files else "")
     for i, analysis in enumerate(building.analyses):
         if isinstance(analysis, BuildingHistory):
             check_shaking(building, problems, ("analyses", i), analysis)
@@ -49,15 +49,22 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
             check.numbers((*keys, "layers"), fibre.layers, "fibre", 8 * building.fibres.half_flange)
     for i, analysis in enumerate(building.analyses):
         if isinstance(analysis, BuildingPushover):
-            _eccentricity(building, problems, ("analyses", i), analysis)
+            check_positions(building, problems, ("analyses", i), analysis)
     if building.analyses:
-        for keys, what in _plane_only(building):
+        for keys, what in plane_only(building):
             message = f"{what} in analyses of plane frames alone; a project file has them [E-BLDG-04]"
             problems.at_key(keys, message)
 
 
-def _eccentricity(building: Building, problems: Problems, keys: Keys, pushover: BuildingPushover) -> None:
-    """Positions of masses displace the loads of a push across it, and there are floors that turn."""
+def check_positions(building: Building, problems: Problems, keys: Keys, pushover: BuildingPushover | Pushovers) -> None:
+    """Check that positions of masses displace the loads of a push across it, and that there are floors that turn.
+
+    Args:
+        building: its members and loads are right.
+        problems: of the file that pushes it.
+        keys: place of the push there.
+        pushover: what that file says.
+    """
     axes = dict.fromkeys(WAYS[direction][0] for direction in pushover.directions)
     here = (*keys, "eccentricity")
     for i, position in enumerate(pushover.eccentricity):
@@ -106,8 +113,12 @@ def _points(
     return not isinstance(run, ColumnRun) or check.numbers((*keys, "points"), asked.points, "point", last)
 
 
-def _plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
-    """What analyses of buildings do not have yet, with the beginning of a sentence."""
+def plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
+    """Yield what analyses of buildings do not have yet: its place, and the beginning of a sentence.
+
+    Args:
+        building: its members and loads are right.
+    """
     rigid = building.elements.rigid_ends
     if rigid.columns.value or rigid.beams.value:
         yield ("elements", "rigid_ends"), "rigid ends are"

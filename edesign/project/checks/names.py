@@ -28,21 +28,15 @@ def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str],
             problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
 
 
-def check_records(
-    problems: Problems, keys: Keys, given: Sequence[str], project: AnalysisFile, pairs: Collection[str] = ()
-) -> None:
+def check_records(problems: Problems, keys: Keys, given: Sequence[str], project: AnalysisFile) -> None:
     """Check references of records, RECORD or SUITE/RECORDING; recordings are found when the suite is read.
 
     Args:
         problems: the problems of the file, to which those found are added.
         project: the file, which has no schema problems.
-        pairs: names of pairs that the file with the references has, which a plane frame cannot take.
     """
     for i, reference in enumerate(given):
-        if record_of(reference) in pairs and project.structure == "frame":
-            message = f"`{record_of(reference)}` has pairs, which act on a building"
-            problems.at_item(keys, i, f"{message}; a plane frame takes records of its project [E-PAIR-04]")
-        elif record_of(reference) not in {*project.records, *pairs}:
+        if record_of(reference) not in project.records:
             problems.at_item(keys, i, unknown_name("record", record_of(reference), project.records))
         elif reference in given[:i]:
             problems.at_item(keys, i, f"`{reference}` comes twice [E-NAME-02]")

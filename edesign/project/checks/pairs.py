@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 from edesign.project.actions.hazard_base import Hazard
@@ -22,7 +22,6 @@ from edesign.project.records.records import FileRecord
 
 def check_pairs(
     records: Mapping[str, SuitePairs | OnePair],
-    taken: Iterable[str],
     hazard: Hazard | None,
     folder: Path,
     problems: Problems,
@@ -31,17 +30,13 @@ def check_pairs(
     """Check the pairs of a file, without reading those of their files.
 
     Args:
-        taken: names of other records, which pairs cannot have.
         hazard: the seismic action that they are fitted to; None: there is none.
         folder: to which paths are relative.
         problems: the problems of the file, to which those found are added.
         what: the file is, for messages; empty: its files need not be there.
     """
-    names = set(taken)
     for name, record in records.items():
         keys: Keys = ("records", name)
-        if name in names:
-            problems.at_key(keys, f"`{name}` is a record of the project already; choose another name [E-NAME-02]")
         check_matching(hazard, record.match, (*keys, "match"), problems, (*keys, "match"))
         if record.match is None and record.spectrum is not None:
             message = "this is what is compared with the spectrum of the hazard by `match` [E-SCALE-02]"

@@ -6,6 +6,9 @@ from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.frame.frame import Frame
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
+NO_WAVES = "waves that reach one support after the other are of plane frames alone; leave out this key [E-BLDG-04]"
+"""Of a building in a study."""
+
 
 def check_wave_passage(frame: Frame, problems: Problems, keys: Keys, passage: WavePassage | None) -> None:
     """Check the wave passage of an analysis.

@@ -78,7 +78,7 @@ def _check_value(keys: Keys, place: str, value: Any, study: Study, problems: Pro
         said = first.message if first.keys_text == place else str(first)
         problems.at_value(keys, f"{study.base.path}: {place}: {said}")
         return False
-    mine, other = changed.frame, study.base.frame
+    mine, other = changed.grid, study.base.grid
     if set(mine.members) != set(other.members) or mine.n_storeys != other.n_storeys:
         problems.at_value(
             keys, "this adds or removes members or storeys; variants of a study have the same ones [E-VARIANT-01]"

@@ -6,11 +6,12 @@ from collections.abc import Collection
 
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import YEAR
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.names import ALL, check_names, check_records
 from edesign.project.checks.vertical_motion import check_horizontal
-from edesign.project.checks.wave_passage import check_wave_passage
+from edesign.project.checks.wave_passage import NO_WAVES, check_wave_passage
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 from edesign.project.records.pairs import InSpace
@@ -20,7 +21,7 @@ from edesign.project.study.life_cycle import CurveOfLevels, LifeCycle
 
 
 def check_incremental(
-    keys: Keys, incremental: Incremental, base: Project, variants: Collection[str], problems: Problems
+    keys: Keys, incremental: Incremental, base: AnalysisFile, variants: Collection[str], problems: Problems
 ) -> None:
     """Check an incremental study against its project; it has no schema problems.
 
@@ -56,7 +57,10 @@ def check_incremental(
                 )
                 problems.at_item((*keys, "records"), i, message)
     check_drift(base, problems, (*keys, "collapse_drift"), incremental.collapse_drift)
-    check_wave_passage(base.frame, problems, (*keys, "wave_passage"), incremental.wave_passage)
+    if isinstance(base, Project):
+        check_wave_passage(base.frame, problems, (*keys, "wave_passage"), incremental.wave_passage)
+    elif incremental.wave_passage is not None:
+        problems.at_key((*keys, "wave_passage"), NO_WAVES)
     values = incremental.intensities
     if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
         problems.at_value(
@@ -71,7 +75,7 @@ def check_incremental(
         _life_cycle((*keys, "life_cycle"), incremental, incremental.life_cycle, base, problems)
 
 
-def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Project, problems: Problems) -> None:
+def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: AnalysisFile, problems: Problems) -> None:
     """Check that the hazard curve rises and that losses are of limits."""
     curve, at = spec.hazard_curve, (*keys, "hazard_curve")
     if isinstance(curve, CurveOfLevels):

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from edesign.project.analysis.pushover import Pushovers
+from typing import get_args
+
+from edesign.project.analysis.pushover import BuildingDirections, Eccentric, FrameDirections, Pushovers
+from edesign.project.building.building import Building
+from edesign.project.building.checks_analyses import check_positions, plane_only
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.criteria import check_criteria
 from edesign.project.checks.designs import check_design
@@ -10,14 +14,14 @@ from edesign.project.checks.isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
 from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.names import ALL, check_names, check_records
 from edesign.project.checks.outputs import check_member
-from edesign.project.checks.pairs import check_pairs
 from edesign.project.checks.pushover import check_pushover
 from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
-from edesign.project.checks.wave_passage import check_wave_passage
+from edesign.project.checks.wave_passage import NO_WAVES, check_wave_passage
 from edesign.project.dampers.device_names import names_of_dampers, names_of_design
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
-from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, keys_text, listed, unknown_name
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental
@@ -32,8 +36,15 @@ def check_study(study: Study, problems: Problems) -> None:
         problems: the problems of the file, to which those found are added.
     """
     base = study.base
-    check_pairs(study.records, base.records, base.hazard, study.folder, problems, "study file")
+    if isinstance(base, Building) and not base.analyses:  # the check of its file looked at that otherwise
+        for place, what in plane_only(base):
+            message = f"{base.where(*place)}: {keys_text(place)}: {what} in analyses of plane frames alone [E-BLDG-04]"
+            problems.at_value(("project",), message)
     for name, design in study.designs.items():
+        if not isinstance(base, Project):
+            message = "designs of dampers are of plane frames yet; `edesign extract` makes them of a building"
+            problems.at_key(("designs", name), f"{message} [E-BLDG-04]")
+            continue
         check_design(("designs", name), design, base, problems)
         if design.verify is not None:
             _verify(study, problems, ("designs", name, "verify"), design.verify)
@@ -87,23 +98,26 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
 
 def _dampers(study: Study, variant: Variant) -> tuple[str, ...]:
     """Names of the dampers of a variant."""
-    frame = study.base.frame
     if variant.design is not None:
         design = study.designs.get(variant.design)
-        return names_of_design(frame, design) if design is not None else ()
-    return names_of_dampers(frame, study.base.dampers) if variant.dampers == "project" else ()
+        plane = isinstance(study.base, Project) and design is not None
+        return names_of_design(study.plane.frame, design) if plane and design is not None else ()
+    return names_of_dampers(study.base.grid, study.base.dampers) if variant.dampers == "project" else ()
 
 
 def _histories(study: Study, problems: Problems, keys: Keys, histories: Histories) -> None:
     base = study.base
     if histories.variants != (ALL,):
         check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
-    check_records(problems, (*keys, "records"), histories.records, base, study.records)
+    check_records(problems, (*keys, "records"), histories.records, base)
     check_drift(base, problems, (*keys, "collapse_drift"), histories.collapse_drift)
     check_horizontal(base, problems, (*keys, "records"), histories.records)
     levels = histories.levels or ()
     check_vertical(base, problems, (*keys, "vertical"), histories.vertical, histories.records, levels)
-    check_wave_passage(base.frame, problems, (*keys, "wave_passage"), histories.wave_passage)
+    if isinstance(base, Project):
+        check_wave_passage(base.frame, problems, (*keys, "wave_passage"), histories.wave_passage)
+    elif histories.wave_passage is not None:
+        problems.at_key((*keys, "wave_passage"), NO_WAVES)
     check_shaking(base, problems, keys, histories)
     isolated = [name for name in study.variants_of(histories) if study.variants[name].dampers == "project"]
     if histories.wave_passage is not None and base.isolation is not None and isolated:
@@ -133,6 +147,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
 def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) -> None:
     if pushovers.variants != (ALL,):
         check_names(problems, (*keys, "variants"), "variant", pushovers.variants, study.variants)
+    _ways(study, problems, keys, pushovers)
     check_drift(study.base, problems, (*keys, "roof_drift"), pushovers.roof_drift)
     check_pushover(study.base, problems, keys, pushovers)
     isolated = study.base.isolation is not None
@@ -140,6 +155,27 @@ def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushover
     if isolated and wanted:
         message = NO_PUSHOVER.replace("with `dampers: false` the frame", "a variant with `dampers: none`")
         problems.at_key((*keys, "variants"), f"{listed(wanted)}: {message}")
+
+
+def _ways(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) -> None:
+    """Directions and positions of masses are those of what is pushed, a plane frame or a building."""
+    base = study.base
+    own = get_args(BuildingDirections if isinstance(base, Building) else FrameDirections)
+    if pushovers.direction not in own:
+        told = "direction" in pushovers.model_fields_set
+        message = f"`{pushovers.direction}` is not of a {base.structure} (allowed: {listed(own)}) [E-VALUE-03]"
+        missing = f"this key is missing; a building is pushed in one of {listed(own)} [E-KEY-02]"
+        (problems.at_value if told else problems.at_key)(
+            (*keys, "direction") if told else keys, message if told else missing
+        )
+        return
+    if isinstance(base, Building):
+        check_positions(base, problems, keys, pushovers)
+        return
+    for key in Eccentric.model_fields:
+        if key in pushovers.model_fields_set:
+            message = "a plane frame has no masses beside their places in plan; leave out this key [E-KEY-03]"
+            problems.at_key((*keys, key), message)
 
 
 def _own_names(study: Study, problems: Problems) -> None:

@@ -16,7 +16,7 @@ from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis.pushover import Pushovers
 from edesign.project.analysis.shaking import IN_PLACE, Angles, EccentricityRatio, Positions
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.project.analysis_file import Identifier
+from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.criteria.criteria import Criteria, Objectives
 from edesign.project.dampers.designs import Bounds, Design
 from edesign.project.document import Document
@@ -28,7 +28,6 @@ from edesign.project.project import Project
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.values import KeyPath
-from edesign.project.records.pairs import Pairs
 from edesign.project.study.derived import Derived, Side, Vary, derived_name
 from edesign.project.study.incremental import Incremental
 
@@ -152,8 +151,7 @@ class Study(FileModel):
         edesign_study: version of the file format.
         title: one line for tables and reports.
         document: what the cover of a report says beside the title.
-        project: project file, relative to this file; its `analyses` are not run.
-        records: pairs of horizontal components by name, for buildings.
+        project: project or building file, relative to this file; its `analyses` are not run.
         designs: dampers to be sized, by name.
         variants: frames that are compared, by name.
         vary: values of the project in turn, each of which makes variants.
@@ -172,7 +170,6 @@ class Study(FileModel):
     title: Annotated[str, Field(min_length=1)]
     document: Document = Document()
     project: Annotated[str, Field(min_length=1)]
-    records: dict[Identifier, Pairs] = {}
     designs: dict[Identifier, Design] = {}
     variants: Annotated[dict[ShortName, Variant], Field(min_length=1)]
     vary: tuple[Vary, ...] = ()
@@ -185,13 +182,13 @@ class Study(FileModel):
     outputs: StudyOutputs = StudyOutputs()
 
     _path: Path = PrivateAttr(default=Path("study.yaml"))
-    _base: Project | None = PrivateAttr(default=None)
+    _base: AnalysisFile | None = PrivateAttr(default=None)
     _derived: dict[str, Derived] = PrivateAttr(default_factory=dict)
-    _projects: dict[str, Project] = PrivateAttr(default_factory=dict)
+    _projects: dict[str, AnalysisFile] = PrivateAttr(default_factory=dict)
 
     @property
-    def base(self) -> Project:
-        """The project that is studied.
+    def base(self) -> AnalysisFile:
+        """The project or building that is studied.
 
         Raises:
             ValueError: the study was not made by `load_study` (a mistake of the caller, not of the user).
@@ -199,6 +196,12 @@ class Study(FileModel):
         if self._base is None:
             raise ValueError("this study has no project; use load_study")
         return self._base
+
+    @property
+    def plane(self) -> Project:
+        """The project of a plane frame that is studied, for what buildings do not have; the check refuses it there."""
+        assert isinstance(self.base, Project), "a building is studied"
+        return self.base
 
     @property
     def hazard(self) -> Hazard | None:
@@ -210,7 +213,7 @@ class Study(FileModel):
         """Folders with recordings of suites, beside those that the file names."""
         return self.base.more_folders
 
-    def of(self, base: Project) -> Study:
+    def of(self, base: AnalysisFile) -> Study:
         """Return the study with another project, such as `study.base.with_values(...)`, checked against it.
 
         Raises:
@@ -226,7 +229,7 @@ class Study(FileModel):
         """Return the study without the contents of files that were read so far."""
         return self.model_copy().set_base(self.base.afresh())
 
-    def set_base(self, base: Project) -> Study:
+    def set_base(self, base: AnalysisFile) -> Study:
         """Set, once, the project of the study."""
         self._base, self._projects = base, {}
         return self
@@ -262,7 +265,7 @@ class Study(FileModel):
         """Return the variant of the file that a variant is, or is derived from."""
         return self._derived[variant].of if variant in self._derived else variant
 
-    def project_of(self, variant: str) -> Project:
+    def project_of(self, variant: str) -> AnalysisFile:
         """Return the project with the values of a variant, without the dampers of its design.
 
         Raises:

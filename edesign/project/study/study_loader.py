@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.loader import load_building
 from edesign.project.frame.sections import Catalogue
 from edesign.project.loader import load_project
-from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
 from edesign.project.reading.file_model import Reader
 from edesign.project.reading.problems import FileProblems, Problems
@@ -14,6 +16,7 @@ from edesign.project.reading.yaml_file import check_model, read_yaml_text
 from edesign.project.study.checks_study import check_study
 from edesign.project.study.study import Study
 
+_BUILDING = re.compile(r"^edesign_building\s*:", re.MULTILINE)
 _WHAT, _BEGINS = "study file", "edesign_study: 1"
 
 
@@ -40,7 +43,7 @@ def load_study(path: Path | str, profiles: Catalogue | None = None) -> Study:
 def parse_study(
     text: str,
     path: Path | str,
-    base: Project | None = None,
+    base: AnalysisFile | None = None,
     profiles: Catalogue | None = None,
     of: str | None = None,
 ) -> Study:
@@ -73,10 +76,11 @@ def parse_study(
     return study
 
 
-def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: Problems) -> Project | None:
+def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: Problems) -> AnalysisFile | None:
     project_path = path.parent / study.project
     if is_file(project_path):
-        return load_project(project_path, profiles)
+        of_building = _BUILDING.search(read_yaml_text(project_path, "project file"))
+        return load_building(project_path, profiles) if of_building else load_project(project_path, profiles)
     message = f"there is no file `{project_path}` (the path is relative to the study file) [E-FILE-01]"
     problems.at_value(("project",), message)
     return None

@@ -8,7 +8,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.sets import history_sets
 from edesign.report.archive_view import all_results, entry, input_warnings
-from edesign.report.archived import archived_project
+from edesign.report.archived import archived_base
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_table
 from edesign.report.ground_motion.record_tables import tables_of
@@ -33,7 +33,7 @@ def project_tables(archive: Archive) -> list[Table]:
     kinds = {item["kind"] for item in entries}
     tables: list[Table] = [warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
     tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
-    tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
+    tables += target_tables(archived_base(archive) if "target" in kinds else None, groups)
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
     tables += ground_tables(groups)

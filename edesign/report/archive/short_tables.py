@@ -14,7 +14,7 @@ from edesign.assess.verdicts import judge
 from edesign.errors import EdesignError
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results, design_warnings, ending, entry, input_warnings
-from edesign.report.archived import archived_project, archived_study
+from edesign.report.archived import archived_base, archived_study
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
@@ -133,7 +133,7 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)
     tables: list[Table] = [_periods(groups)]
-    tables.append(states_table(archived_project(archive) if targets else None, groups, None, STATES_IN_SHORT))
+    tables.append(states_table(archived_base(archive) if targets else None, groups, None, STATES_IN_SHORT))
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
     tables.append(changes_in_short(sets))
     tables += [isolation_table(groups)]

@@ -10,11 +10,11 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import DAMAGED, NOT_RUN, TARGET, HistorySet, history_sets
 from edesign.assess.verdicts import judge
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import Criterion, Objectives
-from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archive_view import all_results
-from edesign.report.archived import archived_project, archived_study
+from edesign.report.archived import archived_base, archived_study
 from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
@@ -25,7 +25,7 @@ def assessment_tables(
     archive: str | os.PathLike[str] | Archive,
     criteria: Sequence[Criterion] = (),
     objectives: Objectives = (),
-    project: Project | None = None,
+    project: AnalysisFile | None = None,
 ) -> list[Table]:
     """Return all tables of the assessment of an archive.
 
@@ -48,14 +48,14 @@ def assessment_tables(
     histories = read_histories(archive)
     if not histories:
         return []
-    project = project or archived_project(archive)
+    project = project or archived_base(archive)
     study = archived_study(archive)
     return tables_of_histories(histories, project, criteria, objectives, study) if project is not None else []
 
 
 def tables_of_histories(
     histories: Mapping[str, Group],
-    project: Project,
+    project: AnalysisFile,
     criteria: Sequence[Criterion] = (),
     objectives: Objectives = (),
     study: Study | None = None,

@@ -19,8 +19,8 @@ from edesign.codes.fema356.objectives import OBJECTIVES, Objective
 from edesign.codes.rule_check import with_standard
 from edesign.ground_motion.hazard import objective_level, rules_in_force
 from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import Objectives
-from edesign.project.project import Project
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.tables import cell
@@ -300,7 +300,7 @@ TARGETS = "Of target displacements the D/C is the maximum over patterns and dire
 LETTERS = "Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level."
 
 
-def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: Project) -> Table:
+def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: AnalysisFile) -> Table:
     """Return a row for each objective and variant; `verdicts` are those of `judge` on the objectives.
 
     Args:

@@ -13,7 +13,7 @@ from edesign.assess.members import VariantMembers
 from edesign.assess.performance import set_performance
 from edesign.assess.sets import TARGET, HistorySet, target_sets
 from edesign.project.analysis.pushover import METHODS, Method
-from edesign.project.project import Project
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.study.study import Study
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.tables.column import Column, col, text
@@ -144,7 +144,7 @@ def events_table(groups: Mapping[str, Group]) -> Table:
     return EVENTS.of(places(groups, "capacity_event", "capacity_event_what"))
 
 
-def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[Table]:
+def target_tables(project: AnalysisFile | None, groups: Mapping[str, Group], study: Study | None = None) -> list[Table]:
     """Return the values behind the target displacements of each method, and the response at them.
 
     Args:
@@ -161,7 +161,10 @@ def target_tables(project: Project | None, groups: Mapping[str, Group], study: S
 
 
 def states_table(
-    project: Project | None, groups: Mapping[str, Group], study: Study | None, spec: TableSpec[dict[str, Any]] = STATES
+    project: AnalysisFile | None,
+    groups: Mapping[str, Group],
+    study: Study | None,
+    spec: TableSpec[dict[str, Any]] = STATES,
 ) -> Table:
     """Return the response of the frame at each target displacement, with the performance level that it meets.
 

@@ -49,7 +49,9 @@ class VariantFrames:
         """
         if self._study is None:
             return self._project
-        return variant_project(self._study, variant, self._designed, temperature_C)
+        project = variant_project(self._study, variant, self._designed, temperature_C)
+        assert isinstance(project, Project)
+        return project
 
     def frame(self, variant: str, temperature_C: float | None = None) -> FrameModel:
         """Return the frame of a variant with its dampers at a temperature.

@@ -57,7 +57,7 @@ def study_figures(study: Study, designed: Mapping[str, Dampers], heading: Sequen
         designed: dampers by name of the design, as far as they are known; of others the places are drawn.
         heading: lines above each drawing; (): none.
     """
-    bare = study.base.with_dampers(None)
+    bare = study.plane.with_dampers(None)
     yield geometry(bare, heading)
     if has_loads(bare):
         yield loads_and_masses(bare, heading)
@@ -102,11 +102,13 @@ def _different(study: Study, designed: Mapping[str, Dampers]) -> list[_Drawn]:
             if of is not None:
                 of.notes.append(f"{name}: {what}")
                 continue
-        dampers, design = dict(designed), ""
+        dampers, design, base = dict(designed), "", study.project_of(name)
+        assert isinstance(base, Project), "the model of a building is drawn elsewhere"
         if variant.design is not None and variant.design not in designed:
             design = variant.design
-            dampers[design] = _planned_dampers(study.project_of(name), study.designs[design])
+            dampers[design] = _planned_dampers(base, study.designs[design])
         project = variant_project(study, name, dampers)
+        assert isinstance(project, Project)
         notes = _notes(name, variant)
         like = next((one for one in found if one.design == design and _alike(one.project, project)), None)
         if like is None:

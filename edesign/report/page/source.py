@@ -14,6 +14,7 @@ from edesign.assess.statistics import Statistics
 from edesign.assess.verdicts import Verdict, judge
 from edesign.errors import EdesignError
 from edesign.optional_stages import optional
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.project.study.study import Study
@@ -119,9 +120,9 @@ class Source:
     @cached_property
     def verdicts(self) -> tuple[Verdict, ...]:
         """Verdicts on the criteria of the study; none where none are given."""
-        if self.study is None or self.project is None or not (self.sets or self.targets):
+        if self.study is None or not (self.sets or self.targets):
             return ()
-        return judge(self.study.criteria, (), self.judged_histories, self.project, self.study)
+        return judge(self.study.criteria, (), self.judged_histories, self.study.base, self.study)
 
     @cached_property
     def incremental(self) -> list[IncrementalResults]:
@@ -154,6 +155,11 @@ class Source:
         except EdesignError as error:
             self.left_out.append(f"the building in words: {error}")
             return None
+
+    @property
+    def base(self) -> AnalysisFile | None:
+        """The project or the building whose analyses the archive has, as `project` and `building`."""
+        return self.project or self.building
 
     @cached_property
     def provenance(self) -> dict[str, object]:

@@ -11,7 +11,7 @@ from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.ground_motion.hazard import checked_hazard
-from edesign.ground_motion.pairs import first_components
+from edesign.ground_motion.pairs import find_pairs, first_components
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
@@ -21,6 +21,7 @@ from edesign.project.analysis.pushover import GivenPattern, Pushover
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.reading.problems import keys_text
+from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
 from edesign.study.analysis.dampers import device_laws
@@ -32,6 +33,7 @@ from edesign.study.check.spectrum_reach import check_incremental_reach, check_pr
 from edesign.study.design.design import check_sizing
 from edesign.study.motions.applied import check_motion
 from edesign.study.motions.motions import check_fits
+from edesign.study.motions.pairs import check_pair_fits
 from edesign.study.placement.placement import check_placement
 from edesign.study.plan.plan import Task
 from edesign.study.plan.study_plan import histories_of_a_round, verification_records, wanted_designs
@@ -71,6 +73,9 @@ def _check_inputs(project: AnalysisFile, specs: Iterable[PlannedAnalysis]) -> di
     for spec in histories:
         check_motion(project, spec, acting[spec.record].record)
     check_fits(project, found)
+    for name in names:
+        if isinstance(project.records[name], InSpace):
+            check_pair_fits(project, name, find_pairs(project, name, found))
     _check_frame(project, specs)
     check_project_reach(project, specs)
     return found
@@ -159,9 +164,9 @@ def _check_designs(study: Study, names: Sequence[str]) -> None:
         try:
             spec = study.designs[name]
             if isinstance(spec, PlacementDesign):
-                check_placement(study.base, name, spec, histories_of_a_round(study, name))
+                check_placement(study.plane, name, spec, histories_of_a_round(study, name))
             else:
-                check_sizing(study.base, name, spec, study.folder)
+                check_sizing(study.plane, name, spec, study.folder)
         except InputError as error:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
 

@@ -8,11 +8,11 @@ from collections.abc import Mapping, Sequence
 from edesign.errors import AnalysisError, split_code
 from edesign.frame.isolation import base_masses
 from edesign.frame.masses import node_masses
-from edesign.ground_motion.pairs import find_pairs
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.dampers.device_names import devices_by_name
 from edesign.project.dampers.placement import PlacementDesign
@@ -21,6 +21,7 @@ from edesign.project.reading.words import counted
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import RecordSet, record_of
 from edesign.project.study.study import Study
+from edesign.space.check import check_building
 from edesign.study.analysis.dampers import (
     device_laws,
     laws_that_stand,
@@ -36,8 +37,6 @@ from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings
 from edesign.study.motions.motions import Motion, expected_scale
-from edesign.study.motions.pair_groups import acting_text
-from edesign.study.motions.pairs import check_pair_fits
 from edesign.study.plan.choosing import study_with_choices, with_choices
 from edesign.study.plan.plan import Task, make_plan
 from edesign.study.plan.study_plan import make_study_plan, wanted_designs
@@ -110,18 +109,16 @@ def check_study(study: Study) -> dict[str, str]:
     for name in wanted_designs(study, plan):
         design = study.designs[name]
         if not isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
-            warnings += first_warnings(study.base, name, design, study.folder)
+            warnings += first_warnings(study.plane, name, design, study.folder)
         warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
     return {
         "title": study.title,
         "project": str(study.base.path),
-        "frame": _frame(study.base),
-        **_mass(study.base),
-        "period": f"{_shown(periods)} of the {'bare ' * (study.base.isolation is None)}frame {_standing(study.base)}"
+        **_structure(study.base),
+        "period": f"{_shown(periods)} of the {_bare(study.base)} {_standing(study.base)}"
         if periods is not None
         else "no masses",
         "records": _records(study.base, found),
-        **_pairs(study),
         **_choices(study.base),
         "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
         "variants": ", ".join(study.variants),
@@ -132,6 +129,19 @@ def check_study(study: Study) -> dict[str, str]:
     }
 
 
+def _structure(base: AnalysisFile) -> dict[str, str]:
+    """What a plane frame or a building consists of, and its masses."""
+    if isinstance(base, Building):
+        said = check_building(base)
+        return {label: said[label] for label in ("plan", "storeys", "members", "loads", "masses")}
+    assert isinstance(base, Project)
+    return {"frame": _frame(base), **_mass(base)}
+
+
+def _bare(base: AnalysisFile) -> str:
+    return f"{'bare ' * (base.isolation is None)}{base.structure}"
+
+
 def _shown(periods: Sequence[float]) -> str:
     """First periods for people: `T1 = 0.8123 s`, of a building with its directions."""
     along = [
@@ -140,7 +150,7 @@ def _shown(periods: Sequence[float]) -> str:
     return f"T1 = {' and '.join(along)}"
 
 
-def _periods(project: Project) -> tuple[float, ...] | None:
+def _periods(project: AnalysisFile) -> tuple[float, ...] | None:
     """The first periods; where there is none, the sizes in which a slip of a unit shows stand in the message.
 
     Raises:
@@ -149,11 +159,13 @@ def _periods(project: Project) -> tuple[float, ...] | None:
     try:
         return fundamental_period(project)
     except AnalysisError as error:
+        if not isinstance(project, Project):
+            raise
         sentence, code = split_code(str(error))
         raise AnalysisError(f"{sentence}. A unit may be wrong: {sizes(project)}{code}") from error
 
 
-def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:
+def _scales(project: AnalysisFile, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:
     """What is unusual about the factors on the records, before they are fitted."""
     motions = {reference: Motion(reference, item) for reference, item in found.items()}
     scales = {reference: expected_scale(project, reference, found) for reference in found}
@@ -161,7 +173,7 @@ def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) 
     return [f"records {name}: {text}" for name, texts in warnings.items() for text in texts]
 
 
-def _dampers(project: Project) -> str:
+def _dampers(project: AnalysisFile) -> str:
     """How many dampers there are of each law, and the tuned masses."""
     frame = make_frame(project, dampers=True)
     laws = Counter(device.law for device in frame.devices)
@@ -188,7 +200,7 @@ def building_dampers(building: Building) -> str:
     return ", ".join([*parts, *([counted(len(masses), "tuned mass")] if masses else [])]) or "none"
 
 
-def _records(project: Project, found: Mapping[str, Found]) -> str:
+def _records(project: AnalysisFile, found: Mapping[str, Found]) -> str:
     """The records, and of suites how many of their recordings are real."""
     texts = []
     for name in project.records:
@@ -198,19 +210,7 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
     return ", ".join(texts) or "none"
 
 
-def _pairs(study: Study) -> dict[str, str]:
-    """The pairs of components, how they act, and by which rule they are compared with the spectrum."""
-    lines = []
-    for name, spec in study.records.items():
-        pairs = find_pairs(study, name)
-        check_pair_fits(study, name, pairs)
-        origins = Counter(found.origin for pair in pairs for found in pair.found)
-        of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
-        lines.append(f"{name}: {counted(len(pairs), 'pair')} ({of}), {acting_text(spec)}")
-    return {"pairs": "\n".join(lines)} if lines else {}
-
-
-def _failed_choices(project: Project, found: Mapping[str, Found]) -> list[str]:
+def _failed_choices(project: AnalysisFile, found: Mapping[str, Found]) -> list[str]:
     """What the chosen records that are used miss of what the code asks of a set, where they are scaled only."""
     texts = []
     for name in dict.fromkeys(map(record_of, found)):
@@ -223,7 +223,7 @@ def _failed_choices(project: Project, found: Mapping[str, Found]) -> list[str]:
     return texts
 
 
-def _choices(project: Project) -> dict[str, str]:
+def _choices(project: AnalysisFile) -> dict[str, str]:
     """How the records were chosen that are, and what was left out of the choice."""
     lines = []
     for name in project.records:
@@ -261,7 +261,7 @@ def _mass(project: Project) -> dict[str, str]:
     return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t{base}"}
 
 
-def _standing(project: Project) -> str:
+def _standing(project: AnalysisFile) -> str:
     """How the frame stands whose period is printed."""
     isolation = project.isolation
     braced = with_restrained_braces(project, laws_that_stand(project))

@@ -11,6 +11,7 @@ import numpy as np
 from edesign.core import LawValues
 from edesign.errors import AnalysisError, InputError, split_code
 from edesign.frame.devices import DeviceLaw
+from edesign.project.analysis_file import File
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project
@@ -194,7 +195,7 @@ def read_law(building: Building, name: str, spec: SizedDesign, read: Callable[[L
         raise InputError(f"designs.{name}.law: `{spec.law}`: {error}") from error
 
 
-def with_temperature(project: Project, name: str, temperature_C: float | None) -> Project:
+def with_temperature(project: File, name: str, temperature_C: float | None) -> File:
     """Return the project with one of its damper laws at another temperature.
 
     Args:

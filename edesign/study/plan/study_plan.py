@@ -7,16 +7,16 @@ from dataclasses import replace
 from typing import Any
 
 from edesign.errors import InputError
-from edesign.ground_motion.pairs import pair_references
 from edesign.ground_motion.project_records import references
 from edesign.project.analysis.analyses import (
     BuildingHistory,
+    BuildingPushover,
     GravityAnalysis,
     HistoryAnalysis,
     ModalAnalysis,
     PushoverAnalysis,
 )
-from edesign.project.analysis.pushover import Pushover, Pushovers
+from edesign.project.analysis.pushover import Eccentric, Pushover, Pushovers
 from edesign.project.reading.problems import keys_text, unknown_name
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
@@ -76,10 +76,12 @@ def _of_variant(study: Study, name: str) -> Iterator[Task]:
 
 
 def _of_pushovers(study: Study, pushovers: Pushovers) -> Iterator[Task]:
-    values = {key: getattr(pushovers, key) for key in Pushover.model_fields}
+    kind: type[PushoverAnalysis] = BuildingPushover if study.base.structure == "building" else PushoverAnalysis
+    own = (*Pushover.model_fields, *(Eccentric.model_fields if kind is BuildingPushover else ()))
+    values = {key: getattr(pushovers, key) for key in own}
     for variant in study.variants_of(pushovers):
         entry, dampers = f"{variant}.{pushovers.name}", study.variants[variant].dampers != "none"
-        spec = PushoverAnalysis.model_construct(kind="pushover", name=entry, variant=variant, dampers=dampers, **values)
+        spec = kind.model_construct(kind="pushover", name=entry, variant=variant, dampers=dampers, **values)
         for part in pushover_parts(spec, tuple(study.base.hazard_levels)):
             yield Task(0, part, entry, variant)
 
@@ -148,8 +150,7 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
     found: list[str] = []
     for i, name in enumerate(names):
         record, _, recording = name.partition("/")
-        of_study = study.records.get(record)
-        known = references(study.base, record) if of_study is None else pair_references(study.folder, record, of_study)
+        known = references(study.base, record)
         if recording and name not in known:
             if known == (record,):
                 message = f"`{record}` is a single record, not a suite; write `{record}` [E-VALUE-01]"

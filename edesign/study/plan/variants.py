@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from edesign.errors import InputError
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import DamperBetween, Dampers
 from edesign.project.dampers.designs import Design, ElastomerDesign
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.study.analysis.dampers import law_warnings
 from edesign.study.design.bounds import property_factors
@@ -18,7 +18,7 @@ from edesign.study.plan.plan import Task
 
 def variant_project(
     study: Study, name: str, designed: Mapping[str, Dampers], temperature_C: float | None = None
-) -> Project:
+) -> AnalysisFile:
     """Return the project of a variant.
 
     Args:
@@ -76,7 +76,7 @@ def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def _unsized(base: Project, design: Design) -> Dampers:
+def _unsized(base: AnalysisFile, design: Design) -> Dampers:
     """The laws of a design at its temperature, of dampers that stand nowhere."""
     names = laws_of_design(design)
     laws = dampers_at_temperature(base, design).laws
@@ -84,7 +84,7 @@ def _unsized(base: Project, design: Design) -> Dampers:
     return Dampers.model_construct(laws={name: laws[name] for name in names}, devices=devices)
 
 
-def dampers_at_temperature(project: Project, design: Design) -> Dampers:
+def dampers_at_temperature(project: AnalysisFile, design: Design) -> Dampers:
     """Return the dampers of a project with the laws of a design at the temperature of the design."""
     for law in laws_of_design(design):
         project = with_temperature(project, law, design.temperature)

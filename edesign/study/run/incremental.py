@@ -12,7 +12,6 @@ from edesign.errors import EdesignError
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.project import Project
 from edesign.project.study.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
@@ -61,7 +60,7 @@ def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
     return prepared
 
 
-def incremental_group(project: Project, study: Incremental, periods: Mapping[str, float | None]) -> Group:
+def incremental_group(project: AnalysisFile, study: Incremental, periods: Mapping[str, float | None]) -> Group:
     """Return the archived group of an incremental study: intensities, periods, hazard curve and limits.
 
     Args:
@@ -96,7 +95,7 @@ def incremental_group(project: Project, study: Incremental, periods: Mapping[str
     return group
 
 
-def _add_hazard_curve(group: Group, project: Project, study: Incremental, periods: Sequence[float | None]) -> None:
+def _add_hazard_curve(group: Group, project: AnalysisFile, study: Incremental, periods: Sequence[float | None]) -> None:
     """Add the points of the hazard curve: the rate of each, and its intensity for each variant."""
     assert study.life_cycle is not None
     curve = study.life_cycle.hazard_curve

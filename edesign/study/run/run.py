@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from edesign.project.analysis.analyses import BuildingHistory
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.study.study import Study
@@ -131,7 +132,10 @@ def run_study(
         return frames if run.stopped() else study_stripes(study, run, frames)
 
     strains = {name: variant_strain(study, name) for name in study.variants}
-    job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
+    shaken = tuple(task.spec for task in plan if isinstance(task.spec, BuildingHistory))
+    # pairs are fitted by the angles of the histories
+    base = study.base.model_copy(update={"analyses": shaken}) if shaken else study.base
+    job = Job(study.path, base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
     with make_backend(backend, workers, scheduler) as made:
         return run_plan(job, path, progress or silent, made, workers, fresh, overwrite)
 

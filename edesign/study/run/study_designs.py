@@ -10,10 +10,10 @@ from edesign.errors import AnalysisError, EdesignError
 from edesign.one_thread import one_thread
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
 from edesign.project.analysis.outputs import Outputs
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify
-from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.analysis.modal import mode_count
 from edesign.study.check.criteria_inputs import kept_for_verification, too_few_motions
@@ -61,9 +61,9 @@ def study_designs(study: Study, run: RunState) -> Prepared:
         else plain
     )
     nothing = Outputs(histories=())
-    frames: dict[tuple[str, float | None, bool, bool], Project] = {}
+    frames: dict[tuple[str, float | None, bool, bool], AnalysisFile] = {}
 
-    def prepared(task: Task) -> tuple[Project, PlannedAnalysis]:
+    def prepared(task: Task) -> tuple[AnalysisFile, PlannedAnalysis]:
         design = study.variants[task.variant].design
         if design is not None and made[design].status != "completed":
             raise AnalysisError(f"its design `{design}` failed: {made[design].reason} [E-DESIGN-05]")
@@ -107,7 +107,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
         with one_thread():
             if isinstance(spec, PlacementDesign):
                 result = run_placement(
-                    study.base,
+                    study.plane,
                     name,
                     spec,
                     histories_of_a_round(study, name),
@@ -119,7 +119,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
                 )
             else:
                 result = run_design(
-                    study.base,
+                    study.plane,
                     name,
                     spec,
                     study.folder,

@@ -16,7 +16,7 @@ OF_SUITES = ("before", "after", "mean", "spectra")  # endings of the figures of 
 def ground_motion(source: Source) -> Section:
     """Return the section on the ground motions; the histories of single records are folded."""
     parts: list[Part] = []
-    rows = hazard_rows(source.project.hazard) if source.project is not None and source.project.hazard else []
+    rows = hazard_rows(source.base.hazard) if source.base is not None and source.base.hazard else []
     if rows:
         parts.append(Facts(tuple(rows)))
     parts += source.pictures(hazard_figures)

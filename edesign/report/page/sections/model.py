@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
+from edesign.report.building.model_figures import building_model_figures
 from edesign.report.html.section import Section
 from edesign.report.model.archived import model_drawings
 from edesign.report.page.source import Source
+from edesign.space.archived import PLACE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,5 +22,7 @@ def model(source: Source) -> Section:
     def drawings_of_the_model(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         if source.project is not None:
             yield from model_drawings(archive, source.project, source.study)
+        elif source.building is not None and not archive.has(PLACE):  # a design has drawings of its own
+            yield from building_model_figures(source.building)
 
     return Section("model", "The model", (), source.pictures(drawings_of_the_model))

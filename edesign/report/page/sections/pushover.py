@@ -15,7 +15,7 @@ def pushover(source: Source) -> Section:
     events = events_table(source.groups)
     parts: list[Part] = [*pictures]
     parts += [Folded("Events along the capacity curves", (events,))] if events.rows else []
-    parts += target_tables(source.project, source.groups, source.study)
+    parts += target_tables(source.base, source.groups, source.study)
     hinges = source.pictures(hinge_figures)
     parts += [Folded("Plastic rotations at the target displacements", hinges)] if hinges else []
     intro = "A push has no speed: dampers give what is left of them at rest." if _damped(source) else ""

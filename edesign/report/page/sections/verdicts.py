@@ -40,7 +40,7 @@ def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> 
 def checks(source: Source) -> Section:
     """Return the section on criteria with source, demand, capacity and verdict, objectives, and performance levels."""
     title = "Checks"
-    study, project = source.study, source.project
+    study, project = source.study, source.base
     parts: list[Part] = []
     if source.verdicts and study is not None:
         table, remarks = check_table(source.verdicts, study.criteria), remarks_table(source.verdicts)
