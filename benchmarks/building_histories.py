@@ -4,14 +4,20 @@ Both have the same fibres, the same loads and masses, P-Delta in both planes, an
 integration loop is timed, CPU time of the one thread that computes; edesign samples nothing in it. OpenSees is given
 the fastest of the settings that find equilibrium to edesign's tolerance (`opensees_building.FASTEST`).
 
-Usage: python -m benchmarks.building_histories [--case NAME] [--laws LAW ...] [--pga G ...] [--seconds S] [--repeats N]
-    [--save FOLDER]
+With --growth edesign alone: cost a step and memory of a process from 4 to 40 storeys.
+
+Usage: python -m benchmarks.building_histories [--growth] [--case NAME] [--laws LAW ...] [--pga G ...]
+    [--seconds S] [--repeats N] [--save FOLDER]
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
+import resource
+import subprocess
+import sys
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -30,6 +36,7 @@ from benchmarks.timing import timed  # noqa: E402
 CASES = {"thesis": thesis_building, "office": office_building, "irregular": irregular_building}
 LAWS: tuple[Law, ...] = ("bilinear", "menegotto_pinto")
 PGA = (0.36, 0.6)  # g, of the larger component
+STOREYS = (4, 10, 20, 40)
 
 
 def core_run(building: PeerBuilding, motion: tuple[Array, Array], dt: float) -> float:
@@ -41,6 +48,39 @@ def core_run(building: PeerBuilding, motion: tuple[Array, Array], dt: float) -> 
 def thesis_history() -> None:
     """20 s of the thesis building at 0.6 g, for the memory that a process with it takes."""
     core_run(thesis_building(), *el_centro_pair(0.6, 20.0))
+
+
+def tall_history(storeys: int, law: Law, pga: float, seconds: float, repeats: int) -> None:
+    """Print as JSON the members of a building, ms a step, and MB of this process."""
+    building = replace(thesis_building(storeys), steel=law)
+    motion, dt = el_centro_pair(pga, seconds)
+    milliseconds = timed(lambda: core_run(building, motion, dt), repeats).milliseconds
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (1024 if sys.platform != "darwin" else 1024**2)
+    cost = edesign_building.history(building, motion, dt, sampled=False).cost
+    print(json.dumps([len(building.members), milliseconds, peak, cost]))
+
+
+def growth(laws: Iterable[Law], pga: float, seconds: float, repeats: int) -> None:
+    """Print cost a step and memory against the number of storeys; each building has a process of its own."""
+    for law in laws:
+        print(f"\nGrowth with size, {law}, {seconds:g} s of El Centro in two components at {pga:g} g")
+        sizes = []
+        for storeys in STOREYS:
+            code = (
+                "from benchmarks.building_histories import tall_history; "
+                f"tall_history({storeys}, {law!r}, {pga}, {seconds}, {repeats})"
+            )
+            found = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+            members, milliseconds, peak, cost = json.loads(found.stdout)
+            sizes.append((members, milliseconds))
+            share = 1e3 * milliseconds / members
+            print(
+                f"  {storeys:3d} storeys  {members:5d} members  {milliseconds:8.4f} ms a step  {share:7.3f} us a member"
+            )
+            print(f"               {peak:.0f} MB; {cost}", flush=True)
+        size, price = np.log(np.array(sizes)).T
+        ends, slope = (price[-1] - price[0]) / (size[-1] - size[0]), np.polyfit(size, price, 1)[0]
+        print(f"  power: {ends:.2f} between the ends, {slope:.2f} fitted")
 
 
 def side_by_side(building: PeerBuilding, pga: float, seconds: float, repeats: int) -> dict[str, BuildingHistory]:
@@ -123,7 +163,13 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=20.0, help="of the recording (default 20)")
     parser.add_argument("--repeats", type=int, default=5, help="of edesign's histories (default 5)")
     parser.add_argument("--save", type=Path, help="folder for the histories as NPZ")
+    parser.add_argument(
+        "--growth", action="store_true", help="from 4 to 40 storeys, without the peer, at the last --pga"
+    )
     arguments = parser.parse_args()
+    if arguments.growth:
+        growth(arguments.laws, arguments.pga[-1], arguments.seconds, arguments.repeats)
+        return
     run(arguments.case, arguments.pga, arguments.seconds, arguments.repeats, arguments.laws, arguments.save)
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from benchmarks.peers.building_data import PROJECTS, PeerBuilding, PeerMember, peer_building, peer_section
 from edesign.frame.building_file import load_building
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.profiles import profile_names
 from edesign.project.building.loader import parse_building
 from edesign.space.structure.geometry import space_frame
@@ -42,9 +43,26 @@ masses:
 """
 
 
-def thesis_building() -> PeerBuilding:
-    """The ten-storey building of the thesis: 570 members, columns and beams in fibres."""
-    building = load_building(PROJECTS / "thesis_building" / "building.yaml")
+def thesis_building(storeys: int = 10) -> PeerBuilding:
+    """The ten-storey building of the thesis: 570 members, columns and beams in fibres.
+
+    With another number of storeys its sections change at the same shares of the height. Loads and masses of more
+    storeys are lighter, so that the columns bear what they do in ten.
+    """
+    path = PROJECTS / "thesis_building" / "building.yaml"
+    lower, middle, share = round(0.4 * storeys), round(0.7 * storeys), min(1.0, 10 / storeys)
+    text = path.read_text()
+    for old, new in {
+        "count: 10,": f"count: {storeys},",
+        "1-4": f"1-{lower}",
+        "5-7": f"{lower + 1}-{middle}",
+        "8-10": f"{middle + 1}-{storeys}",
+        "4.5 kN/m^2": f"{4.5 * share:.6g} kN/m^2",
+        "2 kN/m^2": f"{2.0 * share:.6g} kN/m^2",
+        "1.2 kN/m": f"{1.2 * share:.6g} kN/m",
+    }.items():
+        text = text.replace(old, new)
+    building = parse_building(text, path, profiles=BuildingSections())
     return peer_building(building, space_frame(building))
 
 
