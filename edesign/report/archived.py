@@ -16,7 +16,7 @@ from edesign.project.project import Project
 from edesign.project.reading.file_model import FileModel
 from edesign.project.study.study import Study
 from edesign.project.study.study_loader import parse_study
-from edesign.study.results.kinds import STUDY
+from edesign.study.results.kinds import BUILDING, STUDY
 
 if TYPE_CHECKING:
     from edesign.project.building import Building
@@ -31,7 +31,9 @@ def input_checksum(about: Mapping[str, object]) -> str:
     Args:
         about: attributes of the root of the archive.
     """
-    return str(next((about[name] for name in _CHECKSUMS if about.get(name)), "unknown"))
+    of_design = about.get("kind") == BUILDING and not about.get("planned")  # that depends on its own text alone
+    names = ("building_checksum",) if of_design else _CHECKSUMS
+    return str(next((about[name] for name in names if about.get(name)), "unknown"))
 
 
 def archived_project(archive: Archive) -> Project | None:

@@ -1160,6 +1160,13 @@ LEFT = {
         "write `design: ", "give plates or `rectangles`", "see `integration: time_step` and `outputs: every`",
         "`statistic: maximum` is on the safe side", "and the project has no `hazard`; give it one with such a level",
     ),
+    "it is of analyses of buildings; tests/unit/project/test_shaking_keys.py, test_criteria_in_space.py provoke it": (
+        "name a side across it, or one along both axes as `+x+y`",
+        "name by `eccentricity` where they stand beside it", "; write `x` or `y`",
+        "says where in a building; leave it out for a plane frame", "give `eccentricity_ratio` here",
+        "has a vertical component of its own; leave out this key", "its vertical one acts by `vertical` there",
+        "at one instant over the plastic resistance", "for which an incremental study has no intensity; take single records",
+    ),
     "it is of a substructure test on a project of its own; tests/unit/substructure provokes it": (
         "by them alone; take more `sub_steps`", "and the file names none under `structure`", "or give a `law_file`",
         "the specimen has no law; give `law` or `law_file`", "for which `kind: modal` does", "or take `kr_alpha`",

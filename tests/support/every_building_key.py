@@ -119,7 +119,11 @@ OTHER_FORMS = (
         "plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}}", "plan: {x: {count: 2, width: 6 m}, y: [5 m, 5 m]}"
     )
     .replace("storeys: [4 m, 3.5 m, 3 m]", "storeys: {count: 3, height: 3.5 m}")
-    .replace("from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  phi: 0.8", "given: [{at: all, floors: 1-3, mass: 9 t}]")
+    .replace(
+        "from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  phi: 0.8",
+        "given: [{at: all, floors: 1-3, mass: 9 t}]\n  directions: both",
+    )
+    .replace("loads:\n  areas:", "loads:\n  gravity: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  areas:")
     .replace("country: france\n  zone: 4\n", "a_gR: 1.6 m/s^2\n")
     .replace(
         "kind: cross, section: SHS120x8, material: S235,\n     compression: false",

@@ -15,6 +15,7 @@ from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.report.archived import archived_building, archived_project, archived_study
+from edesign.report.drawing.captions import record_label
 from edesign.report.motion.building_geometry import moving_building
 from edesign.report.motion.frame_geometry import moving_frame
 from edesign.report.motion.moving import Moving, nearest, read_moving
@@ -122,7 +123,8 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]
-        label = f"{first[0][1][0].motion}{record.removeprefix(first[0][1][0].record)}"
+        alone = first[0][1][0].record
+        label = f"{record_label(alone)}{record.removeprefix(alone)}"
         yield Scene(level, label, *counts, len(shown) - len(first), time, ground, scale, tuple(moving))
 
 

@@ -82,7 +82,7 @@ def _warnings(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, targ
     for mode, part in found.basis.torsional_modes.items() if spec.method == "n2" else ():
         text = (
             f"mode {mode} is mostly a turn of the building about the vertical ({100 * part:.3g} % of its moment of "
-            "inertia): EN 1998-1, 4.3.3.4.2.7, has displacements at the stiff side amplified by an elastic modal "
+            "inertia): N2 (EN 1998-1, 4.3.3.4.2.7) has displacements at the stiff side amplified by an elastic modal "
             "analysis, which is left to you"
         )
         warnings.append(AnalysisWarning("target_torsion", text, part))

@@ -13,7 +13,7 @@ from unit.report.figure_archive import TEXT, history, small_archive
 from edesign.archive.reader import open_archive
 from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
-from edesign.report.drawing.frame_drawing import damper_drawing, member_lines
+from edesign.report.drawing.frame_drawing import FrameElevation, damper_drawing, member_lines
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure
 
 PROJECT = parse_project(TEXT, "project.yaml", profile_names())
@@ -104,7 +104,7 @@ def test_without_the_project_there_is_no_elevation(tmp_path: Path) -> None:
 
 
 def test_titles_stay_within_the_figure() -> None:
-    figure = hinge_figure(FRAME, [Hinges("push.first_mode", {}), Hinges("push.uniform", {})])
+    figure = hinge_figure(FrameElevation(FRAME), [Hinges("push.first_mode", {}), Hinges("push.uniform", {})])
     figure.draw_without_rendering()
     titles = [text for axis in figure.axes for text in axis.get_children() if isinstance(text, Text)]
     assert max(text.get_window_extent().y1 for text in titles if text.get_text()) <= figure.bbox.y1
