@@ -9,8 +9,9 @@ import yaml
 
 _QUICK: Any = getattr(yaml, "CSafeLoader", None)
 """The parser of libyaml; None where PyYAML was built without it."""
-_OTHERWISE = re.compile(r"[^\n -~]|[?!]")
-"""What libyaml reads otherwise in places: tabs, line ends and signs beyond ASCII, question and exclamation marks."""
+_OTHERWISE = re.compile(r"[^\n -~]|[?!]|[|>][-+0-9]*#")
+"""What libyaml reads otherwise in places: tabs, line ends and signs beyond ASCII, question and exclamation marks, and
+comments at the head of a block of text without a space before them."""
 
 
 def quick_parser(text: str) -> Any | None:

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from messages import says
 
@@ -107,6 +107,7 @@ analyses:
 
 
 @pytest.mark.skipif(yaml_parser._QUICK is None, reason="PyYAML was built without libyaml")
+@example([(148, 0, "#")])  # a comment at the head of a block of text
 @given(st.lists(st.tuples(st.integers(0, len(SAMPLE)), st.integers(0, 2), st.sampled_from(SPECIAL)), max_size=3))
 def test_libyaml_reads_the_same(edits: list[tuple[int, int, str]]) -> None:
     """Tree, marks and faults, as by PyYAML's own parser, of texts right and wrong."""

@@ -8,14 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from building_examples import ANALYSED, changed
-from cases.small_study import write
 from messages import says
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
-from edesign.cli.main import main
 from edesign.errors import InputError
-from edesign.frame.project_file import load_study
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.ground_motion.component_pairs import combined_spectrum
 from edesign.ground_motion.formats.write import write_csv
@@ -25,7 +22,6 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa, rotated_spectra
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.building import Building, load_building
-from edesign.project.study.study import Study
 from edesign.report.ground_motion.record_tables import record_tables
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.applied import GroundMotion, ground_motion, scale_factor
@@ -97,19 +93,6 @@ def files(folder: Path) -> None:
     (folder / "pairs.yaml").write_text(SUITE, encoding="utf-8")
 
 
-def study(folder: Path, spec: str, hazard: str = EC8) -> Study:
-    """A study with the record `motions`."""
-    files(folder)
-    block = f"records:\n  motions: {spec}\ndesigns:\n"
-    plain = ("  set: {suite: set.yaml, match: {method: scale, periods: [0.2 s, 1 s]}}", "  set: {suite: set.yaml}")
-    path = write(folder, ("designs:\n", block), project=((EC8, hazard),) if hazard == EC8 else ((EC8, hazard), plain))
-    if hazard != EC8:  # whose histories need nothing of the hazard here
-        text = path.read_text(encoding="utf-8")
-        begin = text[: text.index("designs:\n")]
-        path.write_text(f"{begin}variants: {{bare: {{dampers: none}}}}\n", encoding="utf-8")
-    return load_study(path)
-
-
 def building_file(folder: Path, spec: str, history: str = "", step: str = "0.01 s") -> Path:
     """A building with the record `motions`, and the history `shaken` of it with more keys."""
     files(folder)
@@ -125,6 +108,17 @@ def building_file(folder: Path, spec: str, history: str = "", step: str = "0.01 
     path = folder / "building.yaml"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+def paired(folder: Path, spec: str, hazard: str = EC8) -> Building:
+    """A building with the record `motions`, whose two components act at once."""
+    spec = spec if "components" in spec or "suite" not in spec else spec.replace("{", "{components: [x, y], ", 1)
+    path = building_file(folder, spec)
+    if hazard != EC8:  # of a building that is not designed
+        text = path.read_text(encoding="utf-8")
+        text = text[: text.index("hazard:")] + f"hazard:\n{hazard}" + text[text.index("fibres:") :]
+        path.write_text(text, encoding="utf-8")
+    return load_building(path, BuildingSections())
 
 
 def applied(building: Building) -> dict[str, GroundMotion]:
@@ -158,7 +152,7 @@ def prepared(
     periods: FirstPeriods | None = PERIODS,
     angles: tuple[float, ...] = (0.0,),
 ) -> PairSet:
-    return prepare_pairs(study(folder, spec, hazard), "motions", periods, angles=np.radians(angles).tolist())
+    return prepare_pairs(paired(folder, spec, hazard), "motions", periods, angles=np.radians(angles).tolist())
 
 
 def test_one_motion_of_each_pair_and_angle(tmp_path: Path) -> None:
@@ -248,7 +242,7 @@ def test_factors_by_hand(tmp_path: Path) -> None:
 
 def test_pairs_that_were_made_ready_are_judged_as_before(tmp_path: Path) -> None:
     """What is archived after the fit is what the fit was made for."""
-    of = study(tmp_path, f"{{suite: pairs.yaml{SCALED}}}")
+    of = paired(tmp_path, f"{{suite: pairs.yaml{SCALED}}}")
     first = prepare_pairs(of, "motions", PERIODS)
     again = judged_pairs(of, "motions", first.motions, PERIODS)
     assert again.suite_factor == first.suite_factor and len(again.criteria) == len(first.criteria)
@@ -364,14 +358,14 @@ def test_one_pair_is_no_set(tmp_path: Path) -> None:
 
 
 def test_levels_with_spectra_of_their_own(tmp_path: Path) -> None:
-    of = study(tmp_path, f"{{suite: pairs.yaml{SCALED[:-1]}, level: MCE}}}}", NTC)
+    of = paired(tmp_path, f"{{suite: pairs.yaml{SCALED[:-1]}, level: DBE}}}}", NTC)
     clauses = [(one.clause, one.text.rpartition(", along ")[2][:1]) for one in prepare_pairs(of, "motions").criteria]
     of_mean = [("NTC 2018, 3.2.3.6", axis) for axis in "xxyy"]  # at least 90 % and at most 130 %, along each direction
     assert clauses[1:5] == of_mean and [clause for clause, _ in clauses[5:]] == ["NTC 2018, 3.2.3.6", "NTC 2018, 7.3.5"]
 
 
 def test_a_pair_that_cannot_be_fitted_is_told(tmp_path: Path) -> None:
-    of = study(tmp_path, "{suite: pairs.yaml, match: {method: scale, periods: [0.2 s, 6 s]}}")
+    of = paired(tmp_path, "{suite: pairs.yaml, match: {method: scale, periods: [0.2 s, 6 s]}}")
     pairs = prepare_pairs(of, "motions")
     assert all("motions/" in motion.failure for motion in pairs.motions)
     with pytest.raises(InputError) as caught:
@@ -407,7 +401,6 @@ def test_the_table_of_an_archive(tmp_path: Path) -> None:
         ("components: [x, y]", "components: [x, x]", "records.motions.components `[x, y]` E-VALUE-03"),
         ("vertical: false", "only: [1, 1]", "records.motions.only[1] E-NAME-02"),
         ("vertical: false", "spectrum: rotd", "records.motions.spectrum `rotd100` E-VALUE-03"),
-        ("  motions:", "  set:", "records.set `set` E-NAME-02"),
         ("pairs.yaml", "pears.yaml", "records.motions.suite `{folder}/pears.yaml` E-FILE-01"),
         ("method: scale", "method: scale, component: vertical", "records.motions.match.component E-SCALE-01"),
         ("periods: [0.2 s, 1.5 s]", "periods: [2 s, 1.5 s]", "records.motions.match.periods E-VALUE-04"),
@@ -415,16 +408,13 @@ def test_the_table_of_an_archive(tmp_path: Path) -> None:
         ("periods: [0.2 s, 1.5 s]", "level: DBE", "records.motions.match.level E-KEY-03"),
         (SCALED, ", spectrum: srss", "records.motions.spectrum E-SCALE-02"),
         (FULL, "pair: [{file: n1.csv}, {file: e1.csv}]", "pair[0].acceleration_unit E-KEY-02"),
-        ("records: set, free", "records: motions, free", "histories[0].records `motions` E-PAIR-04"),
     ],
 )
-def test_mistakes_of_the_file(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, said: str
-) -> None:
-    path = study(tmp_path, f"{{{FULL}{SCALED}}}").path
-    assert main(["check", str(path)]) == 0
-    assert "pairs:" in (shown := capsys.readouterr().out) and "motions: 3 pairs (6 from files)" in shown
+def test_mistakes_of_the_file(tmp_path: Path, old: str, new: str, said: str) -> None:
+    path = paired(tmp_path, f"{{{FULL}{SCALED}}}").path
     text = path.read_text(encoding="utf-8")
     path.write_text(text.replace(old, new, 1), encoding="utf-8")
-    assert main(["check", str(path)]) == 2
-    assert says(errors := capsys.readouterr().err, said.format(folder=tmp_path)), errors
+    with pytest.raises(InputError) as caught:
+        building = load_building(path, BuildingSections())
+        check_inputs(building, [task.spec for task in make_plan(building)])
+    assert says(str(caught.value), said.format(folder=tmp_path)), caught.value
