@@ -246,6 +246,11 @@ def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(CubicSpline(time, deformations).derivative()(time)).max(axis=0))
 
 
+HARDLY_PUSHED = 0.1
+"""Mean drift over that of the other direction below which a torsional ratio is left out: a judgement, not derived. The
+ratio of two small drifts says nothing of the building; who names the direction gets it."""
+
+
 def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     """Return the largest drift of the worst column line over the largest mean drift of all lines, by its own peak each.
 
@@ -266,7 +271,7 @@ def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFil
     storeys = group.coords["storey"].values.tolist()
     of = np.array([line_and_number(str(label))[1] for label in group.coords["drift_line"].values])
     worst = np.array([lines[of == storey].max(axis=0) for storey in storeys])
-    counts = (mean > 0.0) & ((mean >= 0.1 * mean.max(axis=1, keepdims=True)) | (asked.direction is not None))
+    counts = (mean > 0.0) & ((mean >= HARDLY_PUSHED * mean.max(axis=1, keepdims=True)) | (asked.direction is not None))
     return np.divide(worst, mean, out=np.zeros_like(mean), where=counts)
 
 

@@ -2,19 +2,47 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from edesign.project.building.building import Building
 from edesign.project.building.names import frame_name
 from edesign.project.notation.frames import Direction, frames_of_member
-from edesign.report.drawing.frame_drawing import DAMPER, STEEL, SUPPORTS, Line, Point
+from edesign.report.drawing.frame_drawing import DAMPER, STEEL, SUPPORTS, Line, Point, damper_in_bay
 from edesign.report.drawing.style import MEAN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+_IN_BAY = re.compile(r"([VRFS])([XY])_([A-Z]+|\d+)_(\d+)_(\d+)(?:_(r|f))?(?:_\d+)?")
+
+
+class DamperBay(NamedTuple):
+    """What the name of a damper says: kind, axis X or Y, grid line, bay, storey, and half of a chevron (r or f)."""
+
+    kind: str
+    axis: str
+    line: str
+    bay: int
+    storey: int
+    half: str
+
+
+def damper_bay(name: str) -> DamperBay | None:
+    """Return in which bay a damper of a building stands; None of dampers between nodes.
+
+    Args:
+        name: such as VX_2_1_3, or VX_2_1_3_2 of a second one there.
+    """
+    found = _IN_BAY.fullmatch(name)
+    if found is None:
+        return None
+    kind, axis, line, bay, storey, half = found.groups()
+    return DamperBay(kind, axis, line, int(bay), int(storey), half or "")
 
 
 def frame_names(building: Building) -> list[str]:
@@ -100,23 +128,15 @@ class BuildingElevation:
             frame = frame_name(self._along, line.j if self._along == "x" else line.i)
             if storey == 1 and frame == self.name:
                 support = self.building.support(line)
-                turn = getattr(support, "ry" if self._along == "x" else "rx", "fixed")
+                turn = support.ry if self._along == "x" else support.rx
                 found.append((self.building.place(line)["xy".index(self._along)], turn == "fixed"))
         return found
 
-    def _damper(self, name: str) -> list[Line]:
-        """The lines of a damper and its braces: kind and direction, frame, bay and storey stand in its name."""
-        kind, _, bay, storey, *way = name.split("_")
+    def _damper(self, name: str) -> tuple[Line, ...]:
+        """The lines of a damper and its braces; none where the building has no such bay or storey."""
+        place = damper_bay(name)
         x, levels = self.building.coordinates(self._along), self.building.levels
-        left, right = x[int(bay) - 1], x[int(bay)]
-        low, high = levels[int(storey) - 1], levels[int(storey)]
-        apex = (0.5 * (left + right), high)
-        halves = {"r": ((left, low), apex), "f": (apex, (right, low))}
-        if kind[0] == "V":
-            return [halves[one] for one in (way or ["r", "f"])]
-        lines: dict[str, Line] = {
-            "R": ((left, low), (right, high)),
-            "F": ((left, high), (right, low)),
-            "S": ((apex[0], low), apex),
-        }
-        return [lines[kind[0]]]
+        if place is None or not (1 <= place.bay < len(x) and 1 <= place.storey < len(levels)):
+            return ()
+        bay = x[place.bay - 1], x[place.bay], levels[place.storey - 1], levels[place.storey]
+        return damper_in_bay(place.kind, *bay, place.half).braces

@@ -118,9 +118,23 @@ def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
     if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
         return None
     left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.levels[storey - 1], frame.levels[storey]
+    return damper_in_bay(kind, left, right, low, high, name[-1] if name.endswith(("_r", "_f")) else "")
+
+
+def damper_in_bay(kind: str, left: float, right: float, low: float, high: float, half: str) -> DamperDrawing:
+    """Return the lines of a damper in a bay, m.
+
+    Args:
+        kind: V, R, F or S.
+        left: place of the column line at the left.
+        right: place of that at the right.
+        low: level of the floor below.
+        high: level of the floor above.
+        half: "r" or "f" of one in place of a brace of a chevron.
+    """
     apex = (0.5 * (left + right), high)
-    if kind == "V" and name.endswith(("_r", "_f")):  # in place of a brace
-        line = ((left, low), apex) if name.endswith("_r") else (apex, (right, low))
+    if kind == "V" and half:
+        line = ((left, low), apex) if half == "r" else (apex, (right, low))
         return DamperDrawing((line,), _middle(*line))
     if kind == "V":
         return DamperDrawing((((left, low), apex), ((right, low), apex)), apex)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from itertools import combinations
 
@@ -19,9 +18,9 @@ from edesign.project.building.names import (
     node_name,
 )
 from edesign.project.building.supports import FIXED, PINNED, Springs
+from edesign.report.drawing.building_drawing import damper_bay
 from edesign.report.motion.geometry import SAME, Geometry, Hung, MovingDamper, MovingMass, Place, Support
 
-_IN_BAY = re.compile(r"([VRFS])([XY])_([A-Z]+|\d+)_(\d+)_(\d+)(?:_(r|f))?(?:_\d+)?")
 _MIDDLE = (0.4, 0.6)  # the shares of a diagonal between which its damper is drawn
 
 
@@ -100,16 +99,16 @@ class _Points:
         if name.startswith("N_"):
             ends = [self._of_node(node) for node in name.split("_")[1:3]]
             return _between(name, *ends) if len(ends) == 2 else None
-        found = _IN_BAY.fullmatch(name)
+        found = damper_bay(name)
         if found is None:
             return None
-        kind, axis, label, bay, storey, way = found.groups()
+        kind, axis, label, bay, storey, way = found
         along: Direction = "x" if axis == "X" else "y"
         frames = [line_label(along, i) for i in range(self._building.n_frames(along))]
         if label not in frames:
             return None
-        place = along, frames.index(label), int(bay)
-        low, high = int(storey) - 1, int(storey)
+        place = along, frames.index(label), bay
+        low, high = storey - 1, storey
         (left, right), (upper_left, upper_right) = (self._corners(*place, floor) for floor in (low, high))
         apex, foot = self._middle(*place, high), self._middle(*place, low)
         if kind == "R":
@@ -118,7 +117,7 @@ class _Points:
             return _between(name, upper_left, right)
         if kind == "S":
             return _between(name, foot, apex)
-        if way is not None:
+        if way:
             return _between(name, left, apex) if way == "r" else _between(name, apex, right)
         if left is None or right is None or apex is None:
             return None

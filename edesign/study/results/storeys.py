@@ -35,11 +35,6 @@ def line_drifts(frame: FrameModel) -> Quantity:
     return Quantity("line_drift", ("line_drift",), (len(cells),), cells, "1", "drift ratio on a column line", keep=())
 
 
-def line_drift_storeys(frame: FrameModel) -> list[int]:
-    """Return the storey, from 1, of each component of `line_drifts`."""
-    return [storey.number for storey in frame.storeys for lines in storey.drifts for _ in lines]
-
-
 def drifts_in_words(frame: FrameModel) -> list[str]:
     """Return what each component of `line_drifts` is, such as "drift of storey 3"."""
     return [
