@@ -71,14 +71,9 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
         return summary(tests) | ({"warnings": warned} if warned else {})
     if kind == BUILDING:
         from edesign.frame.building_file import load_building
-        from edesign.space.check import check_building
-        from edesign.study.check.summary import building_dampers
+        from edesign.study.check.summary import check_project
 
-        building = _drawn(load_building(file), target)
-        found = check_building(building)
-        if building.dampers is not None:
-            found["dampers"] = building_dampers(building)
-        return dict(sorted(found.items(), key=lambda item: item[0] == "warnings"))
+        return check_project(_drawn(load_building(file), target))
     from edesign.frame.project_file import load_project, load_study
     from edesign.study.check.summary import check_project, check_study
 

@@ -1,4 +1,4 @@
-"""Elevations of the plane frames of a building before its analysis: spans, levels, sections, ends, supports."""
+"""Elevations of the plane frames of a building before its analysis: grid, sections, ends, supports, dampers."""
 
 from __future__ import annotations
 
@@ -13,8 +13,10 @@ from edesign.project.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import Direction, frame_name, line_label
 from edesign.project.building.supports import FIXED, PINNED, Springs
+from edesign.report.drawing.building_drawing import BuildingElevation
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.boxes import Spot
+from edesign.report.model.devices import DevicesOnSheet
 from edesign.report.model.elevation import Grid, draw_axes
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
@@ -51,7 +53,7 @@ def model_elevations(building: Building, frame: SpaceFrame, heading: Sequence[st
             caption = (
                 f"Frame{'s' * (len(names) > 1)} {some_names(names, 6)} along {along}: spans, heights and levels in m, "
             )
-            caption += "sections, ends of beams, supports."
+            caption += f"sections, ends of beams, supports{', dampers' * (building.dampers is not None)}."
             above = (*heading, caption.rstrip(".")) if heading else ()
             if left_out > 0 and numbers == list(groups.values())[MOST - 1]:
                 caption += f" {left_out} more that differ are not drawn."
@@ -80,7 +82,19 @@ def _look(
         )
         for one in members
     )
-    return found, tuple(repr(support) for _, support in _bases(building, along, number))
+    bases = tuple(repr(support) for _, support in _bases(building, along, number))
+    return found, bases, _devices(building, along, number).look
+
+
+def _grid(building: Building, along: Direction) -> Grid:
+    xs = building.coordinates(along)
+    other: Direction = "y" if along == "x" else "x"
+    return Grid.of([line_label(other, i) for i in range(len(xs))], xs, building.levels)
+
+
+def _devices(building: Building, along: Direction, number: int) -> DevicesOnSheet:
+    elevation = BuildingElevation(building, frame_name(along, number))
+    return DevicesOnSheet(building, _grid(building, along), elevation.damper, elevation.name)
 
 
 def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
@@ -91,10 +105,7 @@ def _bases(building: Building, along: Direction, number: int) -> list[tuple[floa
 
 def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction, number: int) -> None:
     k = DIRECTIONS.index(along)
-    xs = building.coordinates(along)
-    other: Direction = "y" if along == "x" else "x"
-    names = [line_label(other, i) for i in range(len(xs))]
-    grid = Grid.of(names, xs, building.levels)
+    grid = _grid(building, along)
     members = _members(frame, frame_name(along, number))
     ends = {one.name: tuple(grid.at(*frame.coordinates[n][[k, 2]]) for n in (one.start, one.end)) for one in members}
     draw_axes(sheet, grid)
@@ -104,11 +115,14 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
         sheet.block(0.5 * (x0 + x1), y, abs(x1 - x0), 0.02)  # labels of columns stay between beams where they can
     entries = _supports(sheet, grid, building, along, number)
     entries += _ends(sheet, members, ends)
+    devices = _devices(building, along, number)
+    drawn = devices.draw(sheet)
     if any(one.kind == "brace" for one in members):
         resting = any(one.kind == "brace" and not one.compression for one in members)
         what = ", those that are compressed do not count" if resting else ""
         entries.append(Entry(f"braces have pinned ends{what}"))
-    left_out = list(_sections(sheet, members, ends, k))
+    left_out = list(_sections(sheet, members, ends, k)) + devices.draw_sizes(sheet)
+    entries += drawn
     entries += _steels(building, members)
     if any(_is_weak(one, k) for one in members):
         entries.append(Entry("(weak): bends about its weak axis in this frame"))

@@ -10,8 +10,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from edesign.project.building.building import Building
 from edesign.project.building.names import frame_name
-from edesign.project.notation.frames import Direction, frames_of_member
-from edesign.report.drawing.frame_drawing import DAMPER, STEEL, SUPPORTS, Line, Point, damper_in_bay
+from edesign.project.notation.frames import Direction, frames_of_line, frames_of_member
+from edesign.report.drawing.frame_drawing import (
+    DAMPER,
+    STEEL,
+    SUPPORTS,
+    DamperDrawing,
+    Line,
+    Point,
+    damper_in_bay,
+)
 from edesign.report.drawing.style import MEAN
 
 if TYPE_CHECKING:
@@ -105,9 +113,9 @@ class BuildingElevation:
         for member, ((x0, y0), (x1, y1)) in self.lines.items():
             axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if member.startswith("D") else 1.6, zorder=1.5)
         for name in dampers:
-            if self.name in frames_of_member(name):
-                for (x0, y0), (x1, y1) in self._damper(name):
-                    axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
+            drawing = self.damper(name)
+            for (x0, y0), (x1, y1) in drawing.braces if drawing is not None else ():
+                axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
         for x, fixed in self._bases():
             marker = SUPPORTS["fixed" if fixed else "pinned"]
             axes.plot(x, 0.0, marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
@@ -116,6 +124,28 @@ class BuildingElevation:
         axes.set_xlim(-margin, self.width + margin)
         axes.set_ylim(-margin, self.height + margin)
         axes.set_axis_off()
+
+    def damper(self, name: str) -> DamperDrawing | None:
+        """Return the lines of a damper; None of one that stands elsewhere, or where there is no such bay or storey.
+
+        Args:
+            name: such as VX_2_1_3, or N_A1.0_B1.1 between nodes, which both stand in the frame.
+        """
+        nodes = self.building.grid.nodes
+        if name.startswith("N_"):
+            ends = name.split("_")[1:3]
+            if not all(node in nodes and self.name in frames_of_line(node.partition(".")[0]) for node in ends):
+                return None
+            start, end = (self._seen(node) for node in ends)
+            return DamperDrawing(((start, end),), (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])))
+        place = damper_bay(name)
+        x, levels = self.building.coordinates(self._along), self.building.levels
+        if place is None or place.axis + place.line != self.name:
+            return None
+        if not (1 <= place.bay < len(x) and 1 <= place.storey < len(levels)):
+            return None
+        bay = x[place.bay - 1], x[place.bay], levels[place.storey - 1], levels[place.storey]
+        return damper_in_bay(place.kind, *bay, place.half)
 
     def _seen(self, node: str) -> Point:
         place = self.building.grid.nodes[node]
@@ -131,12 +161,3 @@ class BuildingElevation:
                 turn = support.ry if self._along == "x" else support.rx
                 found.append((self.building.place(line)["xy".index(self._along)], turn == "fixed"))
         return found
-
-    def _damper(self, name: str) -> tuple[Line, ...]:
-        """The lines of a damper and its braces; none where the building has no such bay or storey."""
-        place = damper_bay(name)
-        x, levels = self.building.coordinates(self._along), self.building.levels
-        if place is None or not (1 <= place.bay < len(x) and 1 <= place.storey < len(levels)):
-            return ()
-        bay = x[place.bay - 1], x[place.bay], levels[place.storey - 1], levels[place.storey]
-        return damper_in_bay(place.kind, *bay, place.half).braces

@@ -1,19 +1,20 @@
-"""Dampers and tuned masses of a plane frame on a sheet: where they act, their laws and sizes."""
+"""Dampers and tuned masses of a plane frame or of a frame of a building on a sheet: where they act, laws and sizes."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import cached_property
 
-from edesign.project.dampers.dampers import DamperBetween, DamperRun, TunedMass
-from edesign.project.frame.frame import Frame
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.dampers.dampers import DamperBetween, DamperRun, Dampers, TunedLiquid, TunedMass
 from edesign.project.notation import names
-from edesign.project.project import Project
-from edesign.report.drawing.frame_drawing import damper_drawing
+from edesign.project.notation.frames import frames_of_line
+from edesign.report.drawing.frame_drawing import DamperDrawing
 from edesign.report.drawing.style import TARGET
 from edesign.report.model.boxes import Spot
-from edesign.report.model.elevation import Elevation
+from edesign.report.model.elevation import Grid
 from edesign.report.model.sheet import SMALLEST, Entry, Point, Sheet
 from edesign.report.model.words import brace_words, chosen, device_size, law_colors, law_words, short
 
@@ -31,82 +32,112 @@ KINDS = {
 }
 
 
-@dataclass
-class Drawn:
-    """Legend and remarks on dampers that were drawn.
+@dataclass(frozen=True)
+class DevicesOnSheet:
+    """Dampers and tuned masses of a plane frame, or those of a building that one of its frames shows.
 
     Attributes:
-        entries: of the legend.
-        left_out: sizes for which there is no room, in words.
-    """
-
-    entries: list[Entry] = field(default_factory=list)
-    left_out: list[str] = field(default_factory=list)
-
-
-def draw_devices(
-    sheet: Sheet, place: Elevation, project: Project, design: str = "", tested: Collection[str] = ()
-) -> Drawn:
-    """Draw the dampers of a project and its tuned masses; sizes that change over the height are for `draw_sizes`.
-
-    Args:
+        project: with the frame or the building.
         place: where metres of the frame are on the sheet.
-        design: name of a design of which no sizes are known; "": they are known.
-        tested: names of the dampers that stand in a laboratory.
-
-    Returns:
-        What the legend and the title say of the dampers.
+        drawing: gives the lines of a damper in the frame by its name; None: it does not stand there.
+        frame: name of the frame of the building, such as X1; "" of a plane frame.
     """
-    found, frame, dampers = Drawn(), project.frame, project.dampers
-    if dampers is None:
-        return found
-    colors = law_colors(project)
-    for name, color in colors.items():
-        runs = [_run_words(project, run, design) for run in dampers.devices if run.law == name]
-        said, sign = law_words(name, dampers.laws[name]), _sign(color) if runs else None
-        if len(runs) == 1:
-            found.entries.append(Entry(f"{said}; {runs[0]}", sign))
+
+    project: AnalysisFile
+    place: Grid
+    drawing: Callable[[str], DamperDrawing | None]
+    frame: str = ""
+
+    @property
+    def _dampers(self) -> Dampers:
+        dampers = self.project.dampers
+        return dampers if dampers is not None else Dampers.model_construct()
+
+    def _drawings(self, run: DamperRun | DamperBetween) -> Iterator[tuple[str, DamperDrawing]]:
+        """Name and lines of each damper of a run that stands in the frame."""
+        if isinstance(run, DamperBetween):
+            found = [names.damper_between_name(*run.nodes)]
         else:
-            found.entries += [Entry(said), *(Entry(f"{name} {words}", sign) for words in runs)]
-    for run in dampers.devices:
-        for kind, name in _places(frame, run):
-            at = _draw(sheet, place, kind, name, colors.get(run.law, TARGET))
-            if name in tested and at is not None:
-                _mark(sheet, *at)
-    if tested:
-        found.entries.append(Entry(f"in the laboratory: {', '.join(tested)}", lambda on, x, y: _mark(on, x + 0.14, y)))
-    _tuned(sheet, place, project)
-    if dampers.attachments:
-        words = "tuned mass or liquid damper"
-        found.entries.append(Entry(words, lambda on, x, y: _mass_sign(on, x + 0.14, y - 0.1), 0.24))
-    return found
+            places = self.project.grid.bay_places(run)
+            found = [name for at in places for name in names.damper_names(run.kind, at.bay, at.storey, at.frame)]
+        for name in found:
+            drawing = self.drawing(name)
+            if drawing is not None:
+                yield name, drawing
 
+    @cached_property
+    def _runs(self) -> list[DamperRun | DamperBetween]:
+        """The runs with a damper in the frame."""
+        return [run for run in self._dampers.devices if any(self._drawings(run))]
 
-def draw_sizes(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
-    """Write the sizes that change over the height beside their storeys; return those for which there is no room.
+    @property
+    def _attachments(self) -> list[TunedMass | TunedLiquid]:
+        """The tuned masses and tanks that move along the frame and stand in it, or at the centre of mass."""
+        along = [one for one in self._dampers.attachments if one.direction in (None, self.frame[:1].lower())]
+        return [one for one in along if one.at is None or self.frame in frames_of_line(one.at)]
 
-    Args:
-        place: where metres of the frame are on the sheet.
-    """
-    left_out, frame = [], project.frame
-    rows: dict[int, list[tuple[str, str]]] = {}
-    colors = law_colors(project)
-    runs = project.dampers.devices if project.dampers is not None else ()
-    for run in runs:
-        if isinstance(run, DamperRun) and _changes(run):
-            for index, storey in enumerate(run.storeys.numbers(1, frame.n_storeys)):
-                several = sum(isinstance(one, DamperRun) and _changes(one) for one in runs) > 1
-                rows.setdefault(storey, []).append((_storey_words(project, run, index, several), colors[run.law]))
-    x = sheet.right + COLUMN
-    for storey, texts in rows.items():
-        middle = 0.5 * place.up * (frame.levels[storey - 1] + frame.levels[storey])
-        for i, (text, color) in enumerate(texts):
-            y = middle + ROW * (0.5 * (len(texts) - 1) - i)
-            if not sheet.place([Spot(x, y, "left")], text, color=color):
-                left_out.append(f"storey {storey}: {text}")
-    if rows:
-        sheet.text(Spot(x, place.top + 0.2, "left", "bottom"), "dampers at each place", SMALLEST)
-    return left_out
+    @property
+    def look(self) -> tuple[object, ...]:
+        """What distinguishes it from others: where dampers of each run stand, and tuned masses."""
+        runs = enumerate(self._dampers.devices)
+        places = ((i, drawing) for i, run in runs for _, drawing in self._drawings(run))
+        return (*places, *map(repr, self._attachments))
+
+    def draw(self, sheet: Sheet, design: str = "", tested: Collection[str] = ()) -> list[Entry]:
+        """Draw dampers and tuned masses; sizes that change over the height are for `draw_sizes`.
+
+        Args:
+            design: name of a design of which no sizes are known; "": they are known.
+            tested: names of the dampers that stand in a laboratory.
+
+        Returns:
+            Of the legend.
+        """
+        found: list[Entry] = []
+        colors = law_colors(self.project)
+        for name, color in colors.items():
+            runs = [_run_words(self.project, run, design) for run in self._runs if run.law == name]
+            if not runs and self.frame:
+                continue
+            said, sign = law_words(name, self._dampers.laws[name]), _sign(color) if runs else None
+            if len(runs) == 1:
+                found.append(Entry(f"{said}; {runs[0]}", sign))
+            else:
+                found += [Entry(said), *(Entry(f"{name} {words}", sign) for words in runs)]
+        for run in self._runs:
+            for name, drawing in self._drawings(run):
+                at = _draw(sheet, self.place, run.kind, drawing, colors.get(run.law, TARGET))
+                if name in tested:
+                    _mark(sheet, *at)
+        if tested:
+            words = f"in the laboratory: {', '.join(tested)}"
+            found.append(Entry(words, lambda on, x, y: _mark(on, x + 0.14, y)))
+        _tuned(sheet, self.place, self._attachments)
+        if self._attachments:
+            words = "tuned mass or liquid damper"
+            found.append(Entry(words, lambda on, x, y: _mass_sign(on, x + 0.14, y - 0.1), 0.24))
+        return found
+
+    def draw_sizes(self, sheet: Sheet) -> list[str]:
+        """Write the sizes that change over the height beside their storeys; return those for which there is no room."""
+        left_out, levels = [], self.place.ys
+        rows: dict[int, list[tuple[str, str]]] = {}
+        colors = law_colors(self.project)
+        changing = [run for run in self._runs if isinstance(run, DamperRun) and _changes(run)]
+        for run in changing:
+            for index, storey in enumerate(run.storeys.numbers(1, len(levels) - 1)):
+                text = _storey_words(self.project, run, index, len(changing) > 1)
+                rows.setdefault(storey, []).append((text, colors[run.law]))
+        x = sheet.right + COLUMN
+        for storey, texts in rows.items():
+            middle = 0.5 * self.place.up * (levels[storey - 1] + levels[storey])
+            for i, (text, color) in enumerate(texts):
+                y = middle + ROW * (0.5 * (len(texts) - 1) - i)
+                if not sheet.place([Spot(x, y, "left")], text, color=color):
+                    left_out.append(f"storey {storey}: {text}")
+        if rows:
+            sheet.text(Spot(x, self.place.top + 0.2, "left", "bottom"), "dampers at each place", SMALLEST)
+        return left_out
 
 
 def _stiffness(run: DamperRun) -> object:
@@ -117,13 +148,13 @@ def _changes(run: DamperRun) -> bool:
     return any(isinstance(value, tuple) for value in (run.layer_area, run.scale, _stiffness(run)))
 
 
-def _storey_words(project: Project, run: DamperRun, index: int, several: bool) -> str:
+def _storey_words(project: AnalysisFile, run: DamperRun, index: int, several: bool) -> str:
     brace = brace_words(run, index) if isinstance(_stiffness(run), tuple) else ""
     size = ", ".join(part for part in (device_size(project, run, index), brace) if part)
     return f"{run.law}, {chosen('bay', run.bays)}: {size}" if several else size
 
 
-def _run_words(project: Project, run: DamperRun | DamperBetween, design: str) -> str:
+def _run_words(project: AnalysisFile, run: DamperRun | DamperBetween, design: str) -> str:
     """How and where the dampers of a run stand, and their size if it is one over the height."""
     if isinstance(run, DamperBetween):
         parts = [f"between {run.nodes[0]} and {run.nodes[1]}"]
@@ -142,17 +173,6 @@ def _run_words(project: Project, run: DamperRun | DamperBetween, design: str) ->
     return "; ".join(parts)
 
 
-def _places(frame: Frame, run: DamperRun | DamperBetween) -> Iterator[tuple[str, str]]:
-    """Kind and name of each damper of a run."""
-    if isinstance(run, DamperBetween):
-        yield "nodes", names.damper_between_name(*run.nodes)
-        return
-    for storey in run.storeys.numbers(1, frame.n_storeys):
-        for bay in run.bays.numbers(1, frame.n_bays):
-            for name in names.damper_names(run.kind, bay, storey):
-                yield run.kind, name
-
-
 # --- signs
 
 
@@ -161,15 +181,12 @@ def _mark(sheet: Sheet, x: float, y: float) -> None:
     sheet.dots([(x, y)], 20.0, "none", TARGET, mew=1.2, zorder=3.0)
 
 
-def _draw(sheet: Sheet, place: Elevation, kind: str, name: str, color: str) -> Point | None:
+def _draw(sheet: Sheet, place: Grid, kind: str, drawing: DamperDrawing, color: str) -> Point:
     """Draw a damper with what holds it: braces to the apex of a chevron, else a line with the damper in its middle.
 
     Returns:
-        Where the damper is; None if the frame has no such place.
+        Where the damper is.
     """
-    drawing = damper_drawing(place.frame, name)
-    if drawing is None:
-        return None
     lines = [(place.at(*start), place.at(*end)) for start, end in drawing.braces]
     x, y = place.at(*drawing.at)
     if kind == "chevron":
@@ -203,14 +220,12 @@ def _sign(color: str) -> Callable[[Sheet, float, float], None]:
     return draw
 
 
-def _tuned(sheet: Sheet, place: Elevation, project: Project) -> None:
+def _tuned(sheet: Sheet, place: Grid, attachments: Sequence[TunedMass | TunedLiquid]) -> None:
     """Tuned masses and tanks above their floors, beside each other."""
-    frame = place.frame
-    assert project.dampers is not None
     count: dict[int, int] = {}
-    for item in project.dampers.attachments:
+    for item in attachments:
         number = count[item.floor] = count.get(item.floor, 0) + 1
-        y = place.up * frame.levels[item.floor]
+        y = place.up * place.ys[item.floor]
         x = 0.3 + 0.9 * (number - 1)
         _mass_sign(sheet, x, y)
         if isinstance(item, TunedMass):

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.report.drawing.captions import file_name
-from edesign.report.model.devices import draw_devices, draw_sizes
+from edesign.report.drawing.frame_drawing import damper_drawing
+from edesign.report.model.devices import DevicesOnSheet
 from edesign.report.model.elevation import Elevation, draw_axes
 from edesign.report.model.ends import draw_ends
 from edesign.report.model.loads import draw_loads, load_entries
@@ -89,10 +91,11 @@ def geometry_figure(project: Project, heading: Sequence[str] = (), tested: Colle
         entries = draw_supports(sheet, place, project)
         entries += draw_frame_members(sheet, place, project)
         entries += draw_ends(sheet, place, project)
-        drawn = draw_devices(sheet, place, project, tested=tested)
+        devices = _devices(project, place)
+        drawn = devices.draw(sheet, tested=tested)
         left_out = draw_sections(sheet, project, place)
-        left_out += draw_sizes(sheet, place, project)
-        entries += [*drawn.entries, *_own_sections(project), *_materials(project)]
+        left_out += devices.draw_sizes(sheet)
+        entries += [*drawn, *_own_sections(project), *_materials(project)]
         entries += [*_rigid_floors(project), Entry("spans, heights and levels in m"), *unwritten(left_out)]
         sheet.legend(entries, WIDTH)
 
@@ -133,11 +136,16 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
         if project.isolation is None:
             draw_supports(sheet, place, project)
         draw_frame_members(sheet, place, project, faint=True)
-        drawn = draw_devices(sheet, place, project, design)
-        left_out = draw_sizes(sheet, place, project)
-        sheet.legend([*entries, *drawn.entries, *unwritten(left_out)], WIDTH)
+        devices = _devices(project, place)
+        drawn = devices.draw(sheet, design)
+        left_out = devices.draw_sizes(sheet)
+        sheet.legend([*entries, *drawn, *unwritten(left_out)], WIDTH)
 
     return on_sheet(draw, heading)
+
+
+def _devices(project: Project, place: Elevation) -> DevicesOnSheet:
+    return DevicesOnSheet(project, place, partial(damper_drawing, project.frame))
 
 
 def _scales(project: Project) -> str:

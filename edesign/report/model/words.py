@@ -7,11 +7,11 @@ from pathlib import Path
 
 from edesign.damper.laws import LAWS
 from edesign.damper.parameter_sets import PARAMETER_SETS
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
 from edesign.project.dampers.isolation import BaseDevice
 from edesign.project.frame.sections import ElasticSection, PlateSection, Section
 from edesign.project.notation.selections import LineSelection, NumberSelection
-from edesign.project.project import Project
 from edesign.report.drawing.style import VARIANTS
 from edesign.report.drawing.symbols import power_of_ten, with_indices_of_laws
 
@@ -29,7 +29,7 @@ def short(value: float, digits: int = 4) -> str:
     return f"{value:.{digits}g}" if abs(value) < 10.0**digits else f"{value:.0f}"
 
 
-def law_colors(project: Project) -> dict[str, str]:
+def law_colors(project: AnalysisFile) -> dict[str, str]:
     """Return a colour for each law that stands in a project, by its name."""
     dampers = project.dampers
     used = [name for name in dampers.laws if name in dampers.used_laws] if dampers is not None else []
@@ -76,7 +76,7 @@ def _value(value: object) -> str:
     return str(value).replace("*", "·").replace("^2", "²").replace("^3", "³")
 
 
-def device_size(project: Project, device: DamperRun | DamperBetween | BaseDevice, index: int = 0) -> str:
+def device_size(project: AnalysisFile, device: DamperRun | DamperBetween | BaseDevice, index: int = 0) -> str:
     """Return the size of a damper in words: number, layers or factor on the forces; "" if it is that of its law.
 
     Args:

@@ -45,20 +45,23 @@ ORIGINS = {"file": "from files", "package": "from packages", "simulated": "simul
 
 
 @one_thread()
-def check_project(project: Project) -> dict[str, str]:
-    """Check the inputs of a project, and describe it in a few lines.
+def check_project(project: AnalysisFile) -> dict[str, str]:
+    """Check the inputs of a project or a building, and describe it in a few lines.
 
     Args:
-        project: from `load_project`.
+        project: from `load_project` or `load_building`.
 
     Returns:
-        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive;
-        and warnings, one a line, if something is allowed but may not be meant.
+        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive; of a
+        building what `check_building` says, and the last four if it has analyses; and warnings, one a line, if
+        something is allowed but may not be meant.
 
     Raises:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
+    if isinstance(project, Building) and not project.analyses:
+        return _warnings_last(_described(project), [])
     project = with_choices(project.afresh(), project.archive_path)
     plan = make_plan(project)
     found = check_inputs(project, [task.spec for task in plan])
@@ -68,19 +71,37 @@ def check_project(project: Project) -> dict[str, str]:
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*project_warnings(project, recorded), *named_record_warnings(recorded), *_scales(project, plan, found)]
     warnings += _failed_choices(project, found)
+    facts = {
+        **_described(project),
+        "period": f"{_shown(periods)} {_standing(project)}" if periods is not None else "no masses",
+        "records": _records(project, {**found, **others}),
+        **_choices(project),
+        "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
+        "archive": str(project.archive_path),
+    }
+    return _warnings_last(facts, warnings)
+
+
+def _described(project: AnalysisFile) -> dict[str, str]:
+    """The title, and what there is without analyses."""
+    if isinstance(project, Building):
+        dampers = {} if project.dampers is None else {"dampers": _building_dampers(project)}
+        return {**check_building(project), **dampers}
+    assert isinstance(project, Project)
     return {
         "title": project.title,
         "frame": _frame(project),
         **_mass(project),
         "members": _members(project),
         **({"dampers": _dampers(project)} if project.dampers is not None else {}),
-        "period": f"{_shown(periods)} {_standing(project)}" if periods is not None else "no masses",
-        "records": _records(project, {**found, **others}),
-        **_choices(project),
-        "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
-        "archive": str(project.archive_path),
-        **({"warnings": "\n".join(warnings)} if warnings else {}),
     }
+
+
+def _warnings_last(facts: dict[str, str], warnings: Sequence[str]) -> dict[str, str]:
+    """The facts, then their warnings and others, one a line."""
+    own = facts.pop("warnings", "").splitlines()
+    found = [*own, *warnings]
+    return {**facts, **({"warnings": "\n".join(found)} if found else {})}
 
 
 @one_thread()
@@ -184,15 +205,8 @@ def _dampers(project: AnalysisFile) -> str:
     return ", ".join(parts) or "none"
 
 
-def building_dampers(building: Building) -> str:
-    """Return how many dampers of each law a building has, and how many tuned masses.
-
-    Args:
-        building: from `load_building`.
-
-    Raises:
-        InputError: a law does not exist, or its parameters are wrong.
-    """
+def _building_dampers(building: Building) -> str:
+    """How many dampers of each law a building has, whether it can be built or not, and the tuned masses."""
     device_laws(building)
     laws = Counter(device.law for device, _ in devices_by_name(building.grid, building.dampers).values())
     parts = [f"{counted(count, 'damper')} `{name}`" for name, count in laws.items()]

