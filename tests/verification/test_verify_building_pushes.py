@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy.linalg
 from building_examples import SMALL, building
 from verification.test_verify_building_model import SHARP, leaning_building, plane_project, regular
 
@@ -395,3 +396,85 @@ def test_warnings_of_torsionally_flexible_buildings(section: str, at: str, numbe
     assert all(part == pytest.approx(1.0, abs=1e-6) for part in basis.torsional_modes.values())
     said = [warning["kind"] for warning in run_target(of, spec).attributes["warnings"]]
     assert ("target_torsion" in said) == bool(numbers)
+
+
+ECCENTRIC = """\
+edesign_building: 1
+title: Cantilever columns under a rigid floor, those of frame YC stronger
+plan: {x: [6 m, 5 m], y: [6 m]}
+storeys: [4 m]
+columns:
+  - {section: HEB160, material: S275, strong: y}
+  - {at: C, section: @section@, material: S275, strong: y}
+beams:
+  - {along: x, section: IPE80, material: S275, ends: pinned}
+  - {along: y, section: IPE80, material: S275, ends: pinned}
+materials: {S275: {fy: 275 MPa, law: elastic}}
+loads: {self_weight: false}
+masses: {given: [{at: all, floors: 1, mass: 8 t}]}
+elements: {geometry: {columns: linear}}
+hazard: {code: ec8-2004, a_gR: 0.2 g, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
+"""
+
+
+def three_degrees(strong: str, eccentricity: float) -> tuple[np.ndarray, np.ndarray]:
+    """Normalised displacements along y of frames YA, YB, YC: by CQC of three modes, and by statics.
+
+    Cantilevers 3 E I / h^3 about both axes and G I_t / h; masses of a grid of six points, moved along x by a part of
+    11 m; S_e of ground B in place of formulas of the package: plateau, T_B = 0.15 s, T_C = 0.5 s, T_D = 2 s, S = 1.2.
+    """
+    xs, ys = np.repeat([0.0, 6.0, 11.0], 2), np.tile([0.0, 6.0], 3)
+    sections = [steel_section(strong if x == 11.0 else "HEB160") for x in xs]
+    k_y = np.array([3.0 * 210e9 * of.I_y / 64.0 for of in sections])
+    k_x = np.array([3.0 * 210e9 * of.I_z / 64.0 for of in sections])
+    turning = sum(210e9 / 2.6 * of.I_t / 4.0 for of in sections)
+    x_m, y_m = xs.mean() + eccentricity * 11.0, ys.mean()
+    x, y = xs - x_m, ys - y_m
+    K = np.array([[k_y.sum(), k_y @ x], [k_y @ x, k_y @ x**2 + k_x @ y**2 + turning]])  # y and turn: x is apart
+    m = 8e3
+    M = np.diag([6 * m, m * np.sum((xs - xs.mean()) ** 2 + (ys - ys.mean()) ** 2)])
+    values, shapes = scipy.linalg.eigh(K, M)
+    T = 2.0 * np.pi / np.sqrt(values)
+    S_e = 0.2 * 9.80665 * 1.2 * 2.5 * np.where(T <= 0.5, 1.0, np.where(T <= 2.0, 0.5 / T, 0.5 * 2.0 / T**2))
+    assert T.min() > 0.15
+    peaks = shapes[0] * 6 * m * S_e * (T / (2.0 * np.pi)) ** 2
+    r = T[0] / T[1]
+    rho = 8 * 0.05**2 * (1 + r) * r**1.5 / ((1 - r**2) ** 2 + 4 * 0.05**2 * r * (1 + r) ** 2)
+
+    def ratios(of: np.ndarray) -> np.ndarray:
+        """Of displacements along y and turns, by mode or of one push, (2,) or (2, n)."""
+        at = np.array([of[0] + lever * of[1] for lever in (-x_m, 6.0 - x_m, 11.0 - x_m, xs.mean() - x_m)])
+        combined = at if at.ndim == 1 else np.sqrt(at[:, 0] ** 2 + at[:, 1] ** 2 + 2 * rho * at[:, 0] * at[:, 1])
+        return combined[:3] / combined[3]
+
+    return ratios(shapes * peaks), ratios(np.linalg.solve(K, [1.0, 0.0]))
+
+
+@pytest.mark.parametrize(
+    ("strong", "position", "part"), [("HEB260", "0", 0.0), ("HEB260", "+x", 0.05), ("HEB160", "-x", -0.05)]
+)
+def test_torsional_amplification_of_a_rigid_floor(strong: str, position: str, part: float) -> None:
+    """Ratios at the column lines against two degrees of freedom by hand; 1e-4: beams resist torsion a little."""
+    of = building(ECCENTRIC.replace("@section@", strong))
+    parts = pushover_parts(pushover("y+", targets=("n2",), eccentricity=position), ("DBE",))
+    group = run_target(of, next(one for one in parts if isinstance(one, TargetAnalysis)))
+    elastic, pushed_there = three_degrees(strong, part)
+    lines = group.coords["amplified_line"].values.tolist()
+    order = [lines.index(line) for line in ("A1", "B1", "C1")]
+    assert values(group, "n2_line_ratio_elastic")[order] == pytest.approx(elastic, rel=1e-4)
+    assert values(group, "n2_line_ratio_push")[order] == pytest.approx(pushed_there, rel=1e-4)
+    factor = np.maximum(np.maximum(elastic, 1.0) / pushed_there, 1.0)
+    assert values(group, "n2_torsional_amplification")[order] == pytest.approx(factor, rel=1e-4)
+    assert factor.max() > 1.02
+    drift = np.maximum(values(group, "line_drift_max")[:, 1], -values(group, "line_drift_min")[:, 1])
+    on_lines = [lines.index(name.partition(".")[0]) for name in group.coords["drift_line"].values.tolist()]
+    assert values(group, "n2_line_drift") == pytest.approx(
+        drift * values(group, "n2_torsional_amplification")[on_lines]
+    )
+
+
+def test_a_symmetric_building_is_not_amplified() -> None:
+    of = building(ECCENTRIC.replace("@section@", "HEB160").replace("6 m, 5 m", "6 m, 6 m"))
+    (spec,) = pushover_parts(pushover("y-", targets=("n2",)), ("DBE",))[1:]
+    assert isinstance(spec, TargetAnalysis)
+    assert values(run_target(of, spec), "n2_torsional_amplification") == pytest.approx(1.0, abs=1e-9)

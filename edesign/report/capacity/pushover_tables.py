@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from math import isfinite
 from typing import Any
 
@@ -58,6 +58,19 @@ def _height(event: Place) -> float:
     return float(event.group.attributes["height"])
 
 
+def _worst_line(target: Analysis) -> int:
+    return int(target.group.variables["n2_torsional_amplification"].values.argmax())
+
+
+def _amplified(name: str) -> Callable[[Analysis], float]:
+    """A value on the column line with the largest amplification."""
+    return lambda target: float(target.group.variables[name].values[_worst_line(target)])
+
+
+def _where_drift(target: Analysis) -> str:
+    return str(target.group.coords["drift_line"].values[target.group.variables["n2_line_drift"].values.argmax()])
+
+
 EVENTS = TableSpec[Place](
     "capacity_events",
     "Events along the capacity curves",
@@ -108,6 +121,20 @@ ASCE41 = TableSpec[Analysis](
     keys=2,
     formulas=True,
 )
+TORSION = TableSpec[Analysis](
+    "target_torsion",
+    "Torsion at the target displacements, EN 1998-1, 4.3.3.4.2.7",
+    (
+        *_NAMED,
+        col("elastic", ONE, _amplified("n2_line_ratio_elastic")),
+        col("push", ONE, _amplified("n2_line_ratio_push")),
+        col("factor", ONE, _amplified("n2_torsional_amplification")),
+        text("column line", lambda target: target.group.coords["amplified_line"].values[_worst_line(target)]),
+        col("drift", PERCENT, lambda target: target.group.variables["n2_line_drift"].values.max()),
+        text("at", _where_drift),
+    ),
+    keys=2,
+)
 TARGETS: Mapping[Method, TableSpec[Analysis]] = {"n2": N2, "fema356": FEMA356, "asce41": ASCE41}
 STATES = TableSpec[dict[str, Any]](
     "target_response",
@@ -157,6 +184,7 @@ def target_tables(project: AnalysisFile | None, groups: Mapping[str, Group], stu
     for method, spec in TARGETS.items():
         reached = (one for one in found if f"{method}_d_t" in one.group.variables)
         tables.append(spec.of(one for one in reached if one.group.attributes.get("method") == method))
+    tables.append(TORSION.of(one for one in found if "n2_torsional_amplification" in one.group.variables))
     return [table for table in (*tables, states_table(project, groups, study)) if table.rows]
 
 

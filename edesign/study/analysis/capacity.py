@@ -16,11 +16,13 @@ from edesign.codes.fema356 import target_displacement as fema356
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.errors import AnalysisError, InputError
+from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.analysis_file import AnalysisFile
+from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.damper_stiffness import small_amplitude
 from edesign.study.analysis.dampers import goes_with_speed
 from edesign.study.analysis.lateral_patterns import by_floor, floor_masses, lateral_loads
@@ -28,6 +30,7 @@ from edesign.study.analysis.leading_mode import leading_mode, torsional_ratios
 from edesign.study.analysis.push import Progress, Push, Stop, push, pushed_along
 from edesign.study.analysis.second_order import second_order_slope
 from edesign.study.analysis.structure import Structure, device_stiffness, elastic_frame, make_frame
+from edesign.study.analysis.torsional_amplification import TorsionalAmplification, torsional_amplification
 
 PASSES = 8
 """Pushes until one reaches far enough; each goes as far as the last one asked, which two or three do."""
@@ -75,14 +78,8 @@ class Basis:
         which the period belongs (FEMA 356, 9.3.5.1).
         """
         structure = self._elastic
-        stiffness = structure.frame.brace_stiffness
-        for device in structure.frame.devices:
-            if device.restrained is None and not goes_with_speed(device):
-                if stiffness is None:
-                    stiffness = np.zeros(len(structure.frame.model.damper_names))
-                stiffness[device.number] = device_stiffness(device, small_amplitude(device), 1.0).real  # at any speed
         along = structure.frame.directions[self._direction]
-        mode = leading_mode(structure, along, stiffness)
+        mode = leading_mode(structure, along, _stiffness_at_rest(structure.frame))
         return mode.period, float(mode.participation * mode.shape[structure.frame.control, along.degree])
 
     @cached_property
@@ -101,9 +98,38 @@ class Basis:
     @cached_property
     def _elastic(self) -> Structure:
         """The frame with its dampers, under gravity."""
-        structure = elastic_frame(self._project, self._dampers)
+        return self._made()
+
+    def amplification(self, pushed: Push, spectrum: Spectrum) -> TorsionalAmplification | None:
+        """Return how much more column lines of a building move than a push shows; None where no floor is rigid.
+
+        Args:
+            pushed: to the displacement that counts.
+            spectrum: of the horizontal action.
+
+        Raises:
+            AnalysisError: the building is unstable.
+        """
+        if not pushed.frame.turning:
+            return None
+        structure = self._made(pushed.eccentricity) if any(pushed.eccentricity) else self._elastic
+        return torsional_amplification(pushed, structure, _stiffness_at_rest(structure.frame), spectrum)
+
+    def _made(self, eccentricity: tuple[float, float] = IN_PLACE) -> Structure:
+        structure = elastic_frame(self._project, self._dampers, eccentricity)
         structure.apply_gravity()
         return structure
+
+
+def _stiffness_at_rest(frame: FrameModel) -> np.ndarray | None:
+    """Stiffness of dampers that do not go with speed before they yield, (n_dampers,) N/m; None: there are none."""
+    stiffness = frame.brace_stiffness
+    for device in frame.devices:
+        if device.restrained is None and not goes_with_speed(device):
+            if stiffness is None:
+                stiffness = np.zeros(len(frame.model.damper_names))
+            stiffness[device.number] = device_stiffness(device, small_amplitude(device), 1.0).real  # at any speed
+    return stiffness
 
 
 @dataclass(frozen=True)

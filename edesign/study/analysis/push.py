@@ -12,7 +12,9 @@ from edesign.core import Response
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import Eccentric, Pushover, pattern_name
+from edesign.project.analysis.shaking import eccentricity_of
 from edesign.project.analysis_file import AnalysisFile
+from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.capacity_events import EventChannels
 from edesign.study.analysis.dampers import core_strain_warnings
@@ -59,6 +61,7 @@ class Push:
         displacement: of the control node since gravity in each step, m, positive in that direction.
         floors: displacement of each floor in each step along the axis of the push, that under gravity included, m.
         turned: turn of each floor in each step about the vertical, rad; zeros of floors that are not rigid.
+        eccentricity: by what shares of the lengths of each floor the loads stand beside the centres of mass.
         moments: about the vertical, of lateral loads of 1 N beside the centres of mass, by node, N m.
         line_drifts: drift ratios of each step, as `line_drifts` has them, (steps, n).
         line_shares: of each in the vertical loads of each storey, (storeys, n).
@@ -75,6 +78,7 @@ class Push:
     displacement: np.ndarray
     floors: np.ndarray
     turned: np.ndarray
+    eccentricity: tuple[float, float]
     moments: Mapping[str, float]
     line_drifts: np.ndarray
     line_shares: np.ndarray
@@ -202,6 +206,7 @@ def push(
         displacement=moved,
         floors=floors,
         turned=turned,
+        eccentricity=_eccentricity(project, spec),
         moments=moments,
         line_drifts=events.line_drifts(response),
         line_shares=line_shares(frame, carried),
@@ -226,8 +231,18 @@ def load_moments(
     """
     if not isinstance(spec, Eccentric):
         return {}
-    ratio = spec.eccentricity_ratio if spec.eccentricity_ratio is not None else project.accidental_torsion
+    ratio = _ratio(project, spec)
     return eccentric_moments(frame, loads, spec.eccentricity[0], ratio, direction)
+
+
+def _ratio(project: AnalysisFile, spec: Eccentric) -> float:
+    return spec.eccentricity_ratio if spec.eccentricity_ratio is not None else project.accidental_torsion
+
+
+def _eccentricity(project: AnalysisFile, spec: Pushover) -> tuple[float, float]:
+    if not isinstance(spec, Eccentric):
+        return IN_PLACE
+    return eccentricity_of(spec.eccentricity[0], _ratio(project, spec))
 
 
 def _of_direction(values: np.ndarray, direction: int, dims: int) -> np.ndarray:

@@ -185,9 +185,11 @@ def frame_alone(
     return make_structure(project, build(project, eccentricity, laws=laws_kept, weights=weights))
 
 
-def elastic_frame(project: AnalysisFile, dampers: bool = True) -> Structure:
+def elastic_frame(
+    project: AnalysisFile, dampers: bool = True, eccentricity: tuple[float, float] = IN_PLACE
+) -> Structure:
     """Build the frame and all dampers, without tuned masses; arguments and errors as `frame_alone`."""
-    return make_structure(project, build(project, laws=device_laws(project) if dampers else None))
+    return make_structure(project, build(project, eccentricity, laws=device_laws(project) if dampers else None))
 
 
 def tolerance(project: AnalysisFile) -> float:

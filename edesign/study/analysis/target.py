@@ -17,7 +17,7 @@ from edesign.project.analysis.pushover import METHODS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.capacity import Capacity, Target, capacity, level_spectrum
 from edesign.study.analysis.dampers import goes_with_speed
-from edesign.study.analysis.push import Progress, Stop, push
+from edesign.study.analysis.push import Progress, Push, Stop, push
 from edesign.study.results.recording import coordinate
 from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
@@ -64,6 +64,8 @@ def run_target(
         at = found.push.start + found.push.sign * target.d_t
         pushed = push(project, spec, found.basis.loads, at, progress, stop)
         group, warnings = pushed.group, _warnings(project, spec, found, target)
+        if spec.method == "n2":
+            warnings += _amplified(project, spec, found, pushed)
     _store(group, spec, found, target)
     store_warnings(group, warnings)
     group.attributes |= {"method": spec.method, "spectrum_damping": level_spectrum(project, spec, spec.level).damping}
@@ -79,13 +81,6 @@ def _warnings(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, targ
             f"{wanted:.4g} m (EN 1998-1, 4.3.3.4.2.3)"
         )
         warnings.append(AnalysisWarning("target_range", text, wanted / reached))
-    for mode, part in found.basis.torsional_modes.items() if spec.method == "n2" else ():
-        text = (
-            f"mode {mode} is mostly a turn of the building about the vertical ({100 * part:.3g} % of its moment of "
-            "inertia): N2 (EN 1998-1, 4.3.3.4.2.7) has displacements at the stiff side amplified by an elastic modal "
-            "analysis, which is left to you"
-        )
-        warnings.append(AnalysisWarning("target_torsion", text, part))
     if target.mu is not None and target.mu[0] > target.mu[1]:
         text = (
             f"mu_strength is {target.mu[0]:.3g}, more than mu_max = {target.mu[1]:.3g}: ASCE/SEI 41-17, 7.3.2.1, "
@@ -103,6 +98,40 @@ def _warnings(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, targ
             )
             warnings.append(AnalysisWarning("target_limit", text, free / given["C_1"]))
     return [*warnings, *_damping_warnings(project, spec, found, target)]
+
+
+def _amplified(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, pushed: Push) -> list[AnalysisWarning]:
+    """Add the drifts of a building's column lines, amplified by torsion, to the results of a push, and warn of torsion.
+
+    Source: EN 1998-1, 4.3.3.4.2.7; see `torsional_amplification`.
+    """
+    made = found.basis.amplification(pushed, level_spectrum(project, spec, spec.level))
+    if made is None:
+        return []
+    group = pushed.group
+    coordinate(group, "amplified_line", list(made.lines), "", "column line whose upper end is on a rigid floor")
+    label = "displacement at the upper end of the column line over that of the centre of mass"
+    group.add("n2_line_ratio_elastic", ("amplified_line",), made.elastic, "1", f"{label}, elastic modal analysis")
+    group.add("n2_line_ratio_push", ("amplified_line",), made.pushed, "1", f"{label}, push")
+    label = "torsional amplification of displacements and deformations on the column line"
+    group.add("n2_torsional_amplification", ("amplified_line",), made.factor, "1", label)
+    factors = dict(zip(made.lines, made.factor.tolist(), strict=True))
+    of_lines = [factors.get(str(name).partition(".")[0], 1.0) for name in group.coords["drift_line"].values]
+    drifts = np.maximum(*(abs(group.variables[f"line_drift_{which}"].values) for which in ("max", "min")))
+    label = "largest drift ratio of the storey on the column line in the direction of the push, torsion amplified"
+    group.add("n2_line_drift", ("drift_line",), drifts[:, pushed.direction] * of_lines, "1", label)
+    worst = int(made.factor.argmax())
+    return [
+        AnalysisWarning(
+            "target_torsion",
+            f"mode {mode} is mostly a turn of the building about the vertical ({100 * part:.3g} % of its moment of "
+            f"inertia): deformations on column lines are up to {made.factor[worst]:.3g} times those of the push, at "
+            f"{made.lines[worst]} (EN 1998-1, 4.3.3.4.2.7); drifts with this factor are in `n2_line_drift`, members "
+            "are without it",
+            part,
+        )
+        for mode, part in found.basis.torsional_modes.items()
+    ]
 
 
 def _damping_warnings(

@@ -54,7 +54,7 @@ COMMON: Mapping[Kind, str] = {
     "isolator_uplift": "friction pendulums lose contact",
     "isolator_weight": "friction pendulums slide as under the weight of gravity alone",
     "target_range": "capacity curves end before 150 % of the target displacement",
-    "target_torsion": "the building is torsionally flexible, which a push does not show at its stiff side",
+    "target_torsion": "the building is torsionally flexible: members at its stiff side turn more than in a push",
     "target_strength": "the frame is too weak for the nonlinear static procedure of ASCE/SEI 41",
     "target_limit": "FEMA 356 limits C_1 of short periods, which FEMA 440 advises against",
     "target_damping": "target displacements do not count the damping of the dampers",
