@@ -25,8 +25,8 @@ class Stripes:
         incremental, variant, measure: what it is of.
         records: (r,) references.
         intensity: (n,) ascending, greater than zero.
-        values: (r, n) of the measure in SI; infinite where the frame collapsed, at that intensity or a lower one; NaN
-            where there is no result.
+        values: (r, n) of the measure in SI, of a building the worst one over angles of the record and places of the
+            masses; infinite where the frame collapsed, at that intensity or a lower one; NaN where a result is missing.
     """
 
     incremental: str
@@ -67,15 +67,14 @@ def collect_stripes(
         raise KeyError(f"{incremental} of {variant}")
     records = tuple(dict.fromkeys(str(group.attributes["record"]) for group in mine))
     intensity = np.array(sorted({float(group.attributes["intensity"]) for group in mine}))
-    values = {measure: np.full((len(records), intensity.size), np.nan) for measure in measures}
+    values = {measure: np.full((len(records), intensity.size), -np.inf) for measure in measures}
     for group in mine:
         row = records.index(str(group.attributes["record"]))
         column = int(np.searchsorted(intensity, float(group.attributes["intensity"])))
         for measure in measures:
-            values[measure][row, column] = _value(group, measure)
-    return {
-        measure: Stripes(incremental, variant, measure, records, intensity, values[measure]) for measure in measures
-    }
+            values[measure][row, column] = np.maximum(values[measure][row, column], _value(group, measure))
+    found = {measure: np.where(np.isneginf(of), np.nan, of) for measure, of in values.items()}
+    return {measure: Stripes(incremental, variant, measure, records, intensity, of) for measure, of in found.items()}
 
 
 def stripe_counts(stripes: Stripes, limit: float) -> tuple[np.ndarray, np.ndarray]:

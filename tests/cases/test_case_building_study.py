@@ -8,13 +8,16 @@ import numpy as np
 import pytest
 from building_examples import DAMPED
 from cases.small_frame import RECORD, TEXT
+from scipy.signal import lsim
 
 from edesign.archive.reader import open_archive
+from edesign.assess.incremental import collect_stripes
 from edesign.assess.verdicts import judge
 from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.report.archive.document import page_text
 from edesign.report.archive.tables import short_tables
+from edesign.study.motions.pairs import prepare_pairs
 from edesign.study.run.run import run_study
 
 BUILDING = (
@@ -117,3 +120,57 @@ def test_a_plane_frame_is_not_pushed_as_a_building(tmp_path: Path) -> None:
     path.write_text(head + push.replace("x+", "left"), encoding="utf-8")
     with pytest.raises(InputError, match="a plane frame has no masses beside their places"):
         load_study(path)
+
+
+INCREMENTAL = """\
+edesign_study: 1
+title: Two storeys under pairs that are scaled
+project: building.yaml
+variants: {bare: {dampers: none}}
+incremental:
+  - {name: ida, records: raw, intensity: spectral_acceleration, levels: [0.05 g, 0.1 g, 30 g, 40 g],
+     angles: [0 deg, 90 deg], limits: {LS: {interstorey_drift: 1 %}}}
+  - {name: peak, records: raw, intensity: pga, levels: [0.1 g, 0.2 g]}
+"""
+
+
+def test_pairs_are_scaled_until_a_building_collapses(tmp_path: Path) -> None:
+    """Intensities are geometric means of both components, at the mean of T1 along x and y; the worse angle counts.
+
+    Reference: spectra of the components by scipy's exact response to linear pieces.
+    """
+    raw = BUILDING.replace("pairs: {suite: fema_p695_far_field, only: 1, components: [x, y], match: {method: scale}}",
+                           "raw: {suite: fema_p695_far_field, only: [1, 2], components: [x, y]}")  # fmt: skip
+    study = load_study(write(tmp_path, INCREMENTAL, raw))
+    summary = run_study(study, workers=2)
+    with open_archive(summary.archive) as archive:
+        names = archive.attributes["planned"]
+        groups = {name: archive.group(f"analyses/{name}") for name in names if "ida" in name or "peak" in name}
+        about = archive.group("incremental/ida")
+        modes = archive.group("analyses/bare.modes")
+        tables = page_text(archive)
+    leading = [modes.variables[f"effective_mass_ratio_{axis}"].values.argmax() for axis in "xy"]
+    T = modes.variables["period"].values[leading].mean()
+    assert about.variables["period"].values[0] == pytest.approx(T, rel=1e-9)
+    recordings = prepare_pairs(study.base, "raw").motions
+    for motion in recordings:
+        measures: dict[str, list[float]] = {"ida": [], "peak": []}
+        for record in motion.records:
+            omega, time = 2.0 * np.pi / T, record.time_step * np.arange(record.acceleration.size)
+            oscillator = [-1.0], [1.0, 2.0 * 0.05 * omega, omega**2]
+            measures["ida"].append(omega**2 * abs(lsim(oscillator, record.acceleration, time)[1]).max())
+            measures["peak"].append(np.abs(record.acceleration).max())
+        number = motion.name.rpartition("/")[2]
+        for name, intensity in (("ida", "0.1g.90deg"), ("peak", "0.2g")):
+            group = groups[f"bare.{name}.{number}.{intensity}"]
+            factor = float(intensity.partition("g")[0]) * 9.80665 / np.sqrt(np.prod(measures[name]))
+            # 3e-3: between steps of 0.01 s the records are linear here, and band-limited in the package
+            assert group.attributes["scale_factor"] == pytest.approx(factor, rel=3e-3)
+    assert groups["bare.ida.1.30g.0deg"].attributes["collapsed"] == 1
+    stripes = collect_stripes(groups, "ida", "bare", ("interstorey_drift",))["interstorey_drift"]
+    assert stripes.records == ("raw/1", "raw/2") and np.isinf(stripes.values[:, 2:]).all()
+    for row, number in enumerate("12"):
+        of = [groups[f"bare.ida.{number}.0.1g.{angle}deg"] for angle in (0, 90)]
+        worst = max(np.abs(g.variables[f"storey_drift_{w}"].values).max() for g in of for w in ("max", "min"))
+        assert stripes.values[row, 1] == pytest.approx(worst, rel=1e-12)
+    assert "Fragilit" in tables

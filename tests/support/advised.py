@@ -1165,7 +1165,7 @@ LEFT = {
         "name by `eccentricity` where they stand beside it", "; write `x` or `y`",
         "says where in a building; leave it out for a plane frame", "give `eccentricity_ratio` here",
         "has a vertical component of its own; leave out this key", "its vertical one acts by `vertical` there",
-        "at one instant over the plastic resistance", "for which an incremental study has no intensity; take single records",
+        "at one instant over the plastic resistance",
     ),
     "it is of a substructure test on a project of its own; tests/unit/substructure provokes it": (
         "by them alone; take more `sub_steps`", "and the file names none under `structure`", "or give a `law_file`",

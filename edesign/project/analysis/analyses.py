@@ -15,7 +15,7 @@ from edesign.project.analysis.pushover import (
     Pushover,
     Steps,
 )
-from edesign.project.analysis.shaking import IN_PLACE, Angles, EccentricityRatio, Position, Positions, eccentricity_of
+from edesign.project.analysis.shaking import IN_PLACE, Position, Shaking, eccentricity_of
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.notation.units import (
     Duration,
@@ -183,21 +183,8 @@ class HistoryAnalysis(_Analysis):
         return eccentricity_of(self.position, accidental_torsion)
 
 
-class BuildingHistory(HistoryAnalysis):
-    """The response of a building to a record under gravity; a pair acts along x and y at once.
-
-    Attributes:
-        angles: angles by which the record is turned from x, a pair from x and y, towards y; a history becomes one of
-            each.
-        eccentricity: where the masses of rigid floors stand: `0` in place, `+x-y` beside it towards x and against y;
-            a history becomes one of each.
-        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`,
-            and 5 % without a design.
-    """
-
-    angles: Angles = (0.0,)
-    eccentricity: Positions = (IN_PLACE,)
-    eccentricity_ratio: EccentricityRatio = None
+class BuildingHistory(Shaking, HistoryAnalysis):
+    """The response of a building to a record under gravity; a pair acts along x and y at once."""
 
     @property
     def angle(self) -> float:

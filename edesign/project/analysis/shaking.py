@@ -9,6 +9,7 @@ from pydantic import Field
 from edesign.project.notation.several import several
 from edesign.project.notation.units import Angle, PositiveRatio
 from edesign.project.notation.written import Written, given, one_or_list
+from edesign.project.reading.base import Model
 
 Position = Literal["0", "+x", "-x", "+y", "-y", "+x+y", "+x-y", "-x+y", "-x-y"]
 """Where the masses of rigid floors stand: `0` in place, else beside it in the directions that it says."""
@@ -27,6 +28,23 @@ Positions = Annotated[
     tuple[Annotated[Position, Written(_position, _NAMES)], ...], Field(min_length=1), Written(several, one_or_list)
 ]
 EccentricityRatio = PositiveRatio | None
+
+
+class Shaking(Model):
+    """How records act on a building.
+
+    Attributes:
+        angles: of a building, angles by which each record is turned from x towards y, a pair from x and y; a history
+            becomes one of each.
+        eccentricity: of a building, where the masses of rigid floors stand: `0` in place, `+x-y` beside it towards x
+            and against y; a history becomes one of each.
+        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`
+            of the building, and 5 % without a design.
+    """
+
+    angles: Angles = (0.0,)
+    eccentricity: Positions = (IN_PLACE,)
+    eccentricity_ratio: EccentricityRatio = None
 
 
 def eccentricity_of(position: str, ratio: float) -> tuple[float, float]:

@@ -10,11 +10,11 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.names import ALL, check_names, check_records
+from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal
 from edesign.project.checks.wave_passage import NO_WAVES, check_wave_passage
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, unknown_name
-from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.incremental import COLLAPSE, Incremental, LevelFactorStudy
 from edesign.project.study.life_cycle import CurveOfLevels, LifeCycle
@@ -34,10 +34,7 @@ def check_incremental(
         check_names(problems, (*keys, "variants"), "variant", incremental.variants, variants)
     check_records(problems, (*keys, "records"), incremental.records, base)
     check_horizontal(base, problems, (*keys, "records"), incremental.records)
-    for i, name in enumerate(map(record_of, incremental.records)):
-        if isinstance(base.records.get(name), InSpace):
-            message = f"`{name}` has pairs, for which an incremental study has no intensity; take single records"
-            problems.at_item((*keys, "records"), i, f"{message} [E-IDA-01]")
+    check_shaking(base, problems, keys, incremental)
     if incremental.level is not None and incremental.level not in base.hazard_levels:
         problems.at_value((*keys, "level"), unknown_name("level", incremental.level, base.hazard_levels))
     if isinstance(base.hazard, UserHazard) and incremental.level is not None and not base.hazard.at_5_percent:

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from edesign.project.actions.hazard_base import LevelName
+from edesign.project.analysis.shaking import Shaking
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.criteria.measures import MEASURES, SHORT_NAMES, limit_schema, parse_limit
 from edesign.project.notation.several import Names, ShortName
@@ -100,7 +101,7 @@ Accelerations = Annotated[AccelerationRange | Annotated[tuple[PositiveAccelerati
 Factors = Annotated[FactorRange | Annotated[tuple[PositiveFactor, ...], Field(min_length=2)], OneOf()]
 
 
-class _Incremental(Model):
+class _Incremental(Shaking):
     """What all have: variants and records, the drift that counts as collapse, and what fragilities are wanted of.
 
     Attributes:

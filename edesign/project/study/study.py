@@ -14,7 +14,7 @@ from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis.pushover import Pushovers
-from edesign.project.analysis.shaking import IN_PLACE, Angles, EccentricityRatio, Positions
+from edesign.project.analysis.shaking import Shaking
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.criteria.criteria import Criteria, Objectives
@@ -68,7 +68,7 @@ def own_variant(name: str) -> str:
     return name.partition(" at ")[0].partition(" by ")[0]
 
 
-class Histories(Model):
+class Histories(Shaking):
     """Histories of every variant x level x record x temperature; a suite stands for all its recordings.
 
     Attributes:
@@ -80,11 +80,6 @@ class Histories(Model):
         wave_passage: the motion reaches the supports one after the other; without the key all at once.
         collapse_drift: storey drift at which a history ends as collapsed.
         vertical: ground motion upwards beside each record.
-        angles: of a building, angles by which each record is turned from x towards y; a history becomes one of each.
-        eccentricity: of a building, where the masses of rigid floors stand: `0` in place, `+x-y` beside it towards x
-            and against y; a history becomes one of each.
-        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`
-            of the building, and 5 % without a design.
     """
 
     variants: Names = ("all",)
@@ -95,9 +90,6 @@ class Histories(Model):
     wave_passage: WavePassage | None = None
     collapse_drift: PositiveRatio | None = None
     vertical: VerticalMotion | None = None
-    angles: Angles = (0.0,)
-    eccentricity: Positions = (IN_PLACE,)
-    eccentricity_ratio: EccentricityRatio = None
 
 
 class Modal(Model):

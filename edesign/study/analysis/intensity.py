@@ -23,8 +23,11 @@ from edesign.project.study.incremental import (
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
 from edesign.study.analysis.damper_stiffness import damped_modes
-from edesign.study.analysis.structure import make_structure
+from edesign.study.analysis.leading_mode import leading_mode
+from edesign.study.analysis.structure import LEADING, make_structure
 from edesign.study.motions.applied import input_motion
+from edesign.study.motions.motions import AnyMotion
+from edesign.study.motions.pairs import PairMotion
 
 LONGEST = 10.0
 """Up to what period levels are compared where a study leaves it to the frame, s."""
@@ -41,32 +44,36 @@ def intensity_text(study: Incremental, intensity: float) -> str:
     return f"{intensity / STANDARD_GRAVITY:.6g}g"
 
 
-def record_intensity(project: AnalysisFile, study: Incremental, record: Record, period: float | None) -> float:
-    """Return the intensity measure of a record as it is applied with the factor 1, m/s2 or a factor.
+def motion_intensity(project: AnalysisFile, study: Incremental, motion: AnyMotion, period: float | None) -> float:
+    """Return the intensity measure of a motion as it is applied with the factor 1, m/s2 or a factor.
+
+    That of a pair is the geometric mean of both components as recorded (FEMA P-58-1).
 
     Args:
         project: the validated project of the variant.
         study: what the study file says.
-        record: made ready, before scaling.
+        motion: made ready, before scaling.
         period: of the spectral acceleration where the study does not give it, s.
 
     Raises:
-        InputError: a period is needed and the frame has none, the project has no hazard with the level, or the record
+        InputError: a period is needed and the frame has none, the project has no hazard with the level, or a record
             is zero throughout.
     """
-    if isinstance(study, PeakAccelerationStudy):
-        found = record.pga
-    elif isinstance(study, LevelFactorStudy):
+    if isinstance(study, LevelFactorStudy):
         if project.hazard is None:
             raise InputError(
                 f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels [E-KEY-02]"
             )
-        found = 1.0 / factor_of_level(project.hazard, study.level)
-    else:
-        found = _spectral_acceleration(project, study, record, period)
-    if found <= 0.0:
-        raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled [E-IDA-01]")
-    return found
+        return 1.0 / factor_of_level(project.hazard, study.level)
+    found = []
+    for record in motion.records[:2] if isinstance(motion, PairMotion) else (motion.record,):
+        if isinstance(study, PeakAccelerationStudy):
+            found.append(record.pga)
+        else:
+            found.append(_spectral_acceleration(project, study, record, period))
+        if found[-1] <= 0.0:
+            raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled [E-IDA-01]")
+    return float(np.exp(np.mean(np.log(found))))
 
 
 def level_intensity(project: AnalysisFile, study: Incremental, period: float | None, level: str | None) -> float | None:
@@ -141,8 +148,8 @@ def _not_rising(
     return f"{said}; the longer a return period, the larger must be the intensity [E-IDA-02]"
 
 
-def first_period(project: AnalysisFile, dampers: bool, damper_strain: float | None = None) -> float:
-    """Return T1 of a variant under gravity with the storage stiffness of its dampers, s.
+def first_periods(project: AnalysisFile, dampers: bool, damper_strain: float | None = None) -> tuple[float, ...]:
+    """Return T1 of a variant under gravity with the storage stiffness of its dampers, of a building along x and y, s.
 
     Args:
         dampers: whether it has its dampers.
@@ -153,11 +160,23 @@ def first_period(project: AnalysisFile, dampers: bool, damper_strain: float | No
     """
     structure = make_structure(project, dampers=dampers)
     structure.apply_gravity()
+    directions = structure.frame.directions
     if not structure.frame.devices:
-        return float(structure.modes(1).period[0])
-    spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=1, damper_strain=damper_strain)
-    damped = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec)
-    return float(damped.modes.period[0])
+        return tuple(leading_mode(structure, direction).period for direction in directions)
+    count = 1 if len(directions) == 1 else min(LEADING, int(np.count_nonzero(structure.analysis.masses())))
+    spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=count, damper_strain=damper_strain)
+    modes = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec).modes
+    if len(directions) == 1:
+        return (float(modes.period[0]),)
+    return tuple(float(modes.period[modes.effective_mass_ratio[:, at.degree].argmax()]) for at in directions)
+
+
+def intensity_period(project: AnalysisFile, dampers: bool, damper_strain: float | None = None) -> float:
+    """Return the period at which a variant takes the spectral acceleration if the study does not say it, s.
+
+    It is T1, of a building the mean of those along x and y (FEMA P-58-1); arguments and errors as `first_periods`.
+    """
+    return float(np.mean(first_periods(project, dampers, damper_strain)))
 
 
 def _spectral_acceleration(

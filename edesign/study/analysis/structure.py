@@ -23,13 +23,14 @@ from edesign.space.nonlinear.build import build_building
 from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.dampers import attachments, device_laws
 
+LEADING = 12
+"""Modes of a building among which are the leading ones of both directions."""
 DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
 GRAVITY_STEPS = 10
 _FIRST_GUESS = 0.5  # Hz, of an isolated building, from which the frequency of rate-dependent isolators is found
 _AGREEMENT = 1e-9  # of two frequencies that follow each other
 _TOLERATED = 1e-5  # after all rounds: steady cycles that SUNDIALS integrates behind a brace repeat to about 1e-6
 _MOST_ROUNDS = 50
-_SEARCHED = 12  # modes of a building among which are the leading ones of both directions
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ class Structure:
         added = np.zeros(len(self.frame.model.damper_names)) if others is None else others.copy()
         numbers = [device.number for device in devices]
         plane = self.frame.model.dimension == 2
-        most = count if plane else max(count, min(_SEARCHED, int(np.count_nonzero(self.analysis.masses()))))
+        most = count if plane else max(count, min(LEADING, int(np.count_nonzero(self.analysis.masses()))))
         if self.frame.isolated:
             frequencies = np.full(len(devices), _FIRST_GUESS)
         else:

@@ -17,7 +17,7 @@ from edesign.project.reading.problems import Keys, keys_text
 from edesign.project.study.incremental import SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
-from edesign.study.analysis.intensity import first_period
+from edesign.study.analysis.intensity import intensity_period
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.plan.variants import variant_project
 
@@ -80,7 +80,7 @@ def _periods(study: Study, item: SpectralAccelerationStudy) -> dict[str, float]:
     if item.period is not None:
         return dict.fromkeys(names, item.period)
     return {
-        name: first_period(variant_project(study, name, {}), study.variants[name].dampers != "none")
+        name: intensity_period(variant_project(study, name, {}), study.variants[name].dampers != "none")
         for name in names
         if study.variants[name].design is None and study.base.masses is not None
     }

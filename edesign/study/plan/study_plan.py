@@ -17,6 +17,7 @@ from edesign.project.analysis.analyses import (
     PushoverAnalysis,
 )
 from edesign.project.analysis.pushover import Eccentric, Pushover, Pushovers
+from edesign.project.analysis.shaking import Shaking
 from edesign.project.reading.problems import keys_text, unknown_name
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
@@ -111,16 +112,17 @@ def _of_incremental(study: Study, index: int, incremental: Incremental) -> Itera
             chain = f"{entry}.{reference.rpartition('/')[2]}"
             for step, intensity in enumerate(incremental.intensities):
                 name = f"{chain}.{intensity_text(incremental, intensity)}"
-                spec = _history(study, incremental, name, variant, reference, level)
-                yield Task(0, spec, entry, variant, stripe=Stripe(incremental.name, intensity, step, chain))
+                for one in shakings(_history(study, incremental, name, variant, reference, level)):
+                    stripe = Stripe(incremental.name, intensity, step, chain + one.name.removeprefix(name))
+                    yield Task(0, one, entry, variant, stripe=stripe)
 
 
 def _history(
     study: Study, asked: Histories | Incremental, name: str, variant: str, reference: str, level: str
 ) -> HistoryAnalysis:
     of_building: dict[str, Any] = {}
-    if study.base.structure == "building" and isinstance(asked, Histories):
-        of_building = {key: getattr(asked, key) for key in ("angles", "eccentricity", "eccentricity_ratio")}
+    if study.base.structure == "building":
+        of_building = {key: getattr(asked, key) for key in Shaking.model_fields}
     kind = BuildingHistory if study.base.structure == "building" else HistoryAnalysis
     return kind.model_construct(
         **of_building,

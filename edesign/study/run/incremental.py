@@ -15,7 +15,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.study.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
-from edesign.study.analysis.intensity import first_period, level_intensity, record_intensity
+from edesign.study.analysis.intensity import intensity_period, level_intensity, motion_intensity
 from edesign.study.plan.plan import Task
 from edesign.study.plan.variants import variant_strain
 from edesign.study.results.kinds import INCREMENTAL
@@ -48,7 +48,7 @@ def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
     def unit(name: str, variant: str, reference: str) -> float:
         task = first[name][variant]
         period = periods(studies[name], task, needed=True)
-        return record_intensity(frames(task)[0], studies[name], run.motions[reference].record, period)
+        return motion_intensity(frames(task)[0], studies[name], run.motions[reference], period)
 
     def prepared(task: Task) -> tuple[AnalysisFile, PlannedAnalysis]:
         project, spec = frames(task)
@@ -141,7 +141,7 @@ class _Periods:
         variant = self._study.variants[task.variant]
         strain = variant_strain(self._study, task.variant)
         try:
-            return first_period(self._frames(task)[0], variant.dampers != "none", strain)
+            return intensity_period(self._frames(task)[0], variant.dampers != "none", strain)
         except EdesignError as error:
             return error
 

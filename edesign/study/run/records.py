@@ -12,7 +12,7 @@ from edesign.optional_stages import optional
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import Suite, record_of
-from edesign.study.analysis.intensity import first_period
+from edesign.study.analysis.intensity import first_periods
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.motions.archived import project_record_groups
 from edesign.study.motions.motions import AnyMotion, match_options, project_motions
@@ -104,7 +104,7 @@ def _variant_periods(run: RunState, prepared: Prepared) -> dict[str, dict[str, f
                 continue
             if frame.dampers is None or frame.masses is None:
                 continue
-            known[label] = first_period(frame, True, run.job.damper_strains.get(task.variant))
+            known[label] = max(first_periods(frame, True, run.job.damper_strains.get(task.variant)))
         found[record_of(spec.record)][label] = known[label]
     return found
 

@@ -8,18 +8,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cases.incremental_portal import HEIGHT, histories, study, write
+from numpy.typing import ArrayLike
 
 from edesign.archive.reader import open_archive
 from edesign.assess.incremental import collect_stripes
 from edesign.errors import InputError
 from edesign.frame.project_file import load_study
 from edesign.ground_motion.record import Record
+from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.validity import Validity
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.study.incremental import LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
 from edesign.project.study.study_loader import StudyError
-from edesign.study.analysis.intensity import check_hazard_curves, first_period, level_intensity, record_intensity
+from edesign.study.analysis.intensity import check_hazard_curves, intensity_period, level_intensity, motion_intensity
+from edesign.study.motions.motions import Motion
 from edesign.study.plan.plan import waves
 from edesign.study.plan.study_plan import make_study_plan
 from edesign.study.run.analyses import run_analysis
@@ -94,7 +97,7 @@ def test_an_elastoplastic_oscillator_starts_exactly_linear(tmp_path: Path) -> No
     about = f"variants: bare, records: shake, intensity: spectral_acceleration, levels: {[f'{sa} g' for sa in levels]}"
     shaken = study(tmp_path, about, "linear", "0 kN")
     groups = histories(run_study(shaken, backend="serial").archive)
-    period = first_period(shaken.base, dampers=False)
+    period = intensity_period(shaken.base, dampers=False)
     drift = collect_stripes(groups, "ida", "bare", (DRIFT,))[DRIFT].values[0]
     intensity = np.array(levels) * STANDARD_GRAVITY
     slope = (period / (2.0 * math.pi)) ** 2 / HEIGHT
@@ -111,16 +114,16 @@ def test_an_elastoplastic_oscillator_starts_exactly_linear(tmp_path: Path) -> No
 
 def test_intensities_of_each_measure(tmp_path: Path) -> None:
     project = study(tmp_path).base
-    record = Record("shake", np.array([0.0, 2.0, -1.0, 0.0]), 0.01, "here", "")
+    motion = recorded([0.0, 2.0, -1.0, 0.0])
     peak = PeakAccelerationStudy.model_validate(
         {"name": "p", "records": "shake", "intensity": "pga", "levels": ("1 m/s^2", "3 m/s^2"), "level": "MCE"}
     )
-    assert record_intensity(project, peak, record, None) == 2.0
+    assert motion_intensity(project, peak, motion, None) == 2.0
     factors = LevelFactorStudy.model_validate(
         {"name": "f", "records": "shake", "intensity": "level_factor", "levels": (1.0, 2.0), "level": "MCE"}
     )
     importance = (0.02 / 0.10) ** (-1.0 / 3.0)  # EN 1998-1, 2.1(4) Note, k = 3
-    assert 1.0 / record_intensity(project, factors, record, None) == pytest.approx(importance)
+    assert 1.0 / motion_intensity(project, factors, motion, None) == pytest.approx(importance)
     # a_g S at the period 0, and the branch of constant velocity: EN 1998-1, 3.2.2.2
     ag_s = importance * 0.36 * STANDARD_GRAVITY * 1.15
     assert level_intensity(project, peak, None, peak.level) == pytest.approx(ag_s)
@@ -129,9 +132,13 @@ def test_intensities_of_each_measure(tmp_path: Path) -> None:
     assert level_intensity(project, sa, 1.2, sa.level) == pytest.approx(ag_s * 2.5 * 0.6 / 1.2)
     assert level_intensity(project, spectral(["0.1 g", "0.2 g"]), 1.2, None) is None
     with pytest.raises(InputError, match="E-MODAL-02"):
-        record_intensity(project, sa, record, None)
+        motion_intensity(project, sa, motion, None)
     with pytest.raises(InputError, match="shake.*E-IDA-01"):
-        record_intensity(project, peak, Record("shake", np.zeros(4), 0.01, "here", ""), None)
+        motion_intensity(project, peak, recorded(np.zeros(4)), None)
+
+
+def recorded(acceleration: ArrayLike) -> Motion:
+    return Motion("shake", Found(Record("shake", np.array(acceleration), 0.01, "here", ""), "file", ""))
 
 
 def test_records_are_scaled_to_the_intensities(tmp_path: Path) -> None:
