@@ -55,8 +55,12 @@ int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int po
 /* A beam-column of one section is integrated piece by piece, by its points in each piece, between n positions (0..1, rising) of its length:
  * a kink of the moment at such a place is met exactly. A place between two pieces is one point, with the weight of both. */
 int ed_model_breaks(ed_model *model, int element, int n, const double *position);
-/* In a plane: the first and the last part of a beam-column do not bend; lengths. End forces and deformations are then those where it begins to. */
+/* The first and the last part of a beam-column do not bend; lengths. End forces and deformations are then those where it begins to. */
 int ed_model_rigid_ends(ed_model *model, int element, double start, double end);
+/* In space: what bends of a beam-column begins and ends beside its nodes, as far from them as these vectors in global axes; rigid arms stand
+ * between. Its local x runs between these ends; a web that is not at right angles to it is turned until it is. Loads are of the length along
+ * local x, with what the arms cover of it towards the nodes; there they stand on the arm. P-Delta turns the arms to the second order. */
+int ed_model_offset_ends(ed_model *model, int element, const double *at_i, const double *at_j);
 int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, const int *release,
                           const double *web);
 int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry);
@@ -82,8 +86,9 @@ enum { ED_SPRING_MULTILINEAR = 0, ED_SPRING_CONTACT = 1, ED_SPRING_DETERIORATING
 int ed_model_spring(ed_model *model, const char *name, int i, int j, const double *coefficient, int law, int n_parameters,
                     const double *parameters);
 /* An elastic beam's ends leave out these flexibilities (rad a moment), because springs beside them have them: with the springs it
- * is the plain member. Each must be below that of the simply supported member, L / 3EI. */
-int ed_model_without_flexibility(ed_model *model, int element, double at_i, double at_j);
+ * is the plain member. about_y: in space, of bending about local y, else about z. Each must be below that of the simply supported member,
+ * L / 3EI. */
+int ed_model_without_flexibility(ed_model *model, int element, int about_y, double at_i, double at_j);
 /* Damping that is proportional to stiffness takes this factor (default 1) times the stiffness of the element: 0 for springs that are
  * stiffer than what they stand for, and more than 1 for the members beside them (Zareian & Medina 2010). */
 int ed_model_damping_factor(ed_model *model, int element, double factor);

@@ -199,8 +199,14 @@ static void shape_element(caller *c, const things *m)
 {
   if (chance(c, 0.3))
     expect_listed(c, ed_model_rigid_ends(m->model, some_id(c, m->elements), or_absurd(c, 0.2), or_absurd(c, 0.3)));
+  if (chance(c, 0.3)) {
+    double offset[2][3];
+    for (int k = 0; k < 6; k++)
+      offset[k / 3][k % 3] = or_absurd(c, chance(c, 0.3) ? 0.0 : size_between(c, 1e-3, 1.0) * (chance(c, 0.5) ? 1.0 : -1.0));
+    expect_listed(c, ed_model_offset_ends(m->model, some_id(c, m->elements), offset[0], offset[1]));
+  }
   if (chance(c, 0.1))
-    expect_listed(c, ed_model_without_flexibility(m->model, some_id(c, m->elements), or_absurd(c, 1e-10), or_absurd(c, 1e-10)));
+    expect_listed(c, ed_model_without_flexibility(m->model, some_id(c, m->elements), chance(c, 0.5), or_absurd(c, 1e-10), or_absurd(c, 1e-10)));
   if (chance(c, 0.1))
     expect_listed(c, ed_model_damping_factor(m->model, some_id(c, m->elements), or_absurd(c, 2.0)));
   if (chance(c, 0.3)) {

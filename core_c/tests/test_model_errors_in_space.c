@@ -76,6 +76,16 @@ static void check_sections(void)
   check_stands(model);
 }
 
+/* Of a column from the foot to the top: nothing may be left between offsets, nor may it run along its web. */
+static void check_ends(ed_model *model)
+{
+  const double none[3] = {0.0, 0.0, 0.0}, wrong[3] = {0.0, NAN, 0.0}, beyond[3] = {0.0, 0.0, 9.0};
+  REFUSED(ed_model_rigid_ends(model, 0, 2.0, 2.0), ED_E_ARGUMENT, "column");
+  REFUSED(ed_model_offset_ends(model, 0, wrong, none), ED_E_ARGUMENT, "column");
+  REFUSED(ed_model_offset_ends(model, 0, beyond, none), ED_E_ARGUMENT, "column");
+  REFUSED(ed_model_offset_ends(model, 77, none, none), ED_E_ID, "77");
+}
+
 static void check_members(void)
 {
   ed_model *model = some_model();
@@ -98,7 +108,7 @@ static void check_members(void)
   coefficient[11] = NAN;
   REFUSED(ed_model_spring(model, "odd", FOOT, TOP, coefficient, ED_SPRING_MULTILINEAR, 1, &stiffness), ED_E_ARGUMENT, "coefficient 12");
   add_members(model); /* nothing was kept */
-  REFUSED(ed_model_rigid_ends(model, 0, 0.1, 0.1), ED_E_ARGUMENT, "column");
+  check_ends(model);
   const int pattern = ed_model_pattern(model);
   REFUSED(ed_model_uniform_load(model, pattern, 1, 0.0, (double[]){0.0, NAN}), ED_E_ARGUMENT, "beam");
   REFUSED(ed_model_partial_load(model, pattern, 1, 0.1, 0.9, (double[]){0.0, 0.0}, (double[]){0.0, HUGE_VAL}), ED_E_ARGUMENT, "beam");

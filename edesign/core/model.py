@@ -338,13 +338,32 @@ class Model:
         return result
 
     def rigid_ends(self, element: int, start: float, end: float) -> None:
-        """Let the ends of a beam-column in a plane not bend; its end forces are those where it begins to.
+        """Let the ends of a beam-column not bend; its end forces are those where it begins to.
 
         Args:
             start: length of the first part, m.
             end: length of the last part, m.
         """
         self._checked(lib.ed_model_rigid_ends(self._c, element, start, end))
+
+    def offset_ends(self, element: int, at_i: Sequence[float], at_j: Sequence[float]) -> None:
+        """Let what bends of a beam-column in space begin and end beside its nodes, on rigid arms.
+
+        Its end forces are those where it begins to bend. Local x runs between these ends, and a web that is not at
+        right angles to it is turned until it is. Loads are of the length along local x, and where an arm covers some
+        of it, they stand on the arm. Linear geometry takes the arms as they stand, P-Delta their turns to the second
+        order, corotational geometry exactly.
+
+        Args:
+            at_i: from its first node to where it begins to bend, (3,) m in global axes.
+            at_j: from its second node to where it ends to bend, (3,) m in global axes.
+
+        Raises:
+            ValueError: an offset has no 3 components.
+        """
+        if len(at_i) != 3 or len(at_j) != 3:
+            raise ValueError(f"offsets of {len(at_i)} and {len(at_j)} components, not 3")
+        self._checked(lib.ed_model_offset_ends(self._c, element, [float(x) for x in at_i], [float(x) for x in at_j]))
 
     def truss(self, name: str, i: int, j: int, material: int, area: float, geometry: str = "linear") -> int:
         """Add a pin-ended bar.
@@ -440,7 +459,8 @@ class Model:
             i: number of the first node.
             j: number of the second node.
             terms: coefficients of the degrees at i and of those at j, (6,) or in space (12,), whose sum is its
-                deformation; between turns of two nodes at one place in a plane (0, 0, -1, 0, 0, 1).
+                deformation; between turns of two nodes at one place in a plane (0, 0, -1, 0, 0, 1), in space the
+                components of the axis in the places of the rotations, less those at i.
             law: of its force and deformation.
 
         Returns:
@@ -455,14 +475,15 @@ class Model:
         result = lib.ed_model_spring(self._c, name.encode(), i, j, [float(c) for c in terms], kind, len(values), values)
         return self._element(name, result, -1)
 
-    def without_flexibility(self, element: int, at_i: float, at_j: float) -> None:
+    def without_flexibility(self, element: int, at_i: float, at_j: float, about_y: bool = False) -> None:
         """Let the ends of an elastic beam leave out flexibilities that springs beside them have.
 
         Args:
             at_i: at its start, rad/(N m).
             at_j: at its end, rad/(N m).
+            about_y: in space, of bending about local y, else about local z; each has its own.
         """
-        self._checked(lib.ed_model_without_flexibility(self._c, element, at_i, at_j))
+        self._checked(lib.ed_model_without_flexibility(self._c, element, about_y, at_i, at_j))
 
     def damping_factor(self, element: int, factor: float) -> None:
         """Multiply the stiffness of an element where damping is proportional to it.

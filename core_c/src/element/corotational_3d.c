@@ -109,8 +109,7 @@ static void series(const double *c, double s, double f[3])
   }
 }
 
-/* sin(t) / t and (1 - cos t) / t^2 as functions of s = t^2 */
-static void rotation_factors(double s, double a[3], double b[3])
+void ed_rotation_factors(double s, double a[3], double b[3])
 {
   static const double A[7] = {1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0};
   static const double B[7] = {1.0 / 2, -1.0 / 24, 1.0 / 720, -1.0 / 40320, 1.0 / 3628800, -1.0 / 479001600, 1.0 / 87178291200.0};
@@ -148,7 +147,7 @@ static inline void turn_axes(const ed_element *e, const jet *r, jet axis[3][3], 
   double f[3], g[3];
   jet s, a, b, less;
   dot(&s, r, r, order);
-  rotation_factors(s.value, f, g);
+  ed_rotation_factors(s.value, f, g);
   compose(&a, f, &s, order);
   compose(&b, g, &s, order);
   set(&less, 0.0, order);

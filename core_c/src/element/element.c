@@ -11,7 +11,7 @@ int ed_element_block_size(const ed_element *e)
 {
   if (e->kind == ED_STRUT)
     return ed_strut_block_size(e->strut);
-  const int rigid = e->rigid ? ED_RIGID_SIZE : 0;
+  const int rigid = e->rigid ? 2 * ed_rigid_moments(e) : 0;
   return ed_point_at(e->axes, e->kind == ED_FIBRE_BEAM ? e->points : 0) + rigid;
 }
 

@@ -49,8 +49,9 @@ typedef struct {
   /* rigid ends; length, points and loads above are those of the part between */
   int rigid;
   double arm[2];                 /* from the node to where it begins to bend, along the axis: > 0 at i, < 0 at j */
-  double arm_force[2][2];        /* of loads on them: along, across */
-  double arm_moment[2][2];       /* sum of arm times these */
+  double offset[2][3];           /* in space: the whole way, in global components */
+  double arm_force[2][3];        /* of loads on them: along the local axes */
+  double arm_moment[2][3];       /* sum of arm times these */
 } ed_element;
 
 typedef struct {
@@ -100,9 +101,6 @@ typedef struct {
   double drift[ED_SPACE]; /* transverse, from i to j, along the original axes */
   double twist;
 } ed_kinematics;
-void ed_kinematics_3d(const ed_element *element, const double *displacement, ed_kinematics *k);
-void ed_forces_3d(const ed_element *element, const double *displacement, const double *block, double *force);
-void ed_tangent_3d(const ed_element *element, const double *displacement, const double *block, double *tangent);
 /* Of finite rotations (corotational_3d.c); forces and tangent are added, without those of loads. */
 void ed_corotational_kinematics_3d(const ed_element *element, const double *displacement, ed_kinematics *k);
 void ed_corotational_forces_3d(const ed_element *element, const double *displacement, const double *block, double *force);
@@ -111,18 +109,35 @@ void ed_kinematics_of(const ed_element *element, const double *displacement, ed_
 /* The same between the ends of what bends: displacements of these. */
 void ed_face_forces(const ed_element *element, const double *face, const double *block, double *force);
 void ed_face_tangent(const ed_element *element, const double *face, const double *block, double *tangent);
+void ed_face_kinematics_3d(const ed_element *element, const double *face, ed_kinematics *k);
+void ed_face_forces_3d(const ed_element *element, const double *face, const double *block, double *force);
+void ed_face_tangent_3d(const ed_element *element, const double *face, const double *block, double *tangent);
+/* sin(t) / t and (1 - cos t) / t^2 as functions of s = t^2, with their first two derivatives. */
+void ed_rotation_factors(double s, double a[3], double b[3]);
 
 /* Rigid ends (rigid_ends.c): arms as they stand, and displacements of where it begins to bend, for those of the nodes. */
 void ed_rigid_faces(const ed_element *element, const double *displacement, double arm[2][2], double *face);
 void ed_rigid_forces(const ed_element *element, const double *displacement, const double *block, double *force);
 void ed_rigid_tangent(const ed_element *element, const double *displacement, const double *block, double *tangent);
-/* P-Delta: second-order moments on the nodes and their rotations, at i, j; 0 for other geometries. */
-void ed_rigid_second_order(const ed_element *element, const double *displacement, const double *block, double moment[2],
-                           double rotation[2]);
+/* P-Delta: second-order moments on the nodes and their rotations, at i, j, in space about x, y, z each; 0 for other geometries. */
+void ed_rigid_second_order(const ed_element *element, const double *displacement, const double *block, double *moment, double *rotation);
 /* Moment on a node of the loads on its rigid end, from their arm_moment. */
 double ed_arm_load_moment(const ed_element *element, const double *arm_moment, double rotation);
-/* What a rigid member keeps at the end of its block: the four of ed_rigid_second_order at the last count of energy. */
-enum { ED_RIGID_SIZE = 4 };
+/* The same in space (rigid_ends_3d.c). */
+void ed_rigid_faces_3d(const ed_element *element, const double *displacement, double *face);
+void ed_rigid_forces_3d(const ed_element *element, const double *displacement, const double *block, double *force);
+void ed_rigid_tangent_3d(const ed_element *element, const double *displacement, const double *block, double *tangent);
+void ed_rigid_second_order_3d(const ed_element *element, const double *displacement, const double *block, double moment[6],
+                              double rotation[6]);
+/* Loads on a rigid end as a force at its tip: what its moment about the node is that of, in local components. */
+void ed_tip_force(const ed_element *element, int end, const double *arm_moment, double tip[3]);
+
+/* How many moments ed_rigid_second_order gives. A rigid member keeps these and the rotations of the last count of energy at the end of its
+ * block. */
+static inline int ed_rigid_moments(const ed_element *element)
+{
+  return element->axes == ED_SPACE ? 6 : 2;
+}
 
 /* Force-based beam (fibre_beam.c). */
 int ed_fibre_beam_update(const ed_element *element, const double *v, const double *layers, double *block,

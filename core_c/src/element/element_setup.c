@@ -108,7 +108,7 @@ static void section_flexibility(const ed_section *section, double *inverse)
 }
 
 /* In closed form; `without`: flexibilities that its ends leave out. */
-static void setup_elastic_beam(ed_element *e, const ed_section *section, const double without[2])
+static void setup_elastic_beam(ed_element *e, const ed_section *section, const double without[4])
 {
   double *f = e->inverse[0];
   const double L = e->length;
@@ -124,8 +124,8 @@ static void setup_elastic_beam(ed_element *e, const ed_section *section, const d
       ed_add_flexibility(e->flexibility, f, x[p], weight[p] * L, ED_SPACE);
   }
   const int rows = ed_basic(e->axes);
-  e->flexibility[ed_sym_place(rows, 1, 1)] -= without[0];
-  e->flexibility[ed_sym_place(rows, 2, 2)] -= without[1];
+  for (int i = 1; i < rows; i++)
+    e->flexibility[ed_sym_place(rows, i, i)] -= without[i - 1];
 }
 
 static void setup_fibre_beam(ed_element *e, const ed_model *model, const ed_member *m)
@@ -156,6 +156,30 @@ static void find_across(const double *axis, double *across)
     across[i] = ((i == least) - along * axis[i]) / size;
 }
 
+/* Offsets of the ends of what bends, which may stand askew to the line between the nodes: the web turns with it as little as it can. */
+static void place_offsets(ed_element *e, const ed_member *m)
+{
+  double *web = e->axis[2], along[2] = {0.0, 0.0}, tilt = 0.0, size = 0.0;
+  for (int i = 0; i < 3; i++)
+    for (int end = 0; end < 2; end++) {
+      e->rigid |= m->offset[end][i] != 0.0;
+      along[end] += m->offset[end][i] * e->axis[0][i];
+    }
+  if (!e->rigid)
+    return;
+  memcpy(e->offset, m->offset, sizeof e->offset);
+  e->arm[0] = fmax(along[0], 0.0);
+  e->arm[1] = fmin(along[1], 0.0);
+  for (int i = 0; i < 3; i++)
+    tilt += web[i] * e->axis[0][i];
+  for (int i = 0; i < 3; i++) {
+    web[i] -= tilt * e->axis[0][i];
+    size += web[i] * web[i];
+  }
+  for (int i = 0; i < 3; i++)
+    web[i] /= sqrt(size);
+}
+
 /* Axis and length of what bends between two nodes; the web of a beam in space gives local z. */
 static void place_axis(ed_element *e, const ed_member *m, const double *between)
 {
@@ -164,14 +188,16 @@ static void place_axis(ed_element *e, const ed_member *m, const double *between)
   for (int i = 0; i < 3; i++)
     e->axis[0][i] = between[i] / e->length;
   memcpy(e->axis[2], m->web, sizeof m->web);
+  if (e->axes == ED_SPACE)
+    place_offsets(e, m);
   if (e->degrees == ED_MAX_DEGREES && e->axes == ED_PLANE) /* a bar in space is the same in all directions across it: any serves */
     find_across(e->axis[0], e->axis[2]);
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     e->axis[1][i] = e->axis[2][j] * e->axis[0][k] - e->axis[2][k] * e->axis[0][j];
   }
-  e->rigid = m->rigid[0] > 0.0 || m->rigid[1] > 0.0;
-  if (e->rigid) {
+  if (m->rigid[0] > 0.0 || m->rigid[1] > 0.0) {
+    e->rigid = 1;
     e->arm[0] = m->rigid[0];
     e->arm[1] = -m->rigid[1];
     e->length -= m->rigid[0] + m->rigid[1];
@@ -193,7 +219,7 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
     for (int d = 0; d < degrees; d++)
       e->dof[degrees * end + d] = degrees * m->node[end] + d;
   double between[3];
-  e->length = ed_between(model, m->node[0], m->node[1], between);
+  e->length = ed_between_faces(model, m, between);
   if (!isfinite(e->length))
     return ED_E_NOT_FINITE;
   if (e->kind != ED_LINK && e->kind != ED_SPRING) /* which may have no length */

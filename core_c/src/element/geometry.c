@@ -35,7 +35,10 @@ static void face_kinematics(const ed_element *e, const double *d, ed_kinematics 
 void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
 {
   if (e->degrees == ED_MAX_DEGREES) {
-    ed_kinematics_3d(e, d, k);
+    double face[ED_MAX_DEGREES];
+    if (e->rigid)
+      ed_rigid_faces_3d(e, d, face);
+    ed_face_kinematics_3d(e, e->rigid ? face : d, k);
     return;
   }
   if (e->rigid) {
@@ -93,7 +96,7 @@ void ed_face_forces(const ed_element *e, const double *d, const double *block, d
 void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)
 {
   if (e->degrees == ED_MAX_DEGREES)
-    ed_forces_3d(e, d, block, force);
+    (e->rigid ? ed_rigid_forces_3d : ed_face_forces_3d)(e, d, block, force);
   else if (e->rigid)
     ed_rigid_forces(e, d, block, force);
   else
@@ -156,7 +159,7 @@ void ed_face_tangent(const ed_element *e, const double *d, const double *block, 
 void ed_element_tangent(const ed_element *e, const double *d, const double *block, double *t)
 {
   if (e->degrees == ED_MAX_DEGREES)
-    ed_tangent_3d(e, d, block, t);
+    (e->rigid ? ed_rigid_tangent_3d : ed_face_tangent_3d)(e, d, block, t);
   else if (e->rigid)
     ed_rigid_tangent(e, d, block, t);
   else

@@ -16,7 +16,7 @@ static double dot(const double *a, const double *b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-void ed_kinematics_3d(const ed_element *e, const double *d, ed_kinematics *k)
+void ed_face_kinematics_3d(const ed_element *e, const double *d, ed_kinematics *k)
 {
   const double apart[3] = {d[U_J] - d[U_I], d[U_J + 1] - d[U_I + 1], d[U_J + 2] - d[U_I + 2]};
   k->drift[0] = dot(e->axis[1], apart);
@@ -53,7 +53,7 @@ static double couple_of_loads(const ed_element *e, const double *d, double drift
   return e->mean_axial / (e->length + along);
 }
 
-void ed_forces_3d(const ed_element *e, const double *d, const double *block, double *force)
+void ed_face_forces_3d(const ed_element *e, const double *d, const double *block, double *force)
 {
   if (e->kind == ED_SPRING) {
     for (int i = 0; i < e->degrees; i++)
@@ -74,7 +74,7 @@ void ed_forces_3d(const ed_element *e, const double *d, const double *block, dou
     return;
   }
   ed_kinematics k;
-  ed_kinematics_3d(e, d, &k);
+  ed_face_kinematics_3d(e, d, &k);
   const double *q = block + ed_block_q(e->axes), L = e->length;
   const double second = e->geometry == ED_P_DELTA ? (q[0] + e->mean_axial) / L : 0.0;
   double at_j[3] = {q[0], second * k.drift[0], second * k.drift[1]};
@@ -114,7 +114,7 @@ static void negate_block(int from_row, int from_column, int row, int column, dou
 }
 
 /* Without the term of P-Delta that is not symmetric, the change of the axial force times the drift. */
-void ed_tangent_3d(const ed_element *e, const double *d, const double *block, double *t)
+void ed_face_tangent_3d(const ed_element *e, const double *d, const double *block, double *t)
 {
   if (e->kind == ED_SPRING) {
     const double *b = e->member->coefficient;

@@ -79,8 +79,12 @@ void ed_rigid_tangent(const ed_element *e, const double *d, const double *block,
   memcpy(t, k, sizeof k);
 }
 
-void ed_rigid_second_order(const ed_element *e, const double *d, const double *block, double moment[2], double rotation[2])
+void ed_rigid_second_order(const ed_element *e, const double *d, const double *block, double *moment, double *rotation)
 {
+  if (e->axes == ED_SPACE) {
+    ed_rigid_second_order_3d(e, d, block, moment, rotation);
+    return;
+  }
   double arm[2][2], face[6], force[6];
   ed_rigid_faces(e, d, arm, face);
   ed_face_forces(e, face, block, force);
@@ -91,10 +95,10 @@ void ed_rigid_second_order(const ed_element *e, const double *d, const double *b
 }
 
 /* A linear load across from x0 to x1 of the arm, lengths from the node along the axis (negative at j). */
-static void load_arm(ed_element *e, int end, double x0, double x1, const double at0[2], const double at1[2])
+static void load_arm(ed_element *e, int end, double x0, double x1, const double at0[3], const double at1[3])
 {
   const double part = fabs(x1 - x0);
-  for (int d = 0; d < 2; d++) {
+  for (int d = 0; d <= e->axes; d++) {
     e->arm_force[end][d] += 0.5 * (at0[d] + at1[d]) * part;
     e->arm_moment[end][d] += part * (at0[d] * (2.0 * x0 + x1) + at1[d] * (x0 + 2.0 * x1)) / 6.0;
   }
@@ -113,32 +117,40 @@ void ed_rigid_add_load(ed_element *e, const ed_member_load *load, double factor)
       return;
     }
     const int end = x > last;
-    const double at = end ? x - whole : x, force[2] = {factor * load->axial, factor * load->transverse[0]};
-    for (int d = 0; d < 2; d++) {
+    const double at = end ? x - whole : x;
+    const double force[3] = {factor * load->axial, factor * load->transverse[0], factor * load->transverse[1]};
+    for (int d = 0; d <= e->axes; d++) {
       e->arm_force[end][d] += force[d];
       e->arm_moment[end][d] += at * force[d];
     }
     return;
   }
   const double start = uniform ? 0.0 : load->position * whole, stop = uniform ? whole : load->end * whole;
-  const double slope = uniform ? 0.0 : (load->transverse_end[0] - load->transverse[0]) / (stop - start);
+  double slope[2] = {0.0, 0.0};
+  for (int a = 0; !uniform && a < e->axes; a++)
+    slope[a] = (load->transverse_end[a] - load->transverse[a]) / (stop - start);
   const double bounds[4] = {0.0, first, last, whole};
   for (int piece = 0; piece < 3; piece++) {
     const double x0 = fmax(start, bounds[piece]), x1 = fmin(stop, bounds[piece + 1]);
     if (x0 >= x1)
       continue;
-    const double w0 = load->transverse[0] + slope * (x0 - start), w1 = load->transverse[0] + slope * (x1 - start);
+    double w0[2], w1[2];
+    for (int a = 0; a < 2; a++) {
+      w0[a] = load->transverse[a] + slope[a] * (x0 - start);
+      w1[a] = load->transverse[a] + slope[a] * (x1 - start);
+    }
     if (piece != 1) {
       const int end = piece / 2;
-      const double at0[2] = {factor * load->axial, factor * w0}, at1[2] = {factor * load->axial, factor * w1};
+      const double at0[3] = {factor * load->axial, factor * w0[0], factor * w0[1]};
+      const double at1[3] = {factor * load->axial, factor * w1[0], factor * w1[1]};
       load_arm(e, end, end ? x0 - whole : x0, end ? x1 - whole : x1, at0, at1);
     } else if (uniform) {
       ed_element_add_load(e, load, factor);
     } else {
       inside.position = fmax((x0 - first) / e->length, 0.0);
       inside.end = fmin((x1 - first) / e->length, 1.0);
-      inside.transverse[0] = w0;
-      inside.transverse_end[0] = w1;
+      memcpy(inside.transverse, w0, sizeof w0);
+      memcpy(inside.transverse_end, w1, sizeof w1);
       ed_element_add_load(e, &inside, factor);
     }
   }

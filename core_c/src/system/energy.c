@@ -43,6 +43,40 @@ static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_
   return work;
 }
 
+static double along_local(const ed_element *e, const double local[3], const double *moved)
+{
+  double work = 0.0;
+  for (int k = 0; k < 3; k++)
+    work += local[k] * (e->axis[k][0] * moved[0] + e->axis[k][1] * moved[1] + e->axis[k][2] * moved[2]);
+  return work;
+}
+
+/* The same in space. */
+static double arm_load_work_3d(const ed_analysis *a, const ed_element *e, const ed_member_loads *before, double *moved)
+{
+  double now[ED_MAX_DEGREES], then[ED_MAX_DEGREES], face_now[ED_MAX_DEGREES], face_then[ED_MAX_DEGREES], work = 0.0;
+  for (int i = 0; i < ED_MAX_DEGREES; i++) {
+    now[i] = ed_displacement(&a->numbering, &a->trial, e->dof[i]);
+    then[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
+  }
+  ed_rigid_faces_3d(e, now, face_now);
+  ed_rigid_faces_3d(e, then, face_then);
+  for (int end = 0; end < 2; end++) {
+    double *d = moved + 6 * end, turned[3], tip[3], tip_before[3], mean[3], mean_tip[3];
+    ed_tip_force(e, end, e->arm_moment[end], tip);
+    ed_tip_force(e, end, before->arm_moment[end], tip_before);
+    for (int i = 0; i < 3; i++) {
+      mean[i] = 0.5 * (e->arm_force[end][i] + before->arm_force[end][i]);
+      mean_tip[i] = 0.5 * (tip[i] + tip_before[i]);
+      turned[i] = face_now[6 * end + i] - face_then[6 * end + i] - d[i];
+    }
+    work += along_local(e, mean, d) + along_local(e, mean_tip, turned);
+    for (int i = 0; i < 3; i++)
+      d[i] += turned[i];
+  }
+  return work;
+}
+
 /* Displacements of both ends along the reactions of the loads inside. */
 ED_INLINE void along_end_loads(const ed_element *e, const double *moved, double *local, const int axes)
 {
@@ -66,7 +100,9 @@ ED_INLINE double load_work(const ed_analysis *a, int member, const int axes)
   double moved[ED_MAX_DEGREES], local[ED_MAX_BASIC];
   for (int i = 0; i < (axes == ED_PLANE ? 6 : ED_MAX_DEGREES); i++)
     moved[i] = ed_displacement(&a->numbering, &a->trial, e->dof[i]) - ed_displacement(&a->numbering, &a->committed, e->dof[i]);
-  double work = e->rigid ? arm_load_work(a, e, before, moved) : 0.0;
+  double work = 0.0;
+  if (e->rigid)
+    work = axes == ED_PLANE ? arm_load_work(a, e, before, moved) : arm_load_work_3d(a, e, before, moved);
   along_end_loads(e, moved, local, axes);
   for (int i = 0; i < ed_basic(axes); i++)
     work -= 0.5 * (e->end_load[i] + before->end_load[i]) * local[i];
@@ -89,12 +125,12 @@ ED_INLINE double load_work(const ed_analysis *a, int member, const int axes)
 /* Work of the second-order moments of rigid ends, whose present values are kept at the end of the member's block. */
 static double rigid_second_order(ed_analysis *a, const ed_element *e, const double *d)
 {
-  const int at = e->state + ed_element_block_size(e) - ED_RIGID_SIZE;
+  const int moments = ed_rigid_moments(e), at = e->state + ed_element_block_size(e) - 2 * moments;
   double *now = a->trial.elements + at, work = 0.0;
   const double *then = a->committed.elements + at;
-  ed_rigid_second_order(e, d, a->trial.elements + e->state, now, now + 2);
-  for (int end = 0; end < 2; end++)
-    work += 0.5 * (now[end] + then[end]) * (now[2 + end] - then[2 + end]);
+  ed_rigid_second_order(e, d, a->trial.elements + e->state, now, now + moments);
+  for (int i = 0; i < moments; i++)
+    work += 0.5 * (now[i] + then[i]) * (now[moments + i] - then[moments + i]);
   return work;
 }
 
@@ -153,8 +189,9 @@ void ed_restart_energy(ed_analysis *a)
     ed_gather(&a->members, m, d);
     ed_element_p_delta(e, d, a->committed.elements + e->state, kept_p_delta, kept_p_delta + across);
     if (e->rigid) {
-      double *kept = a->committed.elements + e->state + ed_element_block_size(e) - ED_RIGID_SIZE;
-      ed_rigid_second_order(e, d, a->committed.elements + e->state, kept, kept + 2);
+      const int moments = ed_rigid_moments(e);
+      double *kept = a->committed.elements + e->state + ed_element_block_size(e) - 2 * moments;
+      ed_rigid_second_order(e, d, a->committed.elements + e->state, kept, kept + moments);
     }
   }
   ed_revert(a);

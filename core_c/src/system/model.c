@@ -208,6 +208,16 @@ double ed_between(const ed_model *model, int from, int to, double between[3])
   return model->dimension == 3 ? hypot(in_plan, between[2]) : in_plan;
 }
 
+double ed_between_faces(const ed_model *model, const ed_member *member, double between[3])
+{
+  const double length = ed_between(model, member->node[0], member->node[1], between);
+  if (model->dimension == 2)
+    return length;
+  for (int i = 0; i < 3; i++)
+    between[i] += member->offset[1][i] - member->offset[0][i];
+  return hypot(hypot(between[0], between[1]), between[2]);
+}
+
 enum { TURN = 5 }; /* rz */
 
 static int in_plan(int d)

@@ -47,11 +47,12 @@ typedef struct {
   int elements;                 /* strut: beams over its buckling length */
   double camber, buckling_length; /* strut: camber / buckling length, buckling length / length */
   double end_stiffness;         /* strut: rotational, of its ends; HUGE_VAL: fixed */
-  double rigid[2];              /* beams: lengths of their rigid ends */
+  double rigid[2];              /* beams in a plane: lengths of their rigid ends */
+  double offset[2][3];          /* beams in space: from the nodes to what bends */
   double stiffness[3], angle;   /* link */
   int spring;                   /* spring; index */
   double coefficient[2 * ED_MOST_DEGREES]; /* spring */
-  double without[2];            /* elastic beam: flexibility that its ends leave out */
+  double without[4];            /* elastic beam: flexibility that its ends leave out, of rotations of the basic system */
   double damping_factor;        /* of stiffness-proportional damping */
   int loaded;
 } ed_member;
@@ -117,6 +118,8 @@ static inline const char *ed_degree_name(const ed_model *model, int degree) /* o
 
 /* From one node to another; returns the distance. */
 double ed_between(const ed_model *model, int from, int to, double between[3]);
+/* The same between the ends of what bends of a member; in a plane its rigid ends are not taken off `between`. */
+double ed_between_faces(const ed_model *model, const ed_member *member, double between[3]);
 /* What a displacement in plan of a node of a diaphragm is of its master's: 0 or 1, itself, and lever times the master's turn. */
 typedef struct {
   int degree, turn; /* over all degrees; turn -1: none */

@@ -113,40 +113,93 @@ int ed_model_breaks(ed_model *model, int element, int n, const double *position)
   return ED_OK;
 }
 
-int ed_model_rigid_ends(ed_model *model, int element, double start, double end)
+/* Refuses what has no rigid ends. */
+static int lacks_ends(ed_model *model, int element)
 {
   if (ed_model_lacks_element(model, element))
     return ED_E_ID;
-  ed_member *m = &model->members[element];
+  const ed_member *m = &model->members[element];
   if (m->kind != ED_FIBRE_BEAM && m->kind != ED_ELASTIC_BEAM)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and has no rigid ends", m->name);
-  if (model->dimension == 3)
-    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: rigid ends are of plane frames", m->name);
+  return ED_OK;
+}
+
+/* How near to the direction of its web a member with offset ends may come: the sine of the angle between. */
+static const double NEAR_WEB = 0.1;
+
+int ed_model_offset_ends(ed_model *model, int element, const double *at_i, const double *at_j)
+{
+  const int lacks = lacks_ends(model, element);
+  if (lacks != ED_OK)
+    return lacks;
+  ed_member *m = &model->members[element];
+  if (model->dimension == 2)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: offset ends are of frames in space", m->name);
+  for (int i = 0; i < 3; i++)
+    if (!isfinite(at_i[i]) || !isfinite(at_j[i]))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: an offset of an end is not a finite number", m->name);
+  double nodes[3], faces[3], onwards = 0.0, along = 0.0;
+  ed_between(model, m->node[0], m->node[1], nodes);
+  ed_member moved = *m;
+  memcpy(moved.offset[0], at_i, sizeof moved.offset[0]);
+  memcpy(moved.offset[1], at_j, sizeof moved.offset[1]);
+  const double length = ed_between_faces(model, &moved, faces);
+  for (int i = 0; i < 3; i++) {
+    onwards += nodes[i] * faces[i];
+    along += m->web[i] * faces[i] / length;
+  }
+  if (!isnormal(length) || !(onwards > 0.0))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: its offset ends leave nothing between them from node %s to node %s", m->name,
+                           model->nodes[m->node[0]].name, model->nodes[m->node[1]].name);
+  if (!(fabs(along) <= sqrt(1.0 - NEAR_WEB * NEAR_WEB)))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: between its offset ends it runs along its web", m->name);
+  memcpy(m->offset, moved.offset, sizeof m->offset);
+  return ED_OK;
+}
+
+int ed_model_rigid_ends(ed_model *model, int element, double start, double end)
+{
+  const int lacks = lacks_ends(model, element);
+  if (lacks != ED_OK)
+    return lacks;
+  ed_member *m = &model->members[element];
   double between[3];
   const double length = ed_between(model, m->node[0], m->node[1], between);
   if (!(start >= 0.0 && end >= 0.0 && start + end < length))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: rigid ends of %g and %g leave nothing of its length %g", m->name, start,
                   end, length);
+  if (model->dimension == 3) {
+    double at_i[3], at_j[3];
+    for (int i = 0; i < 3; i++) {
+      at_i[i] = start * between[i] / length;
+      at_j[i] = -end * between[i] / length;
+    }
+    return ed_model_offset_ends(model, element, at_i, at_j);
+  }
   m->rigid[0] = start;
   m->rigid[1] = end;
   return ED_OK;
 }
 
-int ed_model_without_flexibility(ed_model *model, int element, double at_i, double at_j)
+int ed_model_without_flexibility(ed_model *model, int element, int about_y, double at_i, double at_j)
 {
   if (ed_model_lacks_element(model, element))
     return ED_E_ID;
   ed_member *m = &model->members[element];
   if (m->kind != ED_ELASTIC_BEAM)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no elastic beam and cannot leave out flexibility", m->name);
+  if (about_y && model->dimension == 2)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s bends in a plane, about one axis", m->name);
   double between[3];
   const ed_section *section = &model->sections[m->section[0]];
-  const double most = ed_between(model, m->node[0], m->node[1], between) / (3.0 * section->k[ed_sym_place(1 + section->axes, 1, 1)]);
+  const int moment = about_y ? 2 : 1;
+  const double stiffness = section->k[ed_sym_place(1 + section->axes, moment, moment)];
+  const double most = ed_between(model, m->node[0], m->node[1], between) / (3.0 * stiffness);
   if (!(at_i >= 0.0 && at_i < most && at_j >= 0.0 && at_j < most))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: flexibilities %g and %g to leave out must be from 0 to below %g", m->name,
                            at_i, at_j, most);
-  m->without[0] = at_i;
-  m->without[1] = at_j;
+  m->without[about_y ? 2 : 0] = at_i;
+  m->without[about_y ? 3 : 1] = at_j;
   return ED_OK;
 }
 

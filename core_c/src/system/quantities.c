@@ -65,11 +65,17 @@ static double node_value(const ed_analysis *a, const ed_term *term)
 /* Forces where the member begins to bend. */
 static void face_forces(const ed_analysis *a, const ed_element *e, double *force)
 {
-  double d[6], arm[2][2], face[6];
-  for (int i = 0; i < 6; i++)
+  const double *block = a->committed.elements + e->state;
+  double d[ED_MAX_DEGREES], arm[2][2], face[ED_MAX_DEGREES];
+  for (int i = 0; i < e->degrees; i++)
     d[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
+  if (e->degrees == ED_MAX_DEGREES) {
+    ed_rigid_faces_3d(e, d, face);
+    ed_face_forces_3d(e, face, block, force);
+    return;
+  }
   ed_rigid_faces(e, d, arm, face);
-  ed_face_forces(e, face, a->committed.elements + e->state, force);
+  ed_face_forces(e, face, block, force);
 }
 
 static double element_value(const ed_analysis *a, const ed_term *term)
@@ -81,14 +87,14 @@ static double element_value(const ed_analysis *a, const ed_term *term)
     case ED_GLOBAL_FORCE:
       return force[c];
     case ED_END_FORCE: {
-      if (e->degrees == ED_MAX_DEGREES) {
-        const double *axis = e->axis[c % 3], *of = force + c / 3 * 3;
-        return axis[0] * of[0] + axis[1] * of[1] + axis[2] * of[2];
-      }
-      double of_faces[6];
+      double of_faces[ED_MAX_DEGREES];
       if (e->rigid) {
         face_forces(a, e, of_faces);
         force = of_faces;
+      }
+      if (e->degrees == ED_MAX_DEGREES) {
+        const double *axis = e->axis[c % 3], *of = force + c / 3 * 3;
+        return axis[0] * of[0] + axis[1] * of[1] + axis[2] * of[2];
       }
       const double *f = force + 3 * (c / 3);
       if (c % 3 == 0)

@@ -119,9 +119,6 @@ def plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
     Args:
         building: its members and loads are right.
     """
-    rigid = building.elements.rigid_ends
-    if rigid.columns.value or rigid.beams.value:
-        yield ("elements", "rigid_ends"), "rigid ends are"
     for i, run in enumerate(building.beams):
         if not {run.ends.start, run.ends.end} <= {"rigid", "pinned"}:
             yield ("beams", i, "ends"), "ends with a stiffness are"

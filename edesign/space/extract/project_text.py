@@ -183,7 +183,16 @@ class _ProjectText:
             *(["sections:", f"  {LEANING}: {self._leaning_section()}", ""] if self.leans else []),
             "fibres: {fillets: true}                # areas and moments of inertia of the catalogue",
             "",
+            *self._rigid_ends(),
         ]
+
+    def _rigid_ends(self) -> list[str]:
+        asked = self.building.elements.rigid_ends
+        ends = {key: of for key, of in (("columns", asked.columns), ("beams", asked.beams)) if of.value}
+        if not ends:
+            return []
+        texts = [f"{key}: {value(of.value, '') if of.is_share else value(of.value, 'm')}" for key, of in ends.items()]
+        return [f"elements: {{rigid_ends: {{{', '.join(texts)}}}}}", ""]
 
     def _leaning_section(self) -> str:
         """The share of the columns of the first storey; pin-ended, they do not bend."""

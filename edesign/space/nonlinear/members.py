@@ -22,6 +22,7 @@ from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.notation.names import MemberKind
 from edesign.space.file_places import keys_of_member
 from edesign.space.nonlinear.gravity import GravityLoads
+from edesign.space.nonlinear.rigid_ends import rigid_ends
 from edesign.space.structure.frame import RIGID, SpaceFrame
 from edesign.space.structure.frame import Member as Placed
 from edesign.space.structure.model import TENSION_ONLY_SHARE
@@ -67,6 +68,7 @@ class BuildingMembers:
         }
         self._materials = [materials[name] for _, name in pairs]
         self._sections: dict[int, _Section] = {}
+        self._rigid = rigid_ends(building)
         self.by_name = {member.name: self._add(i, member) for i, member in enumerate(frame.members)}
 
     @property
@@ -76,11 +78,13 @@ class BuildingMembers:
         for number, member in enumerate(self._frame.members):
             if member.axial_only or self.by_name[member.name].fibres is not None:
                 continue
-            shape, E, length = steel_section(member.section), self._laws[member.material].E, self._frame.length[number]
+            shape, E = steel_section(member.section), self._laws[member.material].E
             for axis, inertia in ((1, shape.I_z), (2, shape.I_y)):
                 points = [(position, float(force[axis])) for position, force in self._gravity.points.get(number, ())]
                 loads = MemberLoads(float(self._gravity.uniform[number, axis]), points)
-                found += loads.squared_moment(float(length)) / (2.0 * E * inertia)
+                inside = self.by_name[member.name].bending_stretches
+                (bent,), _ = loads.split(inside)
+                found += bent.squared_moment(inside.lengths[0]) / (2.0 * E * inertia)
         return found
 
     def _add(self, number: int, placed: Placed) -> Member:
@@ -110,10 +114,14 @@ class BuildingMembers:
             breaks,
             placed.web,
         )
+        rigid = self._rigid.get(placed.name, (0.0, 0.0))
+        if any(rigid):
+            self._model.rigid_ends(element, *rigid)
         return self._member(
             number,
             placed,
             element,
+            rigid_ends=rigid,
             bending=IN_SPACE,
             axial=(0, 6),
             torque=(3, 9),
