@@ -236,6 +236,7 @@ class FrameModel:
         attached: displacement of each tuned mass relative to its floor, by name, beginning with its own node.
         panels: its panel zones by the node of their joint.
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
+        turning_apart: degree in which such a node of a building turns on its own, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring restrains it.
         leaning: its leaning column, whose nodes and struts are none of the above.
         footings: by the supported nodes that stand on them.
@@ -269,6 +270,7 @@ class FrameModel:
     isolated: IsolatedBases | None = None
     on_bases: Mapping[str, float] = field(default_factory=dict)
     turning: Mapping[str, float] = field(default_factory=dict)
+    turning_apart: Mapping[int, int] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
@@ -312,7 +314,10 @@ class FrameModel:
         if ground is not None:
             return ((1.0, "reaction", ground, degree),)
         node = self.nodes[support]
-        pushed = [node] if degree > self.up else [node, *self.moving_with.get(node, ())]
+        behind = self.moving_with.get(node, ())
+        if degree > self.up:
+            behind = [at for at in behind if self.turning_apart.get(at, degree) != degree]
+        pushed = [node, *behind]
         terms = tuple((1.0, "reaction", at, degree) for at in pushed)
         load = self.on_bases.get(support, 0.0) if degree == self.up else 0.0
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))

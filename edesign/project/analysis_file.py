@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from edesign.project.analysis.validity import Validity
     from edesign.project.document import Document
     from edesign.project.frame.elements import Elements
+    from edesign.project.frame.hinges import AnyHinges, AnyJoints
     from edesign.project.frame.materials import Material
     from edesign.project.records.pairs import AnyRecord
 
@@ -60,6 +61,8 @@ class AnalysisFile(RecordFiles, FileModel):
         title: str
         document: Document
         elements: Elements
+        hinges: tuple[AnyHinges, ...]
+        joints: tuple[AnyJoints, ...]
         dampers: Dampers | None
         damping: Damping | None
         integration: Integration | None

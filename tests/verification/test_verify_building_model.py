@@ -312,7 +312,7 @@ def responses(
         of_beam: sign of the moments and turns of this beam against those of the plane frame.
     """
     degree = frame.directions[direction].degree
-    channels = watched(frame, direction, count, lines)
+    channels = watched(frame, direction, count, lines) + spring_channels(frame, members)
     for m, sign in zip((frame.members[name] for name in members), (1.0, of_beam), strict=True):
         bending = m.bending[0]
         parts = (("end_force", bending.moment), ("plastic_rotation", bending.plastic), ("deformation", bending.chord))
@@ -320,6 +320,7 @@ def responses(
             Channel(f"{m.kind} {kind} {end}", ((sign, kind, m.element, of[end]),))
             for kind, of in parts
             for end in (0, 1)
+            if kind != "plastic_rotation" or m.fibres is not None
         ]
         if m.kind == "column":
             channels.append(Channel("column N", ((1.0, "end_force", m.element, m.axial[1]),)))
@@ -559,3 +560,14 @@ def test_what_stands_for_the_elastic_design_stands(rigid_in_shear: None) -> None
         np.testing.assert_allclose(periods, elastic.modes(frame.node_mass, 3).period, rtol=1e-9, err_msg=str(seed))
         compared += 1
     assert compared > 20
+
+
+def spring_channels(frame, members):
+    out = []
+    for m in (frame.members[n] for n in members):
+        for end, springs in enumerate(m.springs):
+            for k, s in enumerate(springs):
+                sign = -1.0 if m.kind == "beam" and frame.model.dimension == 3 else 1.0
+                out.append(Channel(f"{m.kind} spring_moment {end}", ((sign, "axial_force", s.element, 0),)))
+                out.append(Channel(f"{m.kind} spring_plastic {end}", ((sign, "plastic_rotation", s.element, 0),)))
+    return out

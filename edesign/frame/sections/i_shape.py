@@ -34,9 +34,14 @@ def i_shape(project: Project, run: ColumnRun | BeamRun) -> IShape | None:
         return None
     if isinstance(own, PlateSection):
         return IShape(own.height, own.width, own.flange, own.web, 0.0)
-    if own is not None or profile_names().canonical(run.section) is None:
+    return None if own is not None else rolled_i_shape(run.section)
+
+
+def rolled_i_shape(name: str) -> IShape | None:
+    """Return the plates of a rolled I section of the catalogue; None if it is none."""
+    if not is_i_section(name):
         return None
-    rolled = profile(run.section)
+    rolled = profile(name)
     return IShape(rolled.h, rolled.b, rolled.tf, rolled.tw, rolled.r)
 
 

@@ -19,6 +19,7 @@ from edesign.project.analysis.shaking import ECCENTRICITY
 from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.building.design import Design
+from edesign.project.building.hinges import BuildingHinges, BuildingJoints
 from edesign.project.building.layout import Layout
 from edesign.project.building.loads import Loads, Masses
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
@@ -110,7 +111,9 @@ class Building(spacing.Storeys, AnalysisFile):
         fibres: how many fibres a section is cut into in analyses.
         loads: permanent loads G and variable loads Q, downwards.
         masses: masses of the nodes, from the loads or given.
-        elements: how members are modelled in analyses: integration points, geometry.
+        elements: how members are modelled in analyses: integration points, geometry, rigid ends.
+        hinges: plastic hinges lumped at the ends of members, in analyses.
+        joints: semi-rigid joints in analyses, as springs between the ends of members and their nodes.
         dampers: dampers and tuned masses of the building; its elastic design is without them.
         damping: inherent damping of the building; histories need it.
         integration: time integration; histories need it.
@@ -144,6 +147,8 @@ class Building(spacing.Storeys, AnalysisFile):
     loads: Loads = Loads()
     masses: Masses | None = None
     elements: Elements = Elements()
+    hinges: tuple[BuildingHinges, ...] = ()
+    joints: tuple[BuildingJoints, ...] = ()
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None

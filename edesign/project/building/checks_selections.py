@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.members import BeamPlaces, ColumnPlaces
-from edesign.project.building.names import line_label, node_name
+from edesign.project.building.names import column_name, line_label, node_name
 from edesign.project.building.places import ColumnLineSelection, Panels
 from edesign.project.checks.selections import GridSelections
 from edesign.project.notation.frames import Direction, FrameSelection
@@ -102,6 +102,16 @@ class Selections(GridSelections):
             return True
         layout = self.building.layout
         return self.absent(keys, "beam", (str(p) for p in layout.beam_places(chosen) if p not in layout.beam_at))
+
+    def standing_columns(self, keys: Keys, chosen: ColumnPlaces) -> bool:
+        """Check that columns that are selected one by one exist."""
+        if not self.column_places(keys, chosen):
+            return False
+        if chosen.at.is_all or chosen.storeys.is_all:
+            return True
+        layout = self.building.layout
+        absent = (column_name(*at) for at in layout.column_places(chosen) if at not in layout.column_at)
+        return self.absent(keys, "column", absent)
 
     def nodes(self, keys: Keys, lines: ColumnLineSelection, floors: NumberSelection) -> bool:
         """Check that nodes that are selected one by one exist."""

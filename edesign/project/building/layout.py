@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
+from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, End
 from edesign.project.building.names import (
     BeamPlace,
     BracePlace,
@@ -197,6 +197,38 @@ class Layout(Storeys):
             for frame in chosen.frames.numbers(self._building.n_frames(along)):
                 for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
                     yield BeamPlace(along, frame, bay, floor)
+
+    def members_in(self, beams: BeamPlaces | None, columns: ColumnPlaces | None) -> Iterator[tuple[str, str]]:
+        """Yield the first and the last member of each selected beam or column that exists; of most they are one.
+
+        Args:
+            beams: the selected beams; None: none.
+            columns: the selected columns; None: none.
+        """
+        for place in self.beam_places(beams) if beams is not None else ():
+            if place in self.beam_at:
+                halves = self.beam_members(place)
+                yield halves[0], halves[-1]
+        for at in self.column_places(columns) if columns is not None else ():
+            if at in self.column_at:
+                yield (column_name(*at),) * 2
+
+    @cached_property
+    def released(self) -> dict[str, tuple[bool, bool]]:
+        """Beams with pinned ends, by name: (pinned at the start, pinned at the end)."""
+        ends = {name: (start == "pinned", end == "pinned") for name, (start, end) in self.beam_ends.items()}
+        return {name: pinned for name, pinned in ends.items() if any(pinned)}
+
+    @cached_property
+    def beam_ends(self) -> dict[str, tuple[End, End]]:
+        """How the start and the end of every beam are joined, by name; halves of one are rigid in the middle."""
+        found: dict[str, tuple[End, End]] = {}
+        for place, run in self.beam_at.items():
+            members = self.beam_members(place)
+            for name in members:
+                start, end = name == members[0], name == members[-1]
+                found[name] = run.ends.start if start else "rigid", run.ends.end if end else "rigid"
+        return found
 
     def brace_places(self, chosen: InBays) -> Iterator[BracePlace]:
         """Yield the places of braces, or of dampers in the place of some; none of what has no direction."""

@@ -9,6 +9,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_analyses
 from edesign.project.building.checks_dampers import check_dampers
 from edesign.project.building.checks_design import check_design
+from edesign.project.building.checks_ends import check_building_ends
 from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
@@ -75,6 +76,7 @@ def parse_building(
             check_given_masses(building, problems)
             check_design(building, problems, files)
             check_dampers(building, problems, profiles)
+            check_building_ends(building, problems)
             check_analyses(building, problems, files)
     if building is None or problems.found:
         raise BuildingError(path, problems.found)

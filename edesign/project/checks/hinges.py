@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from typing import Any, Protocol
+
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.selections import Selections
-from edesign.project.frame.hinges import Hinges, HingeSide, HingeValues, Joints
+from edesign.project.frame.hinges import AnyHinges, AnyJoints, HingeSide, HingeValues
 from edesign.project.frame.supports import SupportSprings, VerticalSpring
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems
@@ -17,39 +21,83 @@ def check_hinges(project: Project, problems: Problems) -> None:
         problems: collects what is wrong.
     """
     check = Selections(project.frame, problems)
-    for i, hinges in enumerate(project.hinges):
+    check_ends(project, problems, check, project.frame)
+    for i, zones in enumerate(project.panel_zones):
+        check.nodes(("panel_zones", i), zones.lines, zones.floors)
+        no_rigid_ends(project, problems, ("panel_zones", i))
+    _supports(project, problems)
+
+
+class _Checks(Protocol):
+    """Checks of selections of members."""
+
+    def standing_beams(self, keys: Keys, chosen: Any) -> object:
+        """Check that beams that are selected one by one exist."""
+
+    def standing_columns(self, keys: Keys, chosen: Any) -> object:
+        """Check that columns that are selected one by one exist."""
+
+
+class _Members(Protocol):
+    """Members of a plane frame or a building."""
+
+    @property
+    def released(self) -> Mapping[str, tuple[bool, bool]]:
+        """Members that are free of moment at the start or the end, by name."""
+
+    def members_in(self, beams: Any, columns: Any) -> Iterator[tuple[str, str]]:
+        """Yield the first and the last member of each selected beam or column that exists; of most they are one."""
+
+
+def check_ends(file: AnalysisFile, problems: Problems, check: _Checks, members: _Members) -> None:
+    """Check where hinges and joints stand, and that their values fit together.
+
+    Args:
+        file: read without schema problems.
+        problems: collects what is wrong.
+        check: of its selections.
+        members: its columns and beams.
+    """
+    for i, hinges in enumerate(file.hinges):
         keys: Keys = ("hinges", i)
         if _places(problems, check, keys, hinges):
-            _released(project, problems, keys, hinges, "hinge")
-            _rigid(project, problems, keys, hinges, "hinges")
+            _released(members, problems, keys, hinges, "hinge")
+            _rigid(file, problems, keys, hinges, "hinges")
         if isinstance(hinges.parameters, HingeValues):
             _values(problems, keys, hinges, hinges.parameters)
         else:
             _regression(problems, keys, hinges)
         if hinges.reduced_section is not None and hinges.columns is not None:
             problems.at_key((*keys, "reduced_section"), "only beams have a reduced section [E-FRAME-05]")
-    for i, joints in enumerate(project.joints):
+    for i, joints in enumerate(file.joints):
         keys = ("joints", i)
         if _places(problems, check, keys, joints):
-            _released(project, problems, keys, joints, "joint")
-            _rigid(project, problems, keys, joints, "joints")
+            _released(members, problems, keys, joints, "joint")
+            _rigid(file, problems, keys, joints, "joints")
         if joints.hardening and joints.resistance is None:
             problems.at_key(
                 (*keys, "hardening"), "a joint without `resistance` stays elastic and has no hardening [E-KEY-03]"
             )
-    for i, zones in enumerate(project.panel_zones):
-        check.nodes(("panel_zones", i), zones.lines, zones.floors)
-        rigid = project.elements.rigid_ends
-        if rigid.beams.value or rigid.columns.value:
-            message = (
-                "members begin to bend at the edges of panel zones and have no rigid ends beside them; leave out "
-                "`elements: rigid_ends` [E-KEY-03]"
-            )
-            problems.at_value(("panel_zones", i), message)
-    _supports(project, problems)
 
 
-def _places(problems: Problems, check: Selections, keys: Keys, chosen: Hinges | Joints) -> bool:
+def no_rigid_ends(file: AnalysisFile, problems: Problems, keys: Keys) -> None:
+    """Refuse rigid ends beside panel zones.
+
+    Args:
+        file: read without schema problems.
+        problems: collects what is wrong.
+        keys: place of the panel zones.
+    """
+    rigid = file.elements.rigid_ends
+    if rigid.beams.value or rigid.columns.value:
+        message = (
+            "members begin to bend at the edges of panel zones and have no rigid ends beside them; leave out "
+            "`elements: rigid_ends` [E-KEY-03]"
+        )
+        problems.at_value(keys, message)
+
+
+def _places(problems: Problems, check: _Checks, keys: Keys, chosen: AnyHinges | AnyJoints) -> bool:
     """Whether beams or columns are named, one of them; those named one by one stand."""
     if (chosen.beams is None) == (chosen.columns is None):
         problems.at_value(keys, "give either `beams` or `columns`, one of them [E-KEY-03]")
@@ -62,11 +110,11 @@ def _places(problems: Problems, check: Selections, keys: Keys, chosen: Hinges | 
     return len(problems.found) == before
 
 
-def _released(project: Project, problems: Problems, keys: Keys, chosen: Hinges | Joints, what: str) -> None:
-    frame = project.frame
-    for first, last in frame.members_in(chosen.beams, chosen.columns):
+def _released(members: _Members, problems: Problems, keys: Keys, chosen: AnyHinges | AnyJoints, what: str) -> None:
+    released = members.released
+    for first, last in members.members_in(chosen.beams, chosen.columns):
         for name, end, word in ((first, 0, "start"), (last, 1, "end")):
-            if chosen.ends in ("both", word) and frame.released.get(name, (False, False))[end]:
+            if chosen.ends in ("both", word) and released.get(name, (False, False))[end]:
                 message = (
                     f"the {word} of {name} is released, so it has no {what}; choose other members or `ends`"
                     " [E-FRAME-05]"
@@ -75,14 +123,14 @@ def _released(project: Project, problems: Problems, keys: Keys, chosen: Hinges |
                 return
 
 
-def _rigid(project: Project, problems: Problems, keys: Keys, chosen: Hinges | Joints, what: str) -> None:
+def _rigid(file: AnalysisFile, problems: Problems, keys: Keys, chosen: AnyHinges | AnyJoints, what: str) -> None:
     kind = "columns" if chosen.beams is None else "beams"
-    if getattr(project.elements.rigid_ends, kind).value:
+    if getattr(file.elements.rigid_ends, kind).value:
         message = f"{kind} with rigid ends have no {what}; leave out `elements: rigid_ends: {kind}` [E-KEY-03]"
         problems.at_key((*keys, kind), message)
 
 
-def _values(problems: Problems, keys: Keys, hinges: Hinges, values: HingeValues) -> None:
+def _values(problems: Problems, keys: Keys, hinges: AnyHinges, values: HingeValues) -> None:
     at: Keys = (*keys, "parameters")
     if hinges.columns is not None and values.hogging.model_fields_set:
         problems.at_key((*at, "hogging"), "only beams have other values under hogging moments [E-FRAME-05]")
@@ -130,7 +178,7 @@ def _side(problems: Problems, at: Keys, values: HingeValues, own: HingeValues | 
         problems.at_value(where, message)
 
 
-def _regression(problems: Problems, keys: Keys, hinges: Hinges) -> None:
+def _regression(problems: Problems, keys: Keys, hinges: AnyHinges) -> None:
     if hinges.columns is not None:
         message = "the regression is for beams; give the parameters of columns one by one [E-KEY-03]"
         problems.at_value((*keys, "parameters"), message)

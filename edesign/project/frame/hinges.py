@@ -91,7 +91,7 @@ class ReducedSection(Model):
     c: PositiveLength
 
 
-class Hinges(Model):
+class AnyHinges(Model):
     """Plastic hinges at the ends of members that stay elastic between them.
 
     Attributes:
@@ -106,8 +106,8 @@ class Hinges(Model):
         stiffness_ratio: stiffness of the hinge over that of the member, n.
     """
 
-    beams: BeamPlaces | None = None
-    columns: ColumnPlaces | None = None
+    beams: Model | None = None
+    columns: Model | None = None
     ends: Ends = "both"
     parameters: Annotated[Literal["lignos_krawinkler_2011"] | HingeValues, OneOf()]
     reduced_section: ReducedSection | None = None
@@ -116,7 +116,19 @@ class Hinges(Model):
     stiffness_ratio: PositiveFactor = 10.0
 
 
-class Joints(Model):
+class Hinges(AnyHinges):
+    """Plastic hinges at the ends of members of a plane frame, which stay elastic between them.
+
+    Attributes:
+        beams: beams that have the hinges; this key or `columns`.
+        columns: columns that have the hinges; this key or `beams`.
+    """
+
+    beams: BeamPlaces | None = None
+    columns: ColumnPlaces | None = None
+
+
+class AnyJoints(Model):
     """Semi-rigid joints: springs between members' ends and their nodes (EN 1993-1-8, 5.1).
 
     Attributes:
@@ -128,12 +140,24 @@ class Joints(Model):
         hardening: stiffness beyond the resistance over the stiffness before.
     """
 
-    beams: BeamPlaces | None = None
-    columns: ColumnPlaces | None = None
+    beams: Model | None = None
+    columns: Model | None = None
     ends: Ends = "both"
     stiffness: PositiveRotationalStiffness
     resistance: PositiveMoment | None = None
     hardening: Hardening = 0.0
+
+
+class Joints(AnyJoints):
+    """Semi-rigid joints of a plane frame.
+
+    Attributes:
+        beams: beams whose ends turn; this key or `columns`.
+        columns: columns whose ends turn; this key or `beams`.
+    """
+
+    beams: BeamPlaces | None = None
+    columns: ColumnPlaces | None = None
 
 
 class PanelZones(Model):

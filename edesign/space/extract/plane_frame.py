@@ -170,15 +170,9 @@ class PlaneFrame:
             alone: whether it stands alone, so that it must resist something itself.
 
         Raises:
-            InputError: it has semi-rigid ends, no column, nodes without a member of its own, or nothing that
+            InputError: it has no column, nodes without a member of its own, or nothing that
                 resists while other frames do.
         """
-        soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
-        if soft:
-            entry = keys_of_member(self.building, soft[0])
-            raise self._refuse(
-                f"project files have no semi-rigid ends, as those of {listed(soft)} [E-SPACE-04]", *entry, "ends"
-            )
         if not self.columns:
             raise self._refuse("no column stands in it [E-SPACE-05]", "missing", "columns")
         if loose := self._loose_nodes():
@@ -240,7 +234,3 @@ def parallel_frames(frame: PlaneFrame) -> list[PlaneFrame]:
 
 def _pinned(ends: Ends) -> bool:
     return ends.start == ends.end == "pinned"
-
-
-def _semi_rigid(ends: Ends) -> bool:
-    return isinstance(ends.start, float) or isinstance(ends.end, float)

@@ -11,6 +11,7 @@ from edesign.project.building.names import BracePlace
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
+from edesign.space.extract.ends_text import ends_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
@@ -34,7 +35,7 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
         study: names of the files of a study of it, which needs damping, records and a law of dampers; None: no study.
 
     Raises:
-        InputError: it has semi-rigid ends or springs at its column bases, which project files do not have.
+        InputError: it has springs at its column bases, or something else that a project file cannot say.
     """
     row.check()
     text = "\n".join(_ProjectText(row).text)
@@ -183,16 +184,8 @@ class _ProjectText:
             *(["sections:", f"  {LEANING}: {self._leaning_section()}", ""] if self.leans else []),
             "fibres: {fillets: true}                # areas and moments of inertia of the catalogue",
             "",
-            *self._rigid_ends(),
+            *ends_text(self.row),
         ]
-
-    def _rigid_ends(self) -> list[str]:
-        asked = self.building.elements.rigid_ends
-        ends = {key: of for key, of in (("columns", asked.columns), ("beams", asked.beams)) if of.value}
-        if not ends:
-            return []
-        texts = [f"{key}: {value(of.value, '') if of.is_share else value(of.value, 'm')}" for key, of in ends.items()]
-        return [f"elements: {{rigid_ends: {{{', '.join(texts)}}}}}", ""]
 
     def _leaning_section(self) -> str:
         """The share of the columns of the first storey; pin-ended, they do not bend."""

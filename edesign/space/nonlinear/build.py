@@ -51,7 +51,7 @@ def build_building(
         The model, with the numbers of its parts in the core.
 
     Raises:
-        InputError: an end of a beam is a spring, a section is not known, loads upwards would give a negative mass, a
+        InputError: a section is not known, or has no place for a hinge or a rigid end, loads upwards would give a negative mass, a
             damper has no node to stand at, or the core refuses a member.
     """
     whole = with_steel_by_thickness(building)
@@ -78,13 +78,8 @@ def _build(
     gravity = model.pattern()
     for node, (fx, fy, fz, mx, my, mz) in enumerate(loads.on_nodes.tolist()):
         model.nodal_load(gravity, node, fx, fy, mz, fz=fz, mx=mx, my=my)
-    of_members = [members.by_name[member.name].element for member in frame.members]
-    for element, uniform in zip(of_members, loads.uniform, strict=True):
-        if uniform.any():
-            model.uniform_load(gravity, element, *uniform.tolist())
-    for number, points in loads.points.items():
-        for position, force in points:
-            model.point_load(gravity, of_members[number], position, *force.tolist())
+    for number, uniform in enumerate(loads.uniform):
+        members.add_loads(gravity, number, uniform, loads.points.get(number, ()))
     devices = () if laws is None else add_devices(building, model, nodes, laws, building_sites(building), outside)
     attached = {}
     for item in attachments:
@@ -117,5 +112,7 @@ def _build(
         devices=devices,
         attached=attached,
         grounds=grounds,
+        moving_with=members.moving_with,
+        turning_apart=members.turning_apart,
         on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports},
     )

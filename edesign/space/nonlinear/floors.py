@@ -77,7 +77,7 @@ def building_storeys(
         if not lines:
             lines = [line for line in layout.node_lines[storey] if line in layout.node_lines[storey - 1]]
         shear: list[Terms] = [
-            tuple((1.0, "global_force", member.element, _UPPER_END + axis.degree) for member in holding)
+            tuple((1.0, "global_force", member.at_end(1), _UPPER_END + axis.degree) for member in holding)
             for axis in DIRECTIONS
         ]
         drifts = tuple(tuple(_drift(nodes, line, storey, height, axis) for line in lines) for axis in DIRECTIONS)
@@ -106,7 +106,7 @@ def _torque(holding: Sequence[Member], arms: np.ndarray) -> Terms:
     for member, (x, y) in zip(holding, arms.tolist(), strict=True):
         own = [] if member.torque is None else [(1.0, TURN)]
         for arm, degree in ((-y, 0), (x, 1), *own):
-            terms.append((arm, "global_force", member.element, _UPPER_END + degree))
+            terms.append((arm, "global_force", member.at_end(1), _UPPER_END + degree))
     return tuple(terms)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -9,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from edesign.core import Model
-from edesign.errors import InputError
 from edesign.frame.frame_model import IN_SPACE, Member
+from edesign.frame.hinges import MemberBuilder, MemberEnd
 from edesign.frame.loads import MemberLoads, Stretches
 from edesign.frame.sections.core_sections import core_law
 from edesign.frame.sections.space_section import space_section
@@ -20,11 +21,11 @@ from edesign.project.actions.beam_loads import points_of_member
 from edesign.project.building.building import Building
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.notation.names import MemberKind
-from edesign.space.file_places import keys_of_member
-from edesign.space.nonlinear.gravity import GravityLoads
+from edesign.space.nonlinear.gravity import GravityLoads, Point
+from edesign.space.nonlinear.member_ends import member_ends
 from edesign.space.nonlinear.rigid_ends import rigid_ends
-from edesign.space.structure.frame import RIGID, SpaceFrame
 from edesign.space.structure.frame import Member as Placed
+from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 
@@ -54,8 +55,11 @@ class BuildingMembers:
         model: of the core, which has the nodes of the frame in their order.
         gravity: loads on the members, at which these are integrated piece by piece.
 
+    Attributes:
+        by_name: the members.
+
     Raises:
-        InputError: an end is a spring, or a section does not exist.
+        InputError: a section does not exist, or has no place for what the file asks at ends of members.
     """
 
     def __init__(self, building: Building, frame: SpaceFrame, model: Model, gravity: GravityLoads) -> None:
@@ -67,9 +71,39 @@ class BuildingMembers:
             name: model.material(core_law(self._laws[name])) for name in dict.fromkeys(name for _, name in pairs)
         }
         self._materials = [materials[name] for _, name in pairs]
-        self._sections: dict[int, _Section] = {}
-        self._rigid = rigid_ends(building)
+        self._sections: dict[tuple[int, bool], _Section] = {}
+        self._rigid, self._ends = rigid_ends(building), member_ends(building)
+        self._builder = MemberBuilder(model, dict(enumerate(map(tuple, frame.coordinates.tolist()))))
         self.by_name = {member.name: self._add(i, member) for i, member in enumerate(frame.members)}
+
+    @property
+    def moving_with(self) -> dict[int, list[int]]:
+        """Nodes behind springs that share the displacements of a node, by its id."""
+        return self._builder.moving_with
+
+    @property
+    def turning_apart(self) -> dict[int, int]:
+        """Degree in which a node behind a spring turns on its own, by its id."""
+        return self._builder.turning_apart
+
+    def add_loads(self, pattern: int, number: int, uniform: np.ndarray, points: Sequence[Point]) -> None:
+        """Add loads on a member to its parts.
+
+        Args:
+            pattern: to which they are added.
+            number: of the member in the frame.
+            uniform: along local x, y, z, (3,) N/m.
+            points: places and forces along these.
+        """
+        member = self.by_name[self._frame.members[number].name]
+        for part in member.parts if uniform.any() else ():
+            self._model.uniform_load(pattern, part, *uniform.tolist())
+        for position, force in points:
+            for part, on in zip(
+                member.parts, MemberLoads(points=[(position, 1.0)]).split(member.stretches)[0], strict=True
+            ):
+                for place, _ in on.points:
+                    self._model.point_load(pattern, part, place, *force.tolist())
 
     @property
     def work_inside(self) -> float:
@@ -83,8 +117,8 @@ class BuildingMembers:
                 points = [(position, float(force[axis])) for position, force in self._gravity.points.get(number, ())]
                 loads = MemberLoads(float(self._gravity.uniform[number, axis]), points)
                 inside = self.by_name[member.name].bending_stretches
-                (bent,), _ = loads.split(inside)
-                found += bent.squared_moment(inside.lengths[0]) / (2.0 * E * inertia)
+                parts = zip(loads.split(inside)[0], inside.lengths, strict=True)
+                found += sum(on.squared_moment(length) for on, length in parts) / (2.0 * E * inertia)
         return found
 
     def _add(self, number: int, placed: Placed) -> Member:
@@ -93,27 +127,27 @@ class BuildingMembers:
             area = steel_section(placed.section).A * (1.0 if placed.compression else TENSION_ONLY_SHARE)
             material = self._materials[self._of_members[number]]
             element = self._model.truss(placed.name, *nodes, material, area, self._geometry[placed.kind])
-            return self._member(number, placed, element, bending=(), axial=(0, 6))
-        soft = [value for value in placed.ends if value not in (0.0, RIGID)]
-        if soft:
-            keys = (*keys_of_member(self._building, placed.name), "ends")
-            raise InputError(
-                f"{self._building.where(*keys)}: {placed.name}: ends with a stiffness are in analyses of plane frames "
-                "alone; a project file has them [E-BLDG-04]"
+            stretches = Stretches((0.0, 0.0), (float(self._frame.length[number]),))
+            return self._member(
+                number, placed, element, parts=(element,), stretches=stretches, bending=(), axial=(0, 6)
             )
-        section = self._section(number, placed)
+        ends = self._ends.get(placed.name, (MemberEnd(), MemberEnd()))
+        section = self._section(number, placed, any(end.hinge is not None for end in ends))
         inside = dict.fromkeys(at for at, _ in self._gravity.points.get(number, ()) if 0.0 < at < 1.0)
         breaks = tuple(inside) if section.fibres is not None else ()
-        element = self._model.beam_column(
+        built = self._builder.add(
             placed.name,
-            *nodes,
+            nodes,
             section.number,
+            self._laws[placed.material].E * steel_section(placed.section).I_y,
             self._building.elements.integration_points,
             self._geometry[placed.kind],
             [value == 0.0 for value in placed.ends],
+            ends,
             breaks,
             placed.web,
         )
+        element = built.interior
         rigid = self._rigid.get(placed.name, (0.0, 0.0))
         if any(rigid):
             self._model.rigid_ends(element, *rigid)
@@ -121,6 +155,9 @@ class BuildingMembers:
             number,
             placed,
             element,
+            parts=built.parts,
+            stretches=Stretches((0.0, 0.0), built.lengths),
+            springs=built.springs,
             rigid_ends=rigid,
             bending=IN_SPACE,
             axial=(0, 6),
@@ -143,8 +180,6 @@ class BuildingMembers:
             material=placed.material,
             steel=self._laws[placed.material],
             length=length,
-            parts=(element,),
-            stretches=Stretches((0.0, 0.0), (length,)),
             frames=placed.frame,
             bar=self._bar(placed, length),
             **facts,
@@ -157,16 +192,17 @@ class BuildingMembers:
         strut = catalogue_strut(placed.section, steel, length) if placed.compression else None
         return Bar(placed.name, placed.kind, placed.section, strut, placed.compression)
 
-    def _section(self, number: int, placed: Placed) -> _Section:
+    def _section(self, number: int, placed: Placed, hinged: bool) -> _Section:
         of = int(self._of_members[number])
-        if of not in self._sections:
-            self._sections[of] = self._make(placed.section, placed.material, self._materials[of])
-        return self._sections[of]
+        elastic = hinged or isinstance(self._laws[placed.material], ElasticMaterial)
+        if (of, elastic) not in self._sections:
+            self._sections[of, elastic] = self._make(placed.section, placed.material, self._materials[of], elastic)
+        return self._sections[of, elastic]
 
-    def _make(self, name: str, material: str, number: int) -> _Section:
+    def _make(self, name: str, material: str, number: int, elastic: bool) -> _Section:
         steel, law = self._building.materials[material], self._laws[material]
         G = steel.E / (2.0 * (1.0 + steel.nu))
-        if isinstance(law, ElasticMaterial):
+        if elastic:
             shape = steel_section(name)
             stiffness = (law.E * shape.A, law.E * shape.I_z, law.E * shape.I_y, G * shape.I_t)
             return _Section(self._model.elastic_section(*stiffness))

@@ -1,0 +1,27 @@
+"""Cross checks of hinges, joints and panel zones of a building."""
+
+from __future__ import annotations
+
+from edesign.project.building.building import Building
+from edesign.project.building.checks_selections import Selections
+from edesign.project.checks.hinges import check_ends
+from edesign.project.reading.problems import Problems
+
+
+def check_building_ends(building: Building, problems: Problems) -> None:
+    """Check where hinges and joints stand, and that their values fit together.
+
+    Args:
+        building: its members stand.
+        problems: collects what is wrong.
+    """
+    layout = building.layout
+    check_ends(building, problems, Selections(building, problems), layout)
+    soft = {name for name, ends in layout.beam_ends.items() if any(isinstance(end, float) for end in ends)}
+    for i, joints in enumerate(building.joints):
+        beams = {name for pair in layout.members_in(joints.beams, None) for name in pair}
+        if twice := sorted(beams & soft):
+            message = (
+                f"{twice[0]} has ends with a stiffness already (`beams: ends`); leave out one of both [E-FRAME-05]"
+            )
+            problems.at_key(("joints", i, "beams"), message)

@@ -1,0 +1,85 @@
+"""Ends of members of a plane frame as the text of a project file: rigid ends, hinges and joints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from edesign.project.building.building import Building
+from edesign.project.building.hinges import BuildingHinges, BuildingJoints
+from edesign.project.notation.names import line_name
+from edesign.project.reading.yaml_edit import yaml_text
+from edesign.space.extract.frame_row import FrameRow
+from edesign.space.extract.plane_frame import PlaneFrame
+from edesign.space.extract.selections import runs, value
+
+Places = Callable[[PlaneFrame], dict[tuple[int, int], bool]]
+
+
+def ends_text(row: FrameRow) -> list[str]:
+    """Return the blocks `elements`, `hinges` and `joints` of frames, as far as the building has them.
+
+    Hinges and joints of columns turn about their strong axis, so that only columns have them that bend about it.
+
+    Args:
+        row: one frame of a building, or all of a direction.
+    """
+    blocks = (_rigid_ends(row), _springs(row, "hinges"), [*_springs(row, "joints"), *_soft_ends(row)])
+    names = ("", "hinges:", "joints:")
+    return [line for name, block in zip(names, blocks, strict=True) if block for line in ([name] * bool(name) + block + [""])]
+
+
+def _rigid_ends(row: FrameRow) -> list[str]:
+    asked = row.building.elements.rigid_ends
+    ends = {key: of for key, of in (("columns", asked.columns), ("beams", asked.beams)) if of.value}
+    texts = [f"{key}: {value(of.value, '').strip() if of.is_share else value(of.value, 'm')}" for key, of in ends.items()]
+    return [f"elements: {{rigid_ends: {{{', '.join(texts)}}}}}"] if ends else []
+
+
+def _springs(row: FrameRow, key: str) -> list[str]:
+    building: Building = row.building
+    written = building.root.child(key)
+    found = []
+    for i, run in enumerate(getattr(building, key)):
+        assert written is not None and written.items is not None
+        more = written.items[i].plain()
+        more = {name: what for name, what in more.items() if name not in ("beams", "columns")}
+        found += _entries(row, run, yaml_text(more).strip()[1:-1])
+    return found
+
+
+def _entries(row: FrameRow, run: BuildingHinges | BuildingJoints, more: str) -> list[str]:
+    layout = row.building.layout
+    if run.beams is not None:
+        chosen = set(layout.beam_places(run.beams))
+        beams = row.merged(lambda frame: {(p.bay, p.floor): True for p in frame.beams if p in chosen})
+        places = runs(beams, range(1, len(row.widths) + 1), row.top, str)
+        return [f"  - {{beams: {{bays: {at}, floors: {floors}}}, {more}}}" for at, floors, _ in places]
+    assert run.columns is not None
+    standing = set(layout.column_places(run.columns))
+    columns = row.merged(
+        lambda frame: {
+            (i, storey): True
+            for (i, storey), of in frame.columns.items()
+            if (frame.lines[i], storey) in standing and of.strong == row.along
+        }
+    )
+    places = runs(columns, range(row.n_lines), row.top, line_name)
+    return [f"  - {{columns: {{lines: {at}, storeys: {storeys}}}, {more}}}" for at, storeys, _ in places]
+
+
+def _soft_ends(row: FrameRow) -> list[str]:
+    """Ends of beams with a stiffness are joints that stay elastic."""
+    found = []
+    for which in ("start", "end"):
+        soft: dict[tuple[int, int], Any] = row.merged(
+            lambda frame, which=which: {
+                (p.bay, p.floor): stiffness
+                for p, run in frame.beams.items()
+                if isinstance(stiffness := getattr(run.ends, which), float)
+            }
+        )
+        for at, floors, stiffness in runs(soft, range(1, len(row.widths) + 1), row.top, str):
+            of = value(stiffness / 1e6, "MN*m/rad")
+            found.append(f"  - {{beams: {{bays: {at}, floors: {floors}}}, ends: {which}, stiffness: {of}}}")
+    return found
