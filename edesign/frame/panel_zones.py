@@ -7,6 +7,7 @@ has one degree more than a rigid one.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot, sqrt
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING
 from edesign.errors import InputError
 from edesign.frame.hinges import TURN
 from edesign.frame.sections.i_shape import IShape, i_shape
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -107,21 +109,35 @@ def panels_of(project: Project) -> dict[str, Panel]:
             runs = [frame.column_at[line, storey] for storey in (floor, floor + 1) if (line, storey) in frame.column_at]
             if not beams or not runs:
                 continue  # nothing to distort
-            where = project.where("panel_zones", i)
-            shapes = [*(i_shape(project, run) for run in beams), *(i_shape(project, run) for run in runs)]
-            steel = project.materials[runs[0].material]
-            column = shapes[len(beams)]
-            depths = [shape.height for shape in shapes[: len(beams)] if shape is not None]
-            if column is None or len(depths) < len(beams):
-                raise InputError(
-                    f"{where}: the joint {node} has a member without I section; panel zones need them [E-HINGE-04]"
-                )
-            if isinstance(steel, ElasticMaterial):
-                raise InputError(
-                    f"{where}: the column at {node} is of `{runs[0].material}`, which has no yield stress [E-HINGE-04]"
-                )
-            found[node] = panel_of(max(depths), column, zones.doubler or 0.0, steel.E, steel.fy, zones.hardening)
+            shapes = [i_shape(project, run) for run in beams]
+            found[node] = panel_at(project, i, node, shapes, i_shape(project, runs[0]), runs[0].material)
     return found
+
+
+def panel_at(
+    file: AnalysisFile, i: int, node: str, beams: Sequence[IShape | None], column: IShape | None, material: str
+) -> Panel:
+    """Return the panel zone of one joint.
+
+    Args:
+        i: number of the entry of `panel_zones`.
+        node: of the joint.
+        beams: sections of its beams in the plane of the panel, None: no I section.
+        column: section of its column in that plane.
+        material: name of the steel of the column.
+
+    Raises:
+        InputError: the joint has no I sections, or its column's steel does not yield.
+    """
+    where, zones, steel = file.where("panel_zones", i), file.panel_zones[i], file.steels[material]
+    depths = [shape.height for shape in beams if shape is not None]
+    if column is None or len(depths) < len(beams):
+        raise InputError(
+            f"{where}: the joint {node} has a member without I section; panel zones need them [E-HINGE-04]"
+        )
+    if isinstance(steel, ElasticMaterial):
+        raise InputError(f"{where}: the column at {node} is of `{material}`, which has no yield stress [E-HINGE-04]")
+    return panel_of(max(depths), column, zones.doubler or 0.0, steel.E, steel.fy, zones.hardening)
 
 
 def _beam_nodes(project: Project, place: tuple[int, int]) -> tuple[str, str]:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from edesign.project.analysis.validity import Validity
     from edesign.project.document import Document
     from edesign.project.frame.elements import Elements
-    from edesign.project.frame.hinges import AnyHinges, AnyJoints
+    from edesign.project.frame.hinges import AnyHinges, AnyJoints, AnyPanelZones
     from edesign.project.frame.materials import Material
     from edesign.project.records.pairs import AnyRecord
 
@@ -63,6 +63,7 @@ class AnalysisFile(RecordFiles, FileModel):
         elements: Elements
         hinges: tuple[AnyHinges, ...]
         joints: tuple[AnyJoints, ...]
+        panel_zones: tuple[AnyPanelZones, ...]
         dampers: Dampers | None
         damping: Damping | None
         integration: Integration | None

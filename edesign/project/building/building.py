@@ -19,7 +19,7 @@ from edesign.project.analysis.shaking import ECCENTRICITY
 from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.building.design import Design
-from edesign.project.building.hinges import BuildingHinges, BuildingJoints
+from edesign.project.building.hinges import BuildingHinges, BuildingJoints, BuildingPanelZones
 from edesign.project.building.layout import Layout
 from edesign.project.building.loads import Loads, Masses
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
@@ -114,6 +114,7 @@ class Building(spacing.Storeys, AnalysisFile):
         elements: how members are modelled in analyses: integration points, geometry, rigid ends.
         hinges: plastic hinges lumped at the ends of members, in analyses.
         joints: semi-rigid joints in analyses, as springs between the ends of members and their nodes.
+        panel_zones: joints whose panel shears, in analyses.
         dampers: dampers and tuned masses of the building; its elastic design is without them.
         damping: inherent damping of the building; histories need it.
         integration: time integration; histories need it.
@@ -149,6 +150,7 @@ class Building(spacing.Storeys, AnalysisFile):
     elements: Elements = Elements()
     hinges: tuple[BuildingHinges, ...] = ()
     joints: tuple[BuildingJoints, ...] = ()
+    panel_zones: tuple[BuildingPanelZones, ...] = ()
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
-from edesign.project.checks.hinges import check_ends
+from edesign.project.checks.hinges import check_ends, no_rigid_ends
 from edesign.project.reading.problems import Problems
 
 
 def check_building_ends(building: Building, problems: Problems) -> None:
-    """Check where hinges and joints stand, and that their values fit together.
+    """Check where hinges, joints and panel zones stand, and that their values fit together.
 
     Args:
         building: its members stand.
         problems: collects what is wrong.
     """
     layout = building.layout
-    check_ends(building, problems, Selections(building, problems), layout)
+    check = Selections(building, problems)
+    check_ends(building, problems, check, layout)
+    for i, zones in enumerate(building.panel_zones):
+        check.nodes(("panel_zones", i), zones.at, zones.floors)
+        no_rigid_ends(building, problems, ("panel_zones", i))
     soft = {name for name, ends in layout.beam_ends.items() if any(isinstance(end, float) for end in ends)}
     for i, joints in enumerate(building.joints):
         beams = {name for pair in layout.members_in(joints.beams, None) for name in pair}

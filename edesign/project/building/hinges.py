@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from edesign.project.building.members import BeamPlaces, ColumnPlaces
 from edesign.project.building.places import ALL_COLUMN_LINES, ColumnLines
-from edesign.project.frame.hinges import AnyHinges, AnyJoints
-from edesign.project.notation.selections import Numbers
-from edesign.project.notation.units import Hardening, PositiveLength
-from edesign.project.reading.base import Model
+from edesign.project.frame.hinges import AnyHinges, AnyJoints, AnyPanelZones
 
 
 class BuildingHinges(AnyHinges):
@@ -34,17 +31,11 @@ class BuildingJoints(AnyJoints):
     columns: ColumnPlaces | None = None
 
 
-class BuildingPanelZones(Model):
+class BuildingPanelZones(AnyPanelZones):
     """Joints whose panel shears where the columns bend about their strong axis; across it they are rigid.
 
     Attributes:
         at: column lines of the joints.
-        floors: floors of the joints, counted from 1.
-        doubler: thickness of the doubler plates together.
-        hardening: slope beyond the full shear over that before yield (0.03: Gupta & Krawinkler 1999).
     """
 
     at: ColumnLines = ALL_COLUMN_LINES
-    floors: Numbers
-    doubler: PositiveLength | None = None
-    hardening: Hardening = 0.03

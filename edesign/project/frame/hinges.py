@@ -160,17 +160,25 @@ class Joints(AnyJoints):
     columns: ColumnPlaces | None = None
 
 
-class PanelZones(Model):
+class AnyPanelZones(Model):
     """Joints whose panel shears.
 
     Attributes:
-        lines: column lines of the joints.
         floors: floors of the joints, counted from 1.
         doubler: thickness of the doubler plates together.
         hardening: slope beyond the full shear over that before yield (0.03: Gupta & Krawinkler 1999).
     """
 
-    lines: Lines = ALL_LINES
     floors: Numbers
     doubler: PositiveLength | None = None
     hardening: Hardening = 0.03
+
+
+class PanelZones(AnyPanelZones):
+    """Joints of a plane frame whose panel shears.
+
+    Attributes:
+        lines: column lines of the joints.
+    """
+
+    lines: Lines = ALL_LINES

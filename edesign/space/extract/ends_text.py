@@ -1,4 +1,4 @@
-"""Ends of members of a plane frame as the text of a project file: rigid ends, hinges and joints."""
+"""Ends of members of a plane frame as the text of a project file: rigid ends, hinges, joints and panel zones."""
 
 from __future__ import annotations
 
@@ -17,35 +17,45 @@ Places = Callable[[PlaneFrame], dict[tuple[int, int], bool]]
 
 
 def ends_text(row: FrameRow) -> list[str]:
-    """Return the blocks `elements`, `hinges` and `joints` of frames, as far as the building has them.
+    """Return the blocks `elements`, `hinges`, `joints` and `panel_zones` of frames, as far as the building has them.
 
     Hinges and joints of columns turn about their strong axis, so that only columns have them that bend about it.
 
     Args:
         row: one frame of a building, or all of a direction.
     """
-    blocks = (_rigid_ends(row), _springs(row, "hinges"), [*_springs(row, "joints"), *_soft_ends(row)])
-    names = ("", "hinges:", "joints:")
-    return [line for name, block in zip(names, blocks, strict=True) if block for line in ([name] * bool(name) + block + [""])]
+    blocks = {
+        "": _rigid_ends(row),
+        "hinges:": _springs(row, "hinges"),
+        "joints:": [*_springs(row, "joints"), *_soft_ends(row)],
+        "panel_zones:": _panel_zones(row),
+    }
+    return [line for name, block in blocks.items() if block for line in (*[name] * bool(name), *block, "")]
 
 
 def _rigid_ends(row: FrameRow) -> list[str]:
     asked = row.building.elements.rigid_ends
     ends = {key: of for key, of in (("columns", asked.columns), ("beams", asked.beams)) if of.value}
-    texts = [f"{key}: {value(of.value, '').strip() if of.is_share else value(of.value, 'm')}" for key, of in ends.items()]
+    texts = [
+        f"{key}: {value(of.value, '').strip() if of.is_share else value(of.value, 'm')}" for key, of in ends.items()
+    ]
     return [f"elements: {{rigid_ends: {{{', '.join(texts)}}}}}"] if ends else []
 
 
 def _springs(row: FrameRow, key: str) -> list[str]:
     building: Building = row.building
-    written = building.root.child(key)
     found = []
     for i, run in enumerate(getattr(building, key)):
-        assert written is not None and written.items is not None
-        more = written.items[i].plain()
-        more = {name: what for name, what in more.items() if name not in ("beams", "columns")}
-        found += _entries(row, run, yaml_text(more).strip()[1:-1])
+        found += _entries(row, run, _more(building, key, i, "beams", "columns"))
     return found
+
+
+def _more(building: Building, key: str, i: int, *places: str) -> str:
+    """What an entry says beside the places."""
+    written = building.root.child(key)
+    assert written is not None and written.items is not None
+    said = written.items[i].plain()
+    return yaml_text({name: what for name, what in said.items() if name not in places}).strip()[1:-1]
 
 
 def _entries(row: FrameRow, run: BuildingHinges | BuildingJoints, more: str) -> list[str]:
@@ -66,6 +76,26 @@ def _entries(row: FrameRow, run: BuildingHinges | BuildingJoints, more: str) -> 
     )
     places = runs(columns, range(row.n_lines), row.top, line_name)
     return [f"  - {{columns: {{lines: {at}, storeys: {storeys}}}, {more}}}" for at, storeys, _ in places]
+
+
+def _panel_zones(row: FrameRow) -> list[str]:
+    """Those that shear in the frames: where a column bends about its strong axis in them."""
+    building = row.building
+    found = []
+    for i, run in enumerate(building.panel_zones):
+        lines, floors = set(building.lines_of(run.at)), set(run.floors.numbers(1, building.n_storeys))
+        joints = row.merged(
+            lambda frame, lines=lines, floors=floors: {
+                (i, floor): True
+                for (i, storey), of in frame.columns.items()
+                for floor in (storey, storey - 1)
+                if frame.lines[i] in lines and floor in floors and of.strong == row.along
+            }
+        )
+        more = _more(building, "panel_zones", i, "at", "floors")
+        for at, on, _ in runs(joints, range(row.n_lines), row.top, line_name):
+            found.append(f"  - {{lines: {at}, floors: {on}{', ' * bool(more)}{more}}}")
+    return found
 
 
 def _soft_ends(row: FrameRow) -> list[str]:

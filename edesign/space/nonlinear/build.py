@@ -114,5 +114,6 @@ def _build(
         grounds=grounds,
         moving_with=members.moving_with,
         turning_apart=members.turning_apart,
+        panels=members.panels,
         on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports},
     )

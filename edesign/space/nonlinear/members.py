@@ -13,16 +13,19 @@ from edesign.core import Model
 from edesign.frame.frame_model import IN_SPACE, Member
 from edesign.frame.hinges import MemberBuilder, MemberEnd
 from edesign.frame.loads import MemberLoads, Stretches
+from edesign.frame.panel_zones import BuiltPanel
 from edesign.frame.sections.core_sections import core_law
 from edesign.frame.sections.space_section import space_section
 from edesign.frame.sections.steel_section import steel_section
 from edesign.frame.struts import Bar, catalogue_strut
 from edesign.project.actions.beam_loads import points_of_member
 from edesign.project.building.building import Building
+from edesign.project.building.names import Direction
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.notation.names import MemberKind
 from edesign.space.nonlinear.gravity import GravityLoads, Point
 from edesign.space.nonlinear.member_ends import member_ends
+from edesign.space.nonlinear.panel_zones import SpacePanels, panels_of
 from edesign.space.nonlinear.rigid_ends import rigid_ends
 from edesign.space.structure.frame import Member as Placed
 from edesign.space.structure.frame import SpaceFrame
@@ -44,6 +47,13 @@ class _Section:
         from scipy.spatial import ConvexHull
 
         return tuple(sorted(int(i) for i in ConvexHull(self.fibres).vertices))
+
+
+def _along(placed: Placed) -> Direction | None:
+    """The direction of a beam; None of a column."""
+    if placed.kind == "column":
+        return None
+    return "x" if placed.frame[0].startswith("X") else "y"
 
 
 class BuildingMembers:
@@ -73,13 +83,21 @@ class BuildingMembers:
         self._materials = [materials[name] for _, name in pairs]
         self._sections: dict[tuple[int, bool], _Section] = {}
         self._rigid, self._ends = rigid_ends(building), member_ends(building)
-        self._builder = MemberBuilder(model, dict(enumerate(map(tuple, frame.coordinates.tolist()))))
+        places: dict[int, tuple[float, ...]] = dict(enumerate(map(tuple, frame.coordinates.tolist())))
+        self._builder = MemberBuilder(model, places)
+        nodes = {name: node for node, name in enumerate(frame.node_names)}
+        self._panels = SpacePanels(model, nodes, places, panels_of(building))
         self.by_name = {member.name: self._add(i, member) for i, member in enumerate(frame.members)}
 
     @property
     def moving_with(self) -> dict[int, list[int]]:
         """Nodes behind springs that share the displacements of a node, by its id."""
         return self._builder.moving_with
+
+    @property
+    def panels(self) -> dict[str, BuiltPanel]:
+        """Panel zones by the node of their joint."""
+        return self._panels.built
 
     @property
     def turning_apart(self) -> dict[int, int]:
@@ -95,15 +113,21 @@ class BuildingMembers:
             uniform: along local x, y, z, (3,) N/m.
             points: places and forces along these.
         """
-        member = self.by_name[self._frame.members[number].name]
+        placed = self._frame.members[number]
+        member, model = self.by_name[placed.name], self._model
+        on_joints = [uniform * arm for arm in member.stretches.arms]
         for part in member.parts if uniform.any() else ():
-            self._model.uniform_load(pattern, part, *uniform.tolist())
+            model.uniform_load(pattern, part, *uniform.tolist())
         for position, force in points:
-            for part, on in zip(
-                member.parts, MemberLoads(points=[(position, 1.0)]).split(member.stretches)[0], strict=True
-            ):
+            parts, shares = MemberLoads(points=[(position, 1.0)]).split(member.stretches)
+            for part, on in zip(member.parts, parts, strict=True):
                 for place, _ in on.points:
-                    self._model.point_load(pattern, part, place, *force.tolist())
+                    model.point_load(pattern, part, place, *force.tolist())
+            on_joints = [whole + share * force for whole, share in zip(on_joints, shares, strict=True)]
+        for joint, local in zip((placed.start, placed.end), on_joints, strict=True):
+            if local.any():
+                fx, fy, fz = (local @ self._gravity.axes[number]).tolist()
+                model.nodal_load(pattern, joint, fx, fy, fz=fz)
 
     @property
     def work_inside(self) -> float:
@@ -131,17 +155,23 @@ class BuildingMembers:
             return self._member(
                 number, placed, element, parts=(element,), stretches=stretches, bending=(), axial=(0, 6)
             )
-        ends = self._ends.get(placed.name, (MemberEnd(), MemberEnd()))
+        joints = self._frame.node_names[placed.start], self._frame.node_names[placed.end]
+        along = _along(placed)
+        arms = self._panels.arm(joints[0], along), self._panels.arm(joints[1], along)
+        first, last = self._ends.get(placed.name, (MemberEnd(), MemberEnd()))
+        ends = first.from_edge(arms[0]), last.from_edge(arms[1])
         section = self._section(number, placed, any(end.hinge is not None for end in ends))
+        stiffness, geometry = self._stiffness(placed), self._geometry[placed.kind]
         inside = dict.fromkeys(at for at, _ in self._gravity.points.get(number, ()) if 0.0 < at < 1.0)
-        breaks = tuple(inside) if section.fibres is not None else ()
+        bent = Stretches(arms, (float(self._frame.length[number]) - sum(arms),))
+        breaks = bent.on_only_element(tuple(inside)) if section.fibres is not None else ()
         built = self._builder.add(
             placed.name,
-            nodes,
+            self._panels.ends(placed.name, joints, along, stiffness, geometry, placed.web),
             section.number,
-            self._laws[placed.material].E * steel_section(placed.section).I_y,
+            stiffness[1],
             self._building.elements.integration_points,
-            self._geometry[placed.kind],
+            geometry,
             [value == 0.0 for value in placed.ends],
             ends,
             breaks,
@@ -156,7 +186,7 @@ class BuildingMembers:
             placed,
             element,
             parts=built.parts,
-            stretches=Stretches((0.0, 0.0), built.lengths),
+            stretches=Stretches(arms, built.lengths),
             springs=built.springs,
             rigid_ends=rigid,
             bending=IN_SPACE,
@@ -191,6 +221,12 @@ class BuildingMembers:
         steel = self._laws[placed.material]
         strut = catalogue_strut(placed.section, steel, length) if placed.compression else None
         return Bar(placed.name, placed.kind, placed.section, strut, placed.compression)
+
+    def _stiffness(self, placed: Placed) -> tuple[float, float, float]:
+        """E I about local z and y, and G J, N m2."""
+        shape, steel = steel_section(placed.section), self._building.materials[placed.material]
+        E = self._laws[placed.material].E
+        return E * shape.I_z, E * shape.I_y, steel.E / (2.0 * (1.0 + steel.nu)) * shape.I_t
 
     def _section(self, number: int, placed: Placed, hinged: bool) -> _Section:
         of = int(self._of_members[number])
