@@ -51,8 +51,8 @@ def build_building(
         The model, with the numbers of its parts in the core.
 
     Raises:
-        InputError: a section is not known, or has no place for a hinge or a rigid end, loads upwards would give a negative mass, a
-            damper has no node to stand at, or the core refuses a member.
+        InputError: a section is not known, or has no place for a hinge or a rigid end; loads upwards would give a
+            negative mass; a damper has no node to stand at, or the core refuses a member.
     """
     whole = with_steel_by_thickness(building)
     with telling_member(building):

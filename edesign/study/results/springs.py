@@ -49,6 +49,7 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
         group: of the analysis, to which names and properties of the springs are added.
     """
     found = []
+    way = "anticlockwise" if frame.model.dimension == 2 else "about local y"
     for kind in _KINDS:
         springs = _end_springs(frame, kind)
         if not springs:
@@ -56,8 +57,8 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
         coordinate(group, kind, list(springs), "", f"{kind} as member:end")
         _facts(group, kind, list(springs.values()))
         quantities = [
-            ("moment", "axial_force", "N*m", "moment on the member's end, anticlockwise"),
-            ("rotation", "deformation", "rad", f"rotation of the {kind}, anticlockwise"),
+            ("moment", "axial_force", "N*m", f"moment on the member's end, {way}"),
+            ("rotation", "deformation", "rad", f"rotation of the {kind}, {way}"),
             ("plastic_rotation", "plastic_rotation", "rad", f"rotation of the {kind} less its elastic part"),
         ]
         if kind == "hinge":
