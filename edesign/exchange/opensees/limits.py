@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from edesign.errors import InputError
 from edesign.exchange.opensees.dampers import Dampers
@@ -15,9 +15,10 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.frame.materials import BilinearMaterial, Material, MenegottoPintoMaterial
 from edesign.project.project import Project
-from edesign.project.reading.problems import keys_text
+from edesign.project.reading.problems import Keys, keys_text
 from edesign.project.reading.words import counted
 from edesign.space.file_places import keys_of_member
+from edesign.space.nonlinear.rigid_ends import rigid_ends as rigid_ends_of_building
 
 
 def refuse(project: AnalysisFile, without_dampers: bool) -> None:
@@ -27,6 +28,12 @@ def refuse(project: AnalysisFile, without_dampers: bool) -> None:
         InputError: there is something.
     """
     found = _of_frame(project, without_dampers) if isinstance(project, Project) else []
+    if isinstance(project, Building):
+        found = [
+            f"{project.where(*keys)}: {keys_text(keys)}: {what} of buildings are not translated: nodes of rigid floors "
+            "can have no others tied to them in OpenSees; leave them out of a copy [E-OPS-06]"
+            for keys, what in _of_building(project)
+        ]
     if found:
         raise InputError("\n".join(found))
 
@@ -49,6 +56,16 @@ def _of_frame(project: Project, without_dampers: bool) -> list[str]:
             f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports [E-OPS-01]"
         )
     return found
+
+
+def _of_building(building: Building) -> Iterator[tuple[Keys, str]]:
+    """What stands on springs between nodes of a floor, by its place."""
+    for key, what in (("hinges", "hinges"), ("joints", "joints"), ("panel_zones", "panel zones")):
+        if getattr(building, key):
+            yield (key, 0), what
+    for i, run in enumerate(building.beams):
+        if any(isinstance(end, float) for end in (run.ends.start, run.ends.end)):
+            yield ("beams", i, "ends"), "ends with a stiffness"
 
 
 def places(project: AnalysisFile, frame: FrameModel, problems: Sequence[NotTranslated]) -> list[str]:
@@ -110,7 +127,8 @@ def differences(project: AnalysisFile, structure: Structure, dampers: Dampers) -
             f"{counted(len(divided), 'member')} of more than 10 sections are divided: damping in proportion to the "
             "stiffness acts within them too; compare with fewer `elements.integration_points` in a copy"
         )
-    if isinstance(project, Project) and rigid_ends(project):
+    ends = rigid_ends_of_building(project) if isinstance(project, Building) else None
+    if ends or (isinstance(project, Project) and rigid_ends(project)):
         found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by some 1e-5")
     modal = isinstance(project.damping, ModalDamping | CaugheyDamping)
     if modal and project.integration is not None and not isinstance(project.integration, NewmarkIntegration):

@@ -85,13 +85,16 @@ class SpaceBuilder(StructureBuilder):
     def _load_builder(self) -> LoadBuilder:
         return SpaceLoads(self._to, self._pieces, self._calls, self._elastic, self._without)
 
-    def _rigid_ends(self, call: Call) -> None:
-        reason = "rigid ends of buildings are not translated; leave them out of a copy [E-OPS-06]"
-        raise NotTranslated(self._model.element_names[call["element"]], reason)
-
-    def _without_flexibility(self, call: Call) -> None:
-        reason = "hinges of buildings are not translated; leave them out of a copy [E-OPS-06]"
-        raise NotTranslated(self._model.element_names[call["element"]], reason)
+    def _stiff_words(self, section: int, factor: float) -> tuple[float, ...]:
+        """What an elastic element has that is so many times as stiff as a section: A, E, G, J, I_y and I_z."""
+        if section in self._elastic:
+            EA, EI_z, EI_y, GJ = self._elastic[section]
+        else:
+            call = self._fibred[section]
+            y, z, area = (np.asarray(call[key], dtype=float).ravel() for key in ("y", "z", "area"))
+            E, GJ = self._laws[int(call["material"])].E, call["GJ"]
+            EA, EI_z, EI_y = (E * float(area @ weight) for weight in (np.ones_like(area), y**2, z**2))
+        return factor * EA, 1.0, 1.0, factor * GJ, factor * EI_y, factor * EI_z
 
     def _elastic_section(self, call: Call) -> None:
         self._elastic[call.result] = (call["EA"], call["EI"], call["EI_y"], call["GJ"])
@@ -138,8 +141,11 @@ class SpaceBuilder(StructureBuilder):
         to.divided += [call["name"]] if inner else []
         for tag in tags[1:]:
             to.damp(tag, self._factors.get(number, 1.0))
-        lengths = np.diff(cuts) * dist(start, end)
-        self._pieces[number] = tags, Stretches((0.0, 0.0), tuple(lengths.tolist()))
+        lengths = (np.diff(cuts) * dist(start, end)).tolist()
+        told, stretches = self._pieces[number]  # with the rigid ends
+        at = told.index(number + 1)
+        lengths = [*stretches.lengths[:at], *lengths, *stretches.lengths[at + 1 :]]
+        self._pieces[number] = [*told[:at], *tags, *told[at + 1 :]], Stretches((0.0, 0.0), tuple(lengths))
         return list(zip(tags, pairwise(nodes), cuts[:-1], cuts[1:], strict=True))
 
     def _released(self, call: Call, about: Sequence[bool]) -> int:
@@ -170,7 +176,9 @@ class SpaceBuilder(StructureBuilder):
         G = SHEAR_MODULUS * E
         sizes = EA / E, E, G, GJ / G, EI_y / E, EI_z / E
         y_start, z_start, y_end, z_end = call["release"]
-        loaded = self._loaded[call.result] if any(call["release"]) else ()
+        arms, whole = self._rigid.get(call.result, (0.0, 0.0)), dist(*(to.places[call[end]] for end in "ij"))
+        places = [(at * whole - arms[0]) / (whole - sum(arms)) for at in self._loaded[call.result]]
+        loaded = [at for at in places if 0.0 < at < 1.0] if any(call["release"]) else ()
         for tag, pair, low, high in self._divided(call, ends, [0.0, *sorted(loaded), 1.0]):
             words: list[str | int | float] = [tag, *(to.nodes[node] for node in pair), *sizes, transformation]
             for name, at_start, at_end in (("-releasez", z_start, z_end), ("-releasey", y_start, y_end)):

@@ -213,24 +213,29 @@ class StructureBuilder:
         to, number = self._to, call.result
         along = [(b - a) / length for a, b in zip(*places, strict=True)]
         transformation = self._geometry(call)
-        EA, EI = self.stiffness(call["section"])
         tags, lengths, inner = [number + 1], [length - sum(arms)], list(ends)
         for at, arm in enumerate(arms):
             if arm == 0.0:
                 continue
             way = arm if at == 0 else -arm
-            place = (places[at][0] + way * along[0], places[at][1] + way * along[1])
+            place = tuple(here + way * part for here, part in zip(places[at], along, strict=True))
             inner[at] = to.add_node(f"{call['name']}, face at {to.names[ends[at]]}", place)
             pair = (ends[at], inner[at]) if at == 0 else (inner[at], ends[at])
             tag = to.tags.next("element")
             rigid = RIGID * (arm / length) ** 2
-            words = (tag, *(to.nodes[one] for one in pair), rigid * EA, 1.0, rigid * EI, transformation)
+            stiff = self._stiff_words(call["section"], rigid)
+            words = (tag, *(to.nodes[one] for one in pair), *stiff, transformation)
             comment = f"{call['name']}: rigid end"
             to.elements.append(command("element", "elasticBeamColumn", *words, comment=comment))
             where = 0 if at == 0 else len(tags)
             tags.insert(where, tag)
             lengths.insert(where, arm)
         return tags, lengths, inner
+
+    def _stiff_words(self, section: int, factor: float) -> tuple[float, ...]:
+        """What an elastic element has that is so many times as stiff as a section: A, E and I."""
+        EA, EI = self.stiffness(section)
+        return factor * EA, 1.0, factor * EI
 
     def members(self) -> list[Call]:
         """Return the calls that added beam-columns of the project, no struts of the leaning column."""
