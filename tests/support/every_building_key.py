@@ -48,6 +48,18 @@ loads:
 masses:
   from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}
   phi: 0.8
+hinges:
+  - {beams: {along: x, frames: 1, bays: all, floors: 1}, ends: both, parameters: lignos_krawinkler_2011,
+     reduced_section: {a: 0.1 m, b: 0.2 m, c: 0.02 m}, unbraced_length: 1.2 m, stiffness_ratio: 10}
+  - beams: {along: x, frames: 3, floors: 1}
+    distance: 0.3 m
+    parameters: {M_y: 200 kN*m, M_c_ratio: 1.1, M_r_ratio: 0.4, theta_p: 0.02 rad, theta_pc: 0.15 rad,
+      theta_u: 0.2 rad, Lambda: 0.8 rad, Lambda_s: 0.8 rad, Lambda_c: 0.8 rad, Lambda_k: 0.8 rad, c: 1, D: 0.9,
+      hogging: {M_y: 180 kN*m, M_c_ratio: 1.2, M_r_ratio: 0.3, theta_p: 0.02 rad, theta_pc: 0.1 rad,
+        theta_u: 0.15 rad, D: 1}}
+joints:
+  - {columns: {at: A-B, storeys: 1}, ends: start, stiffness: 200 MN*m/rad, resistance: 300 kN*m, hardening: 0.01}
+panel_zones: [{at: A, floors: 1, doubler: 6 mm, hardening: 0.02}]
 hazard:
   code: ec8-2004
   country: france

@@ -16,6 +16,7 @@ from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project import Project, parse_project
 from edesign.project.actions.loads import Combination
 from edesign.project.building import Building
+from edesign.project.frame.hinges import HingeValues
 from edesign.project.notation.names import node_name
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.extract import frame_row, project_text
@@ -140,7 +141,6 @@ def test_gravity_loads_of_analyses() -> None:
     ("name", "said"),
     [
         ("X1", "11:7: frame X1: .* D1,.*E-SPACE-04"),
-        ("X2", "17:55: frame X2: .*`BX_2_1_1`.*E-SPACE-04"),
         ("X4", " .*`X4`; .* X1 to X3 and YA to YD.*E-NAME-01"),
         ("B2", " .*`B2`.*E-NAME-01"),
         ("", " .*``.*E-NAME-01"),
@@ -151,6 +151,35 @@ def test_what_a_project_file_cannot_say(name: str, said: str) -> None:
     with pytest.raises(InputError) as caught:
         project_text(frame_row(whole, space_frame(whole), name))
     assert re.match(f"building.yaml:{said}", str(caught.value))
+
+
+ENDS = """\
+hinges:
+  - {beams: {along: x, frames: [1, 2], bays: 2}, parameters: {M_y: 0.2 MN*m, theta_p: 0.02 rad, theta_pc: 0.1 rad,
+     theta_u: 0.2 rad, hogging: {M_y: 0.1 MN*m}}}
+joints:
+  - {columns: {at: A, storeys: 1}, ends: start, stiffness: 30 MN*m/rad, resistance: 90 kN*m}
+"""
+
+
+def test_ends_of_members_are_carried() -> None:
+    """Joints of columns turn about their strong axis, so that frames along y have none of them."""
+    soft = SMALL.replace("IPE240, material: S275, ends: pinned", "IPE240, material: S275, ends: {end: 20 MN*m/rad}")
+    whole = building(soft + ENDS)
+    along_x, along_y = extracted(whole, "X1"), extracted(whole, "YA")
+    (hinges,) = along_x.hinges
+    assert list(along_x.frame.members_in(hinges.beams, None)) == [("B_2_1",) * 2, ("B_2_2",) * 2]
+    assert isinstance(hinges.parameters, HingeValues)
+    assert (hinges.parameters.M_y, hinges.parameters.hogging.M_y) == (0.2e6, 0.1e6)
+    (joint,) = along_x.joints
+    assert list(along_x.frame.members_in(None, joint.columns)) == [("C_A_1",) * 2] and joint.ends == "start"
+    (soft_end,) = along_y.joints
+    assert soft_end.ends == "end" and soft_end.stiffness == 20e6 and not along_y.hinges
+    stiff = building(SMALL + "elements: {rigid_ends: {columns: 0.2 m, beams: 40 %}}\n")
+    assert extracted(stiff, "X1").elements.rigid_ends == stiff.elements.rigid_ends
+    panels = building(SMALL + "panel_zones: [{at: [A1, B2], floors: 1, doubler: 8 mm}]\n")
+    (zones,) = extracted(panels, "X1").panel_zones
+    assert str(zones.lines) == "A" and zones.doubler == 0.008 and not extracted(panels, "YA").panel_zones
 
 
 def test_a_frame_with_setbacks() -> None:
