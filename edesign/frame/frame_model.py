@@ -75,7 +75,8 @@ class Member:
         points: its sections along `element`.
         parts: its elements from the start: most members are one.
         stretches: where these stand on it.
-        springs: hinges and joints at its start and at its end.
+        springs: hinges and joints at its start and at its end; in space they turn about local y.
+        axes: local x, y, z of a column or beam in space.
         yield_elongation: f_y L / E of a brace that buckles, m; infinite: it does not yield; None: it does not buckle.
         fractures: whether fibres of a brace that buckles can break.
         rigid_ends: lengths at its start and end that do not bend, m.
@@ -105,6 +106,16 @@ class Member:
     fractures: bool = False
     rigid_ends: tuple[float, float] = (0.0, 0.0)
     bar: Bar | None = None
+    axes: tuple[tuple[float, ...], ...] = ()
+
+    def springs_about(self, end: int, bending: Bending) -> tuple[EndSpring, ...]:
+        """Return the hinges and joints that turn in one of the planes in which the member bends.
+
+        Args:
+            end: 0: start, 1: end.
+            bending: the plane.
+        """
+        return () if bending.axis == "z" else self.springs[end]
 
     @property
     def yields(self) -> bool:

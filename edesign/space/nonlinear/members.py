@@ -192,6 +192,7 @@ class BuildingMembers:
             bending=IN_SPACE,
             axial=(0, 6),
             torque=(3, 9),
+            axes=tuple(map(tuple, self._gravity.axes[number].tolist())),
             fibres=section.fibres,
             outer=section.outer,
             points=points_of_member(self._building.elements, breaks),

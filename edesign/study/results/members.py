@@ -116,7 +116,8 @@ def plastic_rotation(member: Member, end: int, bending: Bending) -> Terms:
         end: 0 for its start, 1 for its end.
         bending: one of the planes in which it bends.
     """
-    springs: Terms = tuple((1.0, "plastic_rotation", s.element, 0) for s in member.springs[end] if s.yields)
+    of_end = member.springs_about(end, bending)
+    springs: Terms = tuple((1.0, "plastic_rotation", s.element, 0) for s in of_end if s.yields)
     if member.fibres is None:
         return springs
     return ((1.0, "plastic_rotation", member.element, bending.plastic[end]), *springs)

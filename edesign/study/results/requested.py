@@ -47,7 +47,7 @@ def _rotations(frame: FrameModel, members: list[Member]) -> list[Quantity]:
     dims = by_axis(frame, "recorded_member", "end")
     shape = (len(members), 2, len(frame.bending))[: len(dims)]
     ends = [(member, end, bending) for member in members for end in (0, 1) for bending in frame.bending]
-    chord = tuple(() if of[0].kind == "brace" else _chord_rotation(frame, *of) for of in ends)
+    chord = tuple(() if of[0].kind == "brace" else chord_rotation(frame, *of) for of in ends)
     plastic = tuple(() if of[0].kind == "brace" else plastic_rotation(*of) for of in ends)
     parts = (
         ("chord", chord, "chord rotation: rotation of the node against the line between the member's ends"),
@@ -61,11 +61,18 @@ def _rotations(frame: FrameModel, members: list[Member]) -> list[Quantity]:
     ]
 
 
-def _chord_rotation(frame: FrameModel, member: Member, end: int, bending: Bending) -> Terms:
-    """Rotation of the node at a member's end against its chord; with hinges inside the member, of small rotations."""
+def chord_rotation(frame: FrameModel, member: Member, end: int, bending: Bending) -> Terms:
+    """Return the rotation of the node at a member's end against its chord; with hinges inside, of small rotations.
+
+    Args:
+        end: 0 for its start, 1 for its end.
+        bending: one of the planes in which it bends.
+    """
     inside: Terms = ((1.0, "deformation", member.element, bending.chord[end]),)
     if len(member.parts) == 1:
-        return inside + tuple((1.0, "deformation", spring.element, 0) for spring in member.springs[end])
+        return inside + tuple((1.0, "deformation", s.element, 0) for s in member.springs_about(end, bending))
+    if member.axes:
+        return _chord_rotation_in_space(frame, member, end, bending)
     nodes = [frame.nodes[member.start], frame.nodes[member.end]]
     (x0, y0), (x1, y1) = (frame.places[name] for name in (member.start, member.end))
     length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
@@ -77,6 +84,17 @@ def _chord_rotation(frame: FrameModel, member: Member, end: int, bending: Bendin
         if share
     )
     return ((1.0, "displacement", nodes[end], 2), *turned)
+
+
+def _chord_rotation_in_space(frame: FrameModel, member: Member, end: int, bending: Bending) -> Terms:
+    """About y: y r + z (u_j - u_i) / L; about z: z r - y (u_j - u_i) / L."""
+    _, y, z = member.axes
+    about, across, sign = (y, z, 1.0) if bending.axis == "y" else (z, y, -1.0)
+    nodes = frame.nodes[member.start], frame.nodes[member.end]
+    turned = [(part, "displacement", nodes[end], 3 + at) for at, part in enumerate(about) if part]
+    for node, way in zip(nodes, (-sign, sign), strict=True):
+        turned += [(way * part / member.length, "displacement", node, at) for at, part in enumerate(across) if part]
+    return tuple(turned)
 
 
 def _sections(project: AnalysisFile, frame: FrameModel, group: Group) -> list[Quantity]:

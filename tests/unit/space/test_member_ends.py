@@ -17,6 +17,8 @@ from edesign.frame.sections.i_shape import rolled_i_shape
 from edesign.project.building import BuildingError
 from edesign.space.nonlinear import build_building
 from edesign.space.nonlinear.rigid_ends import rigid_ends
+from edesign.study.results.members import plastic_rotation
+from edesign.study.results.requested import chord_rotation
 
 HINGE = "{M_y: 100 kN*m, theta_p: 0.02 rad, theta_pc: 0.1 rad, theta_u: 0.2 rad}"
 RIGID = ("ends: pinned", "ends: rigid")
@@ -123,3 +125,30 @@ def test_panels_of_tubes_are_refused() -> None:
     tubes = ("section: HEB200", "section: SHS200x10")
     with pytest.raises(InputError, match=r":\d+:\d+: the joint A1.1 .*E-HINGE-04"):
         built("panel_zones: [{floors: 1}]", changes=(RIGID, tubes))
+
+
+@pytest.mark.parametrize("distance", ["", ", distance: 0.4 m"])
+def test_rotations_of_members_with_hinges(distance: str) -> None:
+    """Hinges at rest leave a plain member, whose chord rotations about both axes are its deformations."""
+    more = f"hinges: [{{beams: {{along: x, floors: 1}}{distance}, parameters: {HINGE}}}]"
+    elastic = ("S275: {fy: 275 MPa}", "S275: {fy: 275 MPa, law: elastic}")
+    hinged, plain = built(more, changes=(RIGID, elastic)), built(changes=(RIGID, elastic))
+    found = [_rotations(frame) for frame in (hinged, plain)]
+    assert found[0] == pytest.approx(found[1], abs=1e-7 * max(map(abs, found[1])))
+    member = hinged.members["BX_2_1_1"]
+    about_y, about_z = member.bending
+    assert plastic_rotation(member, 0, about_y) and not plastic_rotation(member, 0, about_z)
+
+
+def _rotations(frame: FrameModel) -> list[float]:
+    """Chord rotations of a beam at both ends about y and z under gravity and a push along x and y."""
+    member, push = frame.members["BX_2_1_1"], frame.model.pattern()
+    frame.model.nodal_load(push, frame.nodes["A1.1"], 2e4, 1e4, fz=-2e4)
+    channels = [
+        Channel(f"{end}{bending.axis}", chord_rotation(frame, member, end, bending))
+        for end in (0, 1)
+        for bending in member.bending
+    ]
+    analysis = Analysis(frame.model, tolerance=1e-12)
+    analysis.static(frame.gravity, 0.2)
+    return list(analysis.static(push, channels=channels).final.values())
