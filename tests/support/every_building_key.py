@@ -51,6 +51,8 @@ masses:
 hinges:
   - {beams: {along: x, frames: 1, bays: all, floors: 1}, ends: both, parameters: lignos_krawinkler_2011,
      reduced_section: {a: 0.1 m, b: 0.2 m, c: 0.02 m}, unbraced_length: 1.2 m, stiffness_ratio: 10}
+  - {columns: {at: C, storeys: 2}, ends: end, parameters: {M_y: 400 kN*m, theta_p: 0.02 rad, theta_pc: 0.15 rad,
+     theta_u: 0.2 rad}}
   - beams: {along: x, frames: 3, floors: 1}
     distance: 0.3 m
     parameters: {M_y: 200 kN*m, M_c_ratio: 1.1, M_r_ratio: 0.4, theta_p: 0.02 rad, theta_pc: 0.15 rad,
@@ -59,6 +61,7 @@ hinges:
         theta_u: 0.15 rad, D: 1}}
 joints:
   - {columns: {at: A-B, storeys: 1}, ends: start, stiffness: 200 MN*m/rad, resistance: 300 kN*m, hardening: 0.01}
+  - {beams: {along: x, frames: 1, bays: all, floors: 2}, stiffness: 80 MN*m/rad}
 panel_zones: [{at: A, floors: 1, doubler: 6 mm, hardening: 0.02}]
 hazard:
   code: ec8-2004

@@ -16,6 +16,8 @@ NOT_CHECKED = (
 def building_assumption_rows(building: Building) -> Rows:
     """Return a topic and its sentences for each assumption; those of the design are left out without one."""
     rows = [("Model", _model(building)), ("Floors", _floors(building)), ("Ground", _ground(building))]
+    if building.analyses and (ends := _ends(building)):
+        rows.append(("Ends of members in analyses", ends))
     if building.design is not None:
         design = building.design
         rows += [
@@ -41,6 +43,25 @@ def _floors(building: Building) -> str:
         return "Floors are no diaphragms."
     which = "All floors are" if len(stiff) == building.n_storeys else f"Floors {building.diaphragms} are"
     return f"{which} rigid in their plane; beams in them have no axial forces. Slabs add no strength to beams."
+
+
+def _ends(building: Building) -> str:
+    rigid = building.elements.rigid_ends
+    found = []
+    if rigid.columns.value or rigid.beams.value:
+        found.append("Members do not bend in their rigid ends.")
+    if building.joints or any(isinstance(end, float) for ends in building.layout.beam_ends.values() for end in ends):
+        found.append("Joints turn about the strong axis of their member by their stiffness.")
+    if building.hinges:
+        found.append(
+            "Plastic hinges lose strength and stiffness with the rotations that they have had. Members that have them "
+            "stay elastic between them and about their weak axis."
+        )
+    if building.panel_zones:
+        found.append(
+            "Panel zones shear in the frames in which columns bend about their strong axis, and are rigid across them."
+        )
+    return " ".join(found)
 
 
 def _ground(building: Building) -> str:

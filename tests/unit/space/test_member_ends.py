@@ -15,6 +15,7 @@ from edesign.frame.frame_model import FrameModel
 from edesign.frame.panel_zones import panel_of
 from edesign.frame.sections.i_shape import rolled_i_shape
 from edesign.project.building import BuildingError
+from edesign.report.building.assumptions import building_assumption_rows
 from edesign.space.nonlinear import build_building
 from edesign.space.nonlinear.rigid_ends import rigid_ends
 from edesign.study.results.members import plastic_rotation
@@ -112,6 +113,21 @@ def test_what_cannot_stand_at_an_end(more: str, said: str) -> None:
     (problem,) = caught.value.problems
     assert (problem.mark.line, problem.mark.column) == (before.count("\n") + 1, len(before) - before.rfind("\n"))
     assert says(str(problem), said)
+
+
+def test_the_report_says_what_ends_do() -> None:
+    more = f"hinges: [{{beams: {{along: x}}, parameters: {HINGE}}}]\npanel_zones: [{{floors: 1}}]\n"
+    whole = building(
+        SMALL + more + "analyses: [{name: gravity, kind: gravity}]\n", ("ends: pinned", "ends: 9 MN*m/rad")
+    )
+    said = dict(building_assumption_rows(whole))["Ends of members in analyses"]
+    assert [word in said for word in ("rigid ends", "Joints", "Plastic hinges", "Panel zones")] == [
+        False,
+        True,
+        True,
+        True,
+    ]
+    assert "Ends of members in analyses" not in dict(building_assumption_rows(building(SMALL + more)))
 
 
 def test_a_beam_has_joints_or_ends_with_a_stiffness() -> None:
