@@ -113,7 +113,6 @@ class Member:
 
         Args:
             end: 0: start, 1: end.
-            bending: the plane.
         """
         return () if bending.axis == "z" else self.springs[end]
 

@@ -162,9 +162,6 @@ def member_ends(project: Project) -> dict[str, Ends]:
 def ends_of_members(file: AnalysisFile, sites: EndSites) -> dict[str, Ends]:
     """Return the hinges and joints at the ends of the members that have any, by name.
 
-    Args:
-        sites: the members of the file.
-
     Raises:
         InputError: the regression does not know a section.
     """
@@ -514,11 +511,7 @@ class MemberBuilder:
 
 
 def tie_but(model: Model, node: int, other: int, apart: int) -> None:
-    """Let a node in space move with another one at its place in all degrees but one of its turns.
-
-    Args:
-        apart: the degree in which it turns on its own.
-    """
+    """Let a node in space move with another one at its place in all degrees but one of its turns."""
     tied = {degree: at != apart for at, degree in enumerate(model.degrees)}
     if other in model.masters:  # a rigid floor takes both along in plan
         model.diaphragm(model.masters[other], [node])

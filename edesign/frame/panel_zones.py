@@ -121,7 +121,6 @@ def panel_at(
 
     Args:
         i: number of the entry of `panel_zones`.
-        node: of the joint.
         beams: sections of its beams in the plane of the panel, None: no I section.
         column: section of its column in that plane.
         material: name of the steel of the column.

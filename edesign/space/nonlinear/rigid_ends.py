@@ -43,7 +43,6 @@ def columns_at(building: Building, line: ColumnLine, floor: int, along: Directio
 
     Args:
         building: from `load_building`.
-        floor: of the node.
         along: direction of the frames in which they bend.
     """
     runs = (building.layout.column_at.get((line, storey)) for storey in (floor, floor + 1))
@@ -55,7 +54,6 @@ def beams_at(building: Building, line: ColumnLine, floor: int, directions: Itera
 
     Args:
         building: from `load_building`.
-        floor: of the node.
     """
     found = []
     for along in directions:
