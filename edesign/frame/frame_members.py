@@ -40,7 +40,7 @@ def add_members(
     parts = CoreSections(project, model)
     geometry = project.elements.geometry
     of_kind: dict[MemberKind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
-    places = {node: project.frame.nodes[place] for place, node in nodes.items()}
+    places: dict[int, tuple[float, ...]] = {node: project.frame.nodes[place] for place, node in nodes.items()}
     panels = PanelBuilder(model, nodes, places, panels_of(project))
     builder = MemberBuilder(model, places)
     at_ends = member_ends(project)

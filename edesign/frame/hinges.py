@@ -30,6 +30,8 @@ TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
 """Terms of a spring between two nodes at one place whose deformation is the rotation of the second less the first."""
 Axis = tuple[float, float, float]
 """Unit vector about which a spring in space turns: one of the axes of the building, or against it."""
+NO_WEB: Axis = (0.0, 0.0, 0.0)
+"""Of members in a plane."""
 END_NAMES = ("start", "end")
 LATERAL_BRACING = 0.086
 """Largest distance of lateral braces of highly ductile beams over r_y E / F_y (AISC 341-10, D1.2b)."""
@@ -397,7 +399,7 @@ class MemberBuilder:
         release: Sequence[bool],
         ends: Ends,
         breaks: Sequence[float] = (),
-        web: Axis | None = None,
+        web: Axis = NO_WEB,
     ) -> BuiltMember:
         """Add a member.
 
@@ -419,7 +421,8 @@ class MemberBuilder:
         model = self._model
         length = dist(*(self._places[node] for node in nodes))
         interior = length - ends[0].distance - ends[1].distance
-        turns = None if web is None else self._local_y(nodes, web)
+        in_space = model.dimension == 3
+        turns = self._local_y(nodes, web) if in_space else None
         built = [self._end(name, end, nodes, ends[end], EI, length, interior, turns) for end in (0, 1)]
         without = [end.flexibility for end in built]
         element = model.beam_column(
@@ -431,10 +434,10 @@ class MemberBuilder:
             geometry=geometry,
             release=release,
             breaks=() if any(without) else breaks,
-            **({} if web is None else {"web": web}),
+            web=web,
         )
         if any(without):
-            model.without_flexibility(element, *without, about_y=web is not None)
+            model.without_flexibility(element, without[0], without[1], about_y=in_space)
             model.damping_factor(element, _damping_factor(without, EI, interior))
         parts, lengths = [element], [interior]
         for end, of in enumerate(built):
@@ -442,8 +445,7 @@ class MemberBuilder:
                 continue
             pair, at = (of.stub, 0) if end == 0 else (of.stub[::-1], len(parts))
             stub = f"{name}.{END_NAMES[end]}"
-            more = {} if web is None else {"web": web}
-            parts.insert(at, model.beam_column(stub, *pair, section, 2, geometry, **more))
+            parts.insert(at, model.beam_column(stub, *pair, section, 2, geometry, web=web))
             lengths.insert(at, ends[end].distance)
         return BuiltMember(tuple(parts), tuple(lengths), element, (built[0].springs, built[1].springs))
 
@@ -472,8 +474,8 @@ class MemberBuilder:
         stub, flexibility = None, 0.0
         if of.joint is not None:
             joint = of.joint
-            law = MultilinearSpring.bilinear(joint.stiffness, joint.resistance, joint.hardening)
-            at, spring = self._spring(f"{label}.joint", at, law, axis)
+            bilinear = MultilinearSpring.bilinear(joint.stiffness, joint.resistance, joint.hardening)
+            at, spring = self._spring(f"{label}.joint", at, bilinear, axis)
             resistance = inf if joint.resistance is None else joint.resistance
             springs.append(EndSpring(spring, "joint", joint.stiffness, EI / length, resistance))
         if of.hinge is not None:

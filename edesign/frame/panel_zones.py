@@ -166,7 +166,7 @@ class PanelBuilder:
     """
 
     def __init__(
-        self, model: Model, nodes: dict[str, int], places: dict[int, tuple[float, float]], panels: dict[str, Panel]
+        self, model: Model, nodes: dict[str, int], places: dict[int, tuple[float, ...]], panels: dict[str, Panel]
     ) -> None:
         self._model, self._nodes, self._places, self._panels = model, nodes, places, panels
         self._of_columns: dict[str, int] = {}

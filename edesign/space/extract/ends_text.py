@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from functools import partial
 
 from edesign.project.building.building import Building
-from edesign.project.building.hinges import BuildingHinges, BuildingJoints
+from edesign.project.building.hinges import BuildingHinges, BuildingJoints, BuildingPanelZones
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.plane_frame import PlaneFrame
 from edesign.space.extract.selections import runs, value
-
-Places = Callable[[PlaneFrame], dict[tuple[int, int], bool]]
 
 
 def ends_text(row: FrameRow) -> list[str]:
@@ -82,34 +79,34 @@ def _panel_zones(row: FrameRow) -> list[str]:
     """Those that shear in the frames: where a column bends about its strong axis in them."""
     building = row.building
     found = []
-    for i, run in enumerate(building.panel_zones):
-        lines, floors = set(building.lines_of(run.at)), set(run.floors.numbers(1, building.n_storeys))
-        joints = row.merged(
-            lambda frame, lines=lines, floors=floors: {
-                (i, floor): True
-                for (i, storey), of in frame.columns.items()
-                for floor in (storey, storey - 1)
-                if frame.lines[i] in lines and floor in floors and of.strong == row.along
-            }
-        )
-        more = _more(building, "panel_zones", i, "at", "floors")
-        for at, on, _ in runs(joints, range(row.n_lines), row.top, line_name):
-            found.append(f"  - {{lines: {at}, floors: {on}{', ' * bool(more)}{more}}}")
+    for number, run in enumerate(building.panel_zones):
+        more = _more(building, "panel_zones", number, "at", "floors")
+        for at, floors, _ in runs(row.merged(partial(_joints_in, run)), range(row.n_lines), row.top, line_name):
+            found.append(f"  - {{lines: {at}, floors: {floors}{', ' * bool(more)}{more}}}")
     return found
+
+
+def _joints_in(run: BuildingPanelZones, frame: PlaneFrame) -> dict[tuple[int, int], bool]:
+    lines, floors = set(frame.building.lines_of(run.at)), run.floors.numbers(1, frame.top)
+    return {
+        (i, floor): True
+        for (i, storey), of in frame.columns.items()
+        for floor in (storey, storey - 1)
+        if frame.lines[i] in lines and floor in floors and of.strong == frame.along
+    }
 
 
 def _soft_ends(row: FrameRow) -> list[str]:
     """Ends of beams with a stiffness are joints that stay elastic."""
     found = []
     for which in ("start", "end"):
-        soft: dict[tuple[int, int], Any] = row.merged(
-            lambda frame, which=which: {
-                (p.bay, p.floor): stiffness
-                for p, run in frame.beams.items()
-                if isinstance(stiffness := getattr(run.ends, which), float)
-            }
-        )
+        soft = row.merged(partial(_soft_in, which))
         for at, floors, stiffness in runs(soft, range(1, len(row.widths) + 1), row.top, str):
             of = value(stiffness / 1e6, "MN*m/rad")
             found.append(f"  - {{beams: {{bays: {at}, floors: {floors}}}, ends: {which}, stiffness: {of}}}")
     return found
+
+
+def _soft_in(which: str, frame: PlaneFrame) -> dict[tuple[int, int], float]:
+    ends = {(p.bay, p.floor): getattr(run.ends, which) for p, run in frame.beams.items()}
+    return {place: end for place, end in ends.items() if isinstance(end, float)}

@@ -73,8 +73,8 @@ def _meetings(building: Building) -> Iterator[Meeting]:
             ends = first if name == members[0] else [], last if name == members[-1] else []
             yield Meeting(name, "beam", length, ends)
     for line, storey in layout.column_at:
-        below, above = (
+        met: list[list[Met]] = [
             [(layout.beam_at[at].section, "strong") for at in beams_at(building, line, floor, DIRECTIONS)]
             for floor in (storey - 1, storey)
-        )
-        yield Meeting(column_name(line, storey), "column", building.storey_heights[storey - 1], (below, above))
+        ]
+        yield Meeting(column_name(line, storey), "column", building.storey_heights[storey - 1], (met[0], met[1]))

@@ -8,6 +8,7 @@ from unit.frame.recording_model import built, project
 from edesign.core import Bilinear, Elastic, MenegottoPinto
 from edesign.errors import InputError
 from edesign.frame.frame import build_frame
+from edesign.frame.hinges import NO_WEB
 
 
 def test_nodes_and_members_of_the_grid() -> None:
@@ -20,7 +21,7 @@ def test_nodes_and_members_of_the_grid() -> None:
     assert (column.start, column.end) == ("B1", "B2") and (beam.start, beam.end) == ("B1", "C1")
     call = model.get("element")[column.element]
     assert call[:3] == ("C_B_2", frame.nodes["B1"], frame.nodes["B2"])
-    assert call[-1] == {"points": 5, "geometry": "p_delta", "release": (False, False), "breaks": ()}
+    assert call[-1] == {"points": 5, "geometry": "p_delta", "release": (False, False), "breaks": (), "web": NO_WEB}
     assert model.get("element")[beam.element][-1]["geometry"] == "linear"
     assert column.fibres is not None and column.fibres.size == 24
     assert column.outer == (0, 23) and column.points == 5 and column.length == 3.0
