@@ -7,7 +7,9 @@ from edesign.project.building.checks_selections import Selections
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.checks.dampers import check_devices
 from edesign.project.dampers.dampers import Attachment, BraceSection, DamperBetween, DamperRun
+from edesign.project.dampers.designs import SizedDesign
 from edesign.project.frame.sections import Catalogue, no_section
+from edesign.project.notation.grid import InBays
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 
@@ -19,8 +21,7 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
         problems: collects what is wrong.
         profiles: names of the catalogue; None leaves section names unchecked.
     """
-    check = Selections(building, problems)
-    check_devices(building, problems, lambda keys, run: _places(building, problems, check, keys, run))
+    check_devices(building, problems, lambda keys, run: check_bays(building, problems, keys, run))
     if building.dampers is None:
         return
     for i, device in enumerate(building.dampers.devices):
@@ -34,8 +35,15 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
         _attachment(building, problems, ("dampers", "attachments", i), attachment)
 
 
-def _places(building: Building, problems: Problems, check: Selections, keys: Keys, run: DamperRun) -> tuple[int, ...]:
-    """Return the storeys of dampers that stand in frames of one direction; none where they are wrong."""
+def check_bays(building: Building, problems: Problems, keys: Keys, run: DamperRun | SizedDesign) -> tuple[int, ...]:
+    """Check that dampers stand in bays of frames of one direction, and return their storeys; none where they are wrong.
+
+    Args:
+        building: its members are right.
+        problems: of the file of the dampers; collects what is wrong.
+        keys: of the dampers there.
+        run: the dampers, or their design.
+    """
     if run.along is None or run.frames is None:
         for key, what in (
             ("along", "the direction of the frames, `x` or `y`"),
@@ -44,10 +52,33 @@ def _places(building: Building, problems: Problems, check: Selections, keys: Key
             if getattr(run, key) is None:
                 problems.under(keys, key, f"this key is missing: {what} [E-KEY-02]")
         return ()
+    if not check_places(building, problems, keys, run):
+        return ()
+    beams = (BeamPlace(*place) for place in building.layout.brace_places(run))
+    absent = [str(beam) for beam in beams if run.kind == "chevron_braces" and beam not in building.layout.beam_at]
+    if absent:
+        message = f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing [E-DAMPER-05]"
+        problems.at_value((*keys, "kind"), message)
+    return run.storeys.numbers(1, building.n_storeys)
+
+
+def check_places(building: Building, problems: Problems, keys: Keys, run: InBays) -> bool:
+    """Check that frames of one direction have bays and storeys with members at their corners.
+
+    Args:
+        building: its members are right.
+        problems: of the file that names them; collects what is wrong.
+        keys: of what names them there.
+
+    Returns:
+        Whether they have.
+    """
+    check = Selections(building, problems)
+    assert run.along is not None and run.frames is not None, "the caller wants them"
     right = check.frames((*keys, "frames"), run.frames, run.along)
     right &= check.numbers((*keys, "bays"), run.bays, "bay", building.n_bays(run.along), f" along {run.along}")
     if not (check.storeys(keys, run.storeys) and right):
-        return ()
+        return False
     corners = {
         node_name(line, floor)
         for place in building.layout.brace_places(run)
@@ -57,13 +88,7 @@ def _places(building: Building, problems: Problems, check: Selections, keys: Key
     if absent := sorted(corners - building.layout.nodes.keys()):
         nodes = f"node {listed(absent)}" if len(absent) == 1 else f"nodes {listed(absent, 4)}"
         problems.at_value(keys, f"at a corner of their bays no member ends: there is no {nodes} [E-NAME-01]")
-        return ()
-    beams = (BeamPlace(*place) for place in building.layout.brace_places(run))
-    absent = [str(beam) for beam in beams if run.kind == "chevron_braces" and beam not in building.layout.beam_at]
-    if absent:
-        message = f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing [E-DAMPER-05]"
-        problems.at_value((*keys, "kind"), message)
-    return run.storeys.numbers(1, building.n_storeys)
+    return not absent
 
 
 def _apart(building: Building, problems: Problems, keys: Keys, device: DamperBetween) -> None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.dampers import check_beams_met
 from edesign.project.checks.hysteretic_designs import check_hysteretic_design
@@ -43,7 +46,9 @@ _UNCHANGED = {
 """Why a method has no bounds by temperature."""
 
 
-def check_design(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+def check_design(
+    keys: Keys, spec: Design, project: AnalysisFile, problems: Problems, stand: Callable[[], object] | None = None
+) -> None:
     """Check a design of a study file.
 
     Args:
@@ -51,6 +56,7 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
         spec: without schema problems.
         project: that is studied.
         problems: of the study file; collects what is wrong.
+        stand: checks the places of its dampers in a building; None: they are in a plane frame.
     """
     if project.isolation is not None:
         message = (
@@ -62,11 +68,14 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
             keys, "the project has no `masses`: its frame has no periods to design dampers for [E-MODAL-02]"
         )
     if isinstance(spec, PlacementDesign):
+        assert isinstance(project, Project)
         check_placement_design(keys, spec, project, problems)
         return
     _law(keys, spec, project, problems)
-    if check_candidate_places(keys, spec, project, problems):
-        check_beams_met((*keys, "kind"), spec, project, problems)
+    if stand is not None:
+        stand()
+    else:
+        _in_frame(keys, spec, project, problems)
     check_design_hazard(keys, spec, project, problems)
     _of_storeys(keys, spec, project, problems)
     amplitude = getattr(spec, "amplitude", None)
@@ -90,7 +99,17 @@ def design_warnings(spec: Design) -> list[str]:
     return []
 
 
-def _law(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
+def _in_frame(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Problems) -> None:
+    """Dampers stand in bays of the plane frame."""
+    assert isinstance(project, Project)
+    for key in ("along", "frames"):
+        if getattr(spec, key) is not None:
+            problems.at_key((*keys, key), "a plane frame has one direction; this is of a building [E-KEY-03]")
+    if check_candidate_places(keys, spec, project, problems):
+        check_beams_met((*keys, "kind"), spec, project, problems)
+
+
+def _law(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Problems) -> None:
     laws = project.dampers.laws if project.dampers is not None else {}
     law, keys = laws.get(spec.law), (*keys, "law")
     if law is None:
@@ -194,13 +213,13 @@ def _followed_strain(keys: Keys, spec: ElastomerDesign, problems: Problems) -> N
         problems.at_value((*keys, "strain"), message)
 
 
-def _of_storeys(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
+def _of_storeys(keys: Keys, spec: SizedDesign, project: AnalysisFile, problems: Problems) -> None:
     for key in ("storey_stiffness", "shear"):
         given = getattr(spec, key, None)
         if isinstance(given, tuple) and len(given) != project.grid.n_storeys:
             message = (
-                f"{len(given)} values for a frame of {project.grid.n_storeys} storeys; one for each is needed"
-                " [E-VALUE-04]"
+                f"{len(given)} values for a {project.structure} of {project.grid.n_storeys} storeys; one for each is "
+                "needed [E-VALUE-04]"
             )
             problems.at_value((*keys, key), message)
 

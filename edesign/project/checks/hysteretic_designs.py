@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import restrained_misfits
 from edesign.project.dampers.designs import (
     DESIGNED_BRACES,
@@ -9,11 +10,10 @@ from edesign.project.dampers.designs import (
     HystereticDesign,
     Optimum,
 )
-from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed
 
 
-def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project, problems: Problems) -> None:
+def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: AnalysisFile, problems: Problems) -> None:
     """Check the keys that only a design of hysteretic dampers has.
 
     Args:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.dampers import check_size
 from edesign.project.checks.names import check_names, check_records
 from edesign.project.checks.selections import Selections
@@ -41,7 +42,7 @@ def check_candidate_places(keys: Keys, spec: Design, project: Project, problems:
     return check.storeys(keys, spec.storeys) and bays
 
 
-def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+def check_design_hazard(keys: Keys, spec: Design, project: AnalysisFile, problems: Problems) -> None:
     """Check that the project has the levels and records of a design.
 
     Args:

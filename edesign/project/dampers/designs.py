@@ -10,6 +10,7 @@ from pydantic import Field
 from edesign.project.analysis.damping import State
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import HystereticVerify, Verify, ViscousVerify
+from edesign.project.notation.frames import Direction, Frames
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
@@ -132,6 +133,8 @@ class _Design(Model):
     Attributes:
         law: one of `dampers.laws` of the project.
         kind: how the dampers stand, as in the project file.
+        along: of a building, the direction of the frames that get dampers, in which the design acts.
+        frames: of a building, the frames of this direction that get dampers.
         bays: bays that get dampers.
         storeys: storeys that get dampers.
         number: dampers side by side at each place.
@@ -147,6 +150,8 @@ class _Design(Model):
 
     law: str
     kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
+    along: Direction | None = None
+    frames: Frames | None = None
     bays: Numbers
     storeys: Numbers = ALL_NUMBERS
     number: Count = 1

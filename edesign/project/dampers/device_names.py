@@ -1,13 +1,12 @@
-"""The dampers and isolators of a project or a design by their names, as frames and archives have them."""
+"""The dampers and isolators of a project or a design by their names, as frames and archives have them; their laws."""
 
 from __future__ import annotations
 
-from edesign.project.dampers.dampers import DamperBetween, Dampers, Device
+from edesign.project.dampers.dampers import DamperBetween, DamperRun, Dampers, Device
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.frame.frame import Frame
 from edesign.project.notation import names
-from edesign.project.notation.grid import Grid
+from edesign.project.notation.grid import Grid, InBays
 
 
 def devices_by_name(grid: Grid, dampers: Dampers | None) -> dict[str, tuple[Device, int]]:
@@ -46,19 +45,29 @@ def names_of_dampers(grid: Grid, dampers: Dampers | None) -> tuple[str, ...]:
     return (*base, *devices_by_name(grid, dampers))
 
 
-def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
+def laws_of_design(design: Design) -> tuple[str, ...]:
+    """Return the names of the laws that the dampers of a design may have."""
+    if isinstance(design, PlacementDesign):
+        return tuple(dict.fromkeys(item.law for item in design.catalogue.values()))
+    return (design.law,)
+
+
+def names_of_design(grid: Grid, design: Design) -> tuple[str, ...]:
     """Return the names of the dampers that a design places, or may place.
 
     Args:
         design: a design of a study.
     """
-    kinds = [design.kind]
+    kinds: list[str]
+    run: InBays
     if isinstance(design, PlacementDesign):
         kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
+        run = DamperRun.model_construct(kind=design.kind, bays=design.bays, storeys=design.storeys, law="")
+    else:
+        kinds, run = [design.kind], design
     return tuple(
         name
         for kind in kinds
-        for storey in design.storeys.numbers(1, frame.n_storeys)
-        for bay in design.bays.numbers(1, frame.n_bays)
-        for name in names.damper_names(kind, bay, storey)
+        for place in grid.bay_places(run)
+        for name in names.damper_names(kind, place.bay, place.storey, place.frame)
     )

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from edesign.project.analysis.shaking import IN_PLACE, Angles, EccentricityRatio, Positions
 from edesign.project.notation.several import Names
 from edesign.project.notation.units import Duration, PositiveRatio
 from edesign.project.reading.base import Model
@@ -22,12 +23,20 @@ class AnyVerify(Model):
         levels: hazard levels of the histories.
         criteria: criteria of the study that have to be met.
         free_vibration: time after the end of each record.
+        angles: of a building, angles by which each record is turned from x towards y; a history becomes one of each.
+        eccentricity: of a building, where the masses of rigid floors stand: `0` in place, `+x-y` beside it towards x
+            and against y; a history becomes one of each.
+        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`
+            of the building, and 5 % without a design.
     """
 
     records: Names
     levels: Names | None = None
     criteria: Names
     free_vibration: Duration = 0.0
+    angles: Angles = (0.0,)
+    eccentricity: Positions = (IN_PLACE,)
+    eccentricity_ratio: EccentricityRatio = None
 
 
 class LoopVerify(AnyVerify):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 from edesign.project.notation.names import line_index
-from edesign.project.notation.selections import items_of, selection
+from edesign.project.notation.selections import items_of, selection, written
 from edesign.project.notation.written import Written
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen
@@ -45,6 +45,10 @@ class FrameSelection:
     def numbers(self, count: int) -> tuple[int, ...]:
         """Return the selected ones of the frames 0 to count - 1 of a direction."""
         return tuple(n for n in range(count) if self.is_all or any(within(n, item.span) for item in self.items))
+
+    def __str__(self) -> str:
+        """The selection as it may be written in a file."""
+        return "all" if self.is_all else written([item.text for item in self.items])
 
 
 def parse_frames(value: Any) -> FrameSelection:

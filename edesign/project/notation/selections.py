@@ -40,7 +40,7 @@ class NumberSelection:
         return tuple(sorted(found))
 
     def __str__(self) -> str:
-        return "all" if self.is_all else _text([_span(str(a), str(b)) for a, b in self.ranges])
+        return "all" if self.is_all else written([_span(str(a), str(b)) for a, b in self.ranges])
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class LineSelection:
         return tuple(line for line in lines if any(a <= line_index(line) <= b for a, b in spans))
 
     def __str__(self) -> str:
-        return "all" if self.is_all else _text([_span(a, b) for a, b in self.ranges])
+        return "all" if self.is_all else written([_span(a, b) for a, b in self.ranges])
 
 
 def parse_numbers(value: Any) -> NumberSelection:
@@ -194,7 +194,8 @@ def _span(first: str, last: str) -> str:
     return first if first == last else f"{first}-{last}"
 
 
-def _text(items: list[str]) -> str:
+def written(items: list[str]) -> str:
+    """Return items of a selection as they may be written in a file: one, or a list."""
     if not items:
         return "none"
     return items[0] if len(items) == 1 else f"[{', '.join(items)}]"

@@ -59,9 +59,8 @@ def _may_change(keys: Keys, place: str, variants: tuple[str, ...], study: Study,
     for name in variants if first == "dampers" else ():
         variant = study.variants[name]
         if variant.design is not None:
-            problems.at_value(
-                keys, f"the dampers of the variant `{name}` are those of the design `{variant.design}` [E-VARIANT-01]"
-            )
+            message = f"the dampers of the variant `{name}` are those of a design: {listed(variant.designs)}"
+            problems.at_value(keys, f"{message} [E-VARIANT-01]")
             return False
         if variant.dampers == "none":
             problems.at_value(keys, f"the variant `{name}` has no dampers [E-DAMPER-04]")

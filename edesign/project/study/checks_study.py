@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import get_args
 
 from edesign.project.analysis.pushover import BuildingDirections, Eccentric, FrameDirections, Pushovers
 from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_positions, plane_only
+from edesign.project.building.checks_dampers import check_bays
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.criteria import check_criteria
 from edesign.project.checks.designs import check_design
@@ -18,10 +20,12 @@ from edesign.project.checks.pushover import check_pushover
 from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import NO_WAVES, check_wave_passage
-from edesign.project.dampers.device_names import names_of_dampers, names_of_design
+from edesign.project.dampers.designs import Design
+from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
 from edesign.project.project import Project
-from edesign.project.reading.problems import Keys, Problems, keys_text, listed, unknown_name
+from edesign.project.reading.problems import Keys, Problems, keys_text, listed
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental
@@ -41,11 +45,7 @@ def check_study(study: Study, problems: Problems) -> None:
             message = f"{base.where(*place)}: {keys_text(place)}: {what} in analyses of plane frames alone [E-BLDG-04]"
             problems.at_value(("project",), message)
     for name, design in study.designs.items():
-        if not isinstance(base, Project):
-            message = "designs of dampers are of plane frames yet; `edesign extract` makes them of a building"
-            problems.at_key(("designs", name), f"{message} [E-BLDG-04]")
-            continue
-        check_design(("designs", name), design, base, problems)
+        _design(study, problems, ("designs", name), design)
         if design.verify is not None:
             _verify(study, problems, ("designs", name, "verify"), design.verify)
     for name, variant in study.variants.items():
@@ -78,14 +78,26 @@ def check_study(study: Study, problems: Problems) -> None:
             problems.at_key(("project",), f"histories need `{key}`, and {base.path} has none [E-KEY-02]")
 
 
+def _design(study: Study, problems: Problems, keys: Keys, design: Design) -> None:
+    base = study.base
+    if not isinstance(base, Building):
+        check_design(keys, design, base, problems)
+    elif isinstance(design, PlacementDesign):
+        message = "placements are of plane frames yet; `edesign extract` makes them of a building [E-BLDG-04]"
+        problems.at_key(keys, message)
+    else:
+        check_design(keys, design, base, problems, lambda: check_bays(base, problems, keys, design))
+
+
 def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> None:
     if keys[-1] == ALL:
         problems.at_key(keys, f"`{ALL}` stands for all variants; choose another name [E-NAME-03]")
     if (variant.dampers is None) == (variant.design is None):
         problems.at_key(keys, "give either `dampers` (`none` or `project`) or a `design`, one of them [E-KEY-03]")
         return
-    if variant.design is not None and variant.design not in study.designs:
-        problems.at_value((*keys, "design"), unknown_name("design", variant.design, study.designs))
+    if variant.design is not None:
+        check_names(problems, (*keys, "design"), "design", variant.design, study.designs)
+        _together(study, problems, (*keys, "design"), variant.design)
     dampers = study.base.dampers
     if variant.dampers == "project" and (dampers is None or dampers.none):
         message = f"{study.base.path} has no devices, no attachments and no isolation under `dampers` [E-DAMPER-04]"
@@ -96,12 +108,39 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
                 problems.at_key((*keys, key), "this variant has no dampers [E-DAMPER-04]")
 
 
+def _together(study: Study, problems: Problems, keys: Keys, names: Sequence[str]) -> None:
+    """Several designs take no place twice, and give a law one temperature, and layers one strain in modes."""
+    designs = {name: study.designs[name] for name in names if name in study.designs}
+    places: dict[str, str] = {}
+    temperatures: dict[str, tuple[str, float | None]] = {}
+    for i, name in enumerate(names):
+        if name in names[:i]:
+            problems.at_item(keys, i, f"`{name}` comes twice [E-NAME-02]")
+            return
+        if name not in designs:
+            return
+        own = names_of_design(study.base.grid, designs[name])
+        if taken := [damper for damper in own if damper in places]:
+            message = f"`{name}` places dampers where `{places[taken[0]]}` does: {listed(taken, 4)} [E-VARIANT-02]"
+            problems.at_item(keys, i, message)
+            return
+        places |= dict.fromkeys(own, name)
+        for law in laws_of_design(designs[name]):
+            other, temperature = temperatures.setdefault(law, (name, designs[name].temperature))
+            if temperature != designs[name].temperature:
+                message = (
+                    f"`{name}` and `{other}` have the law `{law}` at different temperatures; give each of them a law "
+                    "of its own [E-VARIANT-02]"
+                )
+                problems.at_item(keys, i, message)
+                return
+
+
 def _dampers(study: Study, variant: Variant) -> tuple[str, ...]:
     """Names of the dampers of a variant."""
     if variant.design is not None:
-        design = study.designs.get(variant.design)
-        plane = isinstance(study.base, Project) and design is not None
-        return names_of_design(study.plane.frame, design) if plane and design is not None else ()
+        designs = [study.designs[name] for name in variant.design if name in study.designs]
+        return tuple(name for design in designs for name in names_of_design(study.base.grid, design))
     return names_of_dampers(study.base.grid, study.base.dampers) if variant.dampers == "project" else ()
 
 

@@ -39,7 +39,7 @@ class Variant(Model):
 
     Attributes:
         dampers: no dampers, or those of the project; this key or `design`.
-        design: design whose dampers the frame has; this key or `dampers`.
+        design: design whose dampers the frame has, or a list of designs; this key or `dampers`.
         temperature: temperature of the dampers in place of that of their laws.
         property_factor: factor on all forces of the dampers: a property modification factor of EN 15129 or ASCE 7.
         values: other values of the project by their places, such as `{materials.S275.E: 200 GPa}`.
@@ -47,11 +47,16 @@ class Variant(Model):
     """
 
     dampers: Literal["none", "project"] | None = None
-    design: str | None = None
+    design: Annotated[tuple[str, ...], Field(min_length=1), Written(several, one_or_list)] | None = None
     temperature: Temperature | None = None
     property_factor: PositiveFactor | None = None
     values: dict[str, Any] = {}
     bounds: Bounds | None = None
+
+    @property
+    def designs(self) -> tuple[str, ...]:
+        """The names of its designs; none where it has another kind of dampers."""
+        return self.design or ()
 
 
 def warm_variant(variant: str, temperature_C: float) -> str:

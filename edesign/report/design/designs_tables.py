@@ -41,5 +41,5 @@ def property_factors_of(study: Study, design: str) -> dict[str, float]:
     return {
         key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
         for key, variant in study.variants.items()
-        if variant.design == design
+        if design in variant.designs
     }

@@ -38,7 +38,7 @@ class VariantFrames:
             return ("",)
         made = self._designed
         return tuple(
-            name for name, variant in self._study.variants.items() if variant.design is None or variant.design in made
+            name for name, variant in self._study.variants.items() if all(design in made for design in variant.designs)
         )
 
     def project(self, variant: str, temperature_C: float | None = None) -> Project:

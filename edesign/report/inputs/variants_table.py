@@ -26,8 +26,8 @@ def variants_table(study: Study) -> Table:
 def _dampers(study: Study, variant: Variant) -> str:
     if variant.dampers == "none":
         return "none"
-    if variant.design is not None:
-        return f"of the design {variant.design}"
+    if variant.designs:
+        return f"of the design{'s' * (len(variant.designs) > 1)} {' and '.join(variant.designs)}"
     dampers = study.base.dampers
     return "none" if dampers is None or dampers.none else "of the project"
 

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.dampers.designs import Design
+from edesign.project.dampers.device_names import laws_of_design
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.figures import Named, dampers_figure, geometry, has_dampers, has_loads, loads_and_masses
-from edesign.study.plan.variants import dampers_at_temperature, laws_of_design, variant_project
+from edesign.study.plan.variants import dampers_at_temperature, variant_project
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -83,7 +84,7 @@ def _some_names_of(notes: Collection[str]) -> str:
 def _dampers(drawn: _Drawn, heading: Sequence[str]) -> Named:
     what = "where they act, laws and sizes"
     if drawn.design:
-        what = f"the places of the design {drawn.design}, which has found no sizes"
+        what = f"the places of the design {drawn.design}, without sizes"
     isolated = drawn.project.isolation is not None
     caption = f"{'Isolated base and dampers' if isolated else 'Dampers'} of the {drawn.named}: {what}."
     above = (*heading, caption.rstrip(".")) if heading else ()
@@ -104,9 +105,9 @@ def _different(study: Study, designed: Mapping[str, Dampers]) -> list[_Drawn]:
                 continue
         dampers, design, base = dict(designed), "", study.project_of(name)
         assert isinstance(base, Project), "the model of a building is drawn elsewhere"
-        if variant.design is not None and variant.design not in designed:
-            design = variant.design
-            dampers[design] = _planned_dampers(base, study.designs[design])
+        if unsized := [one for one in variant.designs if one not in designed]:
+            design = " and ".join(unsized)
+            dampers |= {one: _planned_dampers(base, study.designs[one]) for one in unsized}
         project = variant_project(study, name, dampers)
         assert isinstance(project, Project)
         notes = _notes(name, variant)

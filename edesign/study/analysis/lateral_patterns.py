@@ -134,7 +134,7 @@ def _of_modes(project: AnalysisFile, frame: FrameModel, count: int, dampers: boo
     ]
     forces = (modes.participation[:, degree] * S_e)[:, None] * np.array(inertia)
     if frame.directions[direction].name:  # modes of one frequency act as one, whatever way they are turned
-        forces = np.array([forces[cluster].sum(axis=0) for cluster in clusters(modes)])
+        forces = np.array([forces[cluster].sum(axis=0) for cluster in clusters(modes.omega)])
     shears = np.sqrt(np.sum(np.cumsum(forces[:, ::-1], axis=1)[:, ::-1] ** 2, axis=0))
     return shears - np.append(shears[1:], 0.0)
 

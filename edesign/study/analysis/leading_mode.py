@@ -52,7 +52,7 @@ def leading_mode(structure: Structure, direction: Direction, damper_stiffness: n
     while True:
         modes = structure.modes(count, damper_stiffness)
         ratios = modes.effective_mass_ratio[:, direction.degree]
-        whole = [(float(ratios[cluster].sum()), cluster) for cluster in clusters(modes)]
+        whole = [(float(ratios[cluster].sum()), cluster) for cluster in clusters(modes.omega)]
         ratio, leading = max(whole, key=lambda one: one[0])
         if count == most or (leading[-1] < count - 1 and ratio >= 1.0 - ratios.sum()):
             return _turned(modes, leading, direction)
@@ -79,10 +79,14 @@ def torsional_ratios(frame: FrameModel, modes: Modes) -> np.ndarray:
     return np.asarray(taking_part**2 / float(np.sum(mass * (x**2 + y**2) + polar)))
 
 
-def clusters(modes: Modes) -> list[np.ndarray]:
-    """Return the numbers of the modes from 0, those of one frequency together."""
-    apart = np.diff(modes.omega) > CLUSTER * modes.omega[1:]
-    return np.split(np.arange(modes.omega.size), np.flatnonzero(apart) + 1)
+def clusters(omega: np.ndarray) -> list[np.ndarray]:
+    """Return the numbers of modes from 0, those of one frequency together.
+
+    Args:
+        omega: their circular frequencies, ascending, (n,) rad/s.
+    """
+    apart = np.diff(omega) > CLUSTER * omega[1:]
+    return np.split(np.arange(omega.size), np.flatnonzero(apart) + 1)
 
 
 def _turned(modes: Modes, cluster: np.ndarray, direction: Direction) -> Mode:

@@ -18,6 +18,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.designs import design_warnings
 from edesign.project.checks.placement import placement_warnings
 from edesign.project.criteria.criteria import LimitCriterion
+from edesign.project.dampers.device_names import laws_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.sections import ElasticSection
@@ -33,7 +34,7 @@ from edesign.study.analysis.structure import make_frame
 from edesign.study.check.plausibility import implausible
 from edesign.study.check.tuned_masses import tuned_mass_advice
 from edesign.study.plan.plan import Task
-from edesign.study.plan.variants import laws_of_design, variant_warnings
+from edesign.study.plan.variants import variant_warnings
 from edesign.study.results.couples import couple_advice
 
 MODAL = ("first_mode", "mode_1", "triangular")  # of lateral forces as elastic analyses have them
@@ -173,7 +174,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
     found += _still_warnings(study.project_of(name) for name in moved)
     found += couple_advice(study.base, study.designs)
-    made = {variant.design for variant in study.variants.values()}
+    made = {name for variant in study.variants.values() for name in variant.designs}
     for name, spec in study.designs.items():
         if name not in made:
             found.append(f"design {name}: no variant has it, so it is not made; write `design: {name}` at a variant")

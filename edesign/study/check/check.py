@@ -166,7 +166,7 @@ def _check_designs(study: Study, names: Sequence[str]) -> None:
             if isinstance(spec, PlacementDesign):
                 check_placement(study.plane, name, spec, histories_of_a_round(study, name))
             else:
-                check_sizing(study.plane, name, spec, study.folder)
+                check_sizing(study.base, name, spec, study.folder)
         except InputError as error:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
 

@@ -82,7 +82,7 @@ def _periods(study: Study, item: SpectralAccelerationStudy) -> dict[str, float]:
     return {
         name: intensity_period(variant_project(study, name, {}), study.variants[name].dampers != "none")
         for name in names
-        if study.variants[name].design is None and study.base.masses is not None
+        if not study.variants[name].designs and study.base.masses is not None
     }
 
 

@@ -130,7 +130,7 @@ def check_study(study: Study) -> dict[str, str]:
     for name in wanted_designs(study, plan):
         design = study.designs[name]
         if not isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
-            warnings += first_warnings(study.plane, name, design, study.folder)
+            warnings += first_warnings(study.base, name, design, study.folder)
         warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
     return {
         "title": study.title,

@@ -11,10 +11,9 @@ import numpy as np
 from edesign.core import LawValues
 from edesign.errors import AnalysisError, InputError, split_code
 from edesign.frame.devices import DeviceLaw
-from edesign.project.analysis_file import File
+from edesign.project.analysis_file import AnalysisFile, File
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
-from edesign.project.project import Project
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import make_structure
 from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
@@ -24,10 +23,11 @@ L = TypeVar("L")
 
 @dataclass(frozen=True)
 class Building:
-    """A frame with places for dampers.
+    """A frame, or a building in one direction, with places for dampers.
 
     Attributes:
-        project: that is studied.
+        project: the project or building that is studied.
+        across: degree of the core along the direction that the dampers act in.
         frame: condensed, linear, in the state that the design asks for.
         law: of the dampers.
         storeys: numbers of the storeys with dampers, from 1, (s,).
@@ -39,7 +39,8 @@ class Building:
         deformation_scale: (d,) of its law over its own deformation: of braces that stretch with their length, else 1.
     """
 
-    project: Project
+    project: AnalysisFile
+    across: int
     frame: CondensedFrame
     law: DeviceLaw
     storeys: np.ndarray
@@ -54,6 +55,29 @@ class Building:
     def designed_stiffness(self) -> np.ndarray:
         """Stiffness of the storeys with dampers, (s,) N/m."""
         return self.storey_stiffness[self.storeys - 1]
+
+    def drifts(self, storeys: np.ndarray, lines: np.ndarray) -> np.ndarray:
+        """Return the storey drifts over height, (f,), of a building on the column line that drifts most.
+
+        Args:
+            storeys: difference of the displacements of floors, (f,) m.
+            lines: drift ratios on the column lines of a building, (l,).
+        """
+        plan = self.frame.plan
+        if plan is None:
+            return storeys / self.heights
+        found = np.zeros(self.heights.size)
+        np.maximum.at(found, plan.storey, lines)
+        return found
+
+    def largest_drifts(self, floors: np.ndarray, lines: np.ndarray) -> np.ndarray:
+        """Return the sizes of the storey drifts over height, (f,), as `drifts`.
+
+        Args:
+            floors: displacements of the floors, (f,) m.
+            lines: drift ratios on the column lines of a building, (l,).
+        """
+        return self.drifts(np.abs(np.diff(floors, prepend=0.0)), np.abs(lines))
 
     def attachment(self, power: float = 2.0) -> np.ndarray:
         """Return the sum of a power of the cosines of the dampers' slopes in each storey with dampers, (s,).
@@ -75,7 +99,7 @@ class Building:
         return (of_storeys / self.attachment(power))[self.place_storey]
 
 
-def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
+def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Building:
     """Build the frame, find the places and the stiffness of the storeys. Tuned masses are left out.
 
     Args:
@@ -103,7 +127,9 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         ) from error
     if spec.state == "gravity":
         structure.apply_gravity()
-    frame = condense(structure)
+    direction = 0 if spec.along is None else ("x", "y").index(spec.along)
+    across = structure.frame.directions[direction].degree
+    frame = condense(structure, direction)
     devices = structure.frame.devices
     if not devices:
         raise InputError(f"designs.{name}: no place is left for a damper in these bays and storeys [E-DESIGN-01]")
@@ -113,6 +139,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
     given = spec.storey_stiffness
     return Building(
         project,
+        across,
         frame,
         law,
         storeys,
@@ -120,7 +147,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         computed if given == "computed" else np.array(given),
         computed,
         np.array([index[device.storey] for device in devices]),
-        np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == 0) for device in devices]),
+        np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == across) for device in devices]),
         np.array([device.deformation_scale for device in devices]),
     )
 
@@ -128,14 +155,15 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
 def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
     """Return the storey stiffness of the frame without dampers under the loads of its first mode, (f,) N/m.
 
-    It is storey shear over storey drift. Under these loads the displacements are the mode itself.
+    It is storey shear over storey drift. Under these loads the displacements are the mode itself. Of a building both
+    are along the direction of the design in the mode that leads there, the drift between the centres of mass.
 
     Raises:
         AnalysisError: a storey does not shear in the first mode.
     """
     mode = frame.modes()
-    shear = mode_shears(frame, mode)[0]
-    drift = np.diff(mode.floors[0], prepend=0.0)
+    shear = mode_shears(frame, mode)[mode.first]
+    drift = np.diff(mode.floors[mode.first], prepend=0.0)
     if np.any(shear * drift <= 0.0):
         raise AnalysisError(
             "a storey does not shear in the first mode of the frame: it has no storey stiffness [E-DESIGN-02]"
@@ -164,7 +192,7 @@ def storey_shears(floor_forces: np.ndarray) -> np.ndarray:
     return np.flip(np.cumsum(np.flip(floor_forces, -1), -1), -1)
 
 
-def law_at(project: Project, name: str, temperature_C: float | None) -> DeviceLaw:
+def law_at(project: AnalysisFile, name: str, temperature_C: float | None) -> DeviceLaw:
     """Return a damper law of the project at a temperature.
 
     Args:
@@ -228,6 +256,8 @@ def per_storey(values: np.ndarray) -> tuple[float, ...]:
 def _run(spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -> DamperRun:
     return DamperRun.model_construct(
         kind=spec.kind,
+        along=spec.along,
+        frames=spec.frames,
         bays=spec.bays,
         storeys=spec.storeys,
         law=spec.law,
@@ -237,7 +267,7 @@ def _run(spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -
     )
 
 
-def _dampers(project: Project, run: DamperRun, keep_attachments: bool) -> Dampers:
+def _dampers(project: AnalysisFile, run: DamperRun, keep_attachments: bool) -> Dampers:
     before = project.dampers
     assert before is not None, "check_design wants the law"
     attachments = before.attachments if keep_attachments else ()

@@ -9,6 +9,7 @@ import scipy
 
 from edesign.core.modes import UNSTABLE
 from edesign.errors import AnalysisError
+from edesign.study.analysis.leading_mode import clusters
 from edesign.study.analysis.structure import Structure
 
 
@@ -22,6 +23,8 @@ class LinearModes:
         floors: (n, floors) horizontal displacement of each floor.
         dampers: (n, devices) deformation of each damper with its brace.
         participation: (n,) for ground motion in the direction of the frame, sqrt(kg).
+        lines: (n, l) drift ratios on the column lines of a building; (n, 0) of a plane frame.
+        first: index of the mode that leads in the direction of the frame; of a plane frame the first.
     """
 
     omega: np.ndarray
@@ -29,11 +32,36 @@ class LinearModes:
     floors: np.ndarray
     dampers: np.ndarray
     participation: np.ndarray
+    lines: np.ndarray
+    first: int
+
+    @property
+    def first_omega(self) -> float:
+        """Circular frequency of the mode that leads, rad/s."""
+        return float(self.omega[self.first])
 
     @property
     def first_frequency(self) -> float:
-        """Frequency of the first mode, Hz."""
-        return float(self.omega[0]) / (2.0 * np.pi)
+        """Frequency of the mode that leads, Hz."""
+        return self.first_omega / (2.0 * np.pi)
+
+
+@dataclass(frozen=True)
+class InPlan:
+    """What a building has beside a plane frame, with l column lines of its storeys.
+
+    Attributes:
+        ground: (3, m) how each mass moves with a ground that moves by 1 along x, by 1 along y, and turns by 1 about
+            the vertical through the centre of all masses.
+        storey: (l,) index of the storey of each line.
+        A: (l, m) drift ratio on each line by a force on a mass, 1/N.
+        B: (l, d) that by a force of a damper, 1/N.
+    """
+
+    ground: np.ndarray
+    storey: np.ndarray
+    A: np.ndarray
+    B: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -49,6 +77,7 @@ class CondensedFrame:
         floor_of: (m,) index of the floor of each mass, -1: none.
         A: (m, m), B: (d, m), C: (d, d), m/N.
         floor_A: (f, m), floor_B: (f, d), m/N.
+        plan: of a building; None of a plane frame.
     """
 
     mass: np.ndarray
@@ -59,6 +88,7 @@ class CondensedFrame:
     C: np.ndarray
     floor_A: np.ndarray
     floor_B: np.ndarray
+    plan: InPlan | None = None
 
     @property
     def n_devices(self) -> int:
@@ -84,29 +114,45 @@ class CondensedFrame:
         Raises:
             AnalysisError: a squared frequency is not positive.
         """
-        flexibility, floors, dampers = self._with(np.zeros(self.n_devices) if stiffness is None else stiffness)
+        flexibility, forces, dampers = self._with(np.zeros(self.n_devices) if stiffness is None else stiffness)
         root = np.sqrt(self.mass)
         inverse, vectors = scipy.linalg.eigh(root[:, None] * flexibility * root)
         if inverse[0] <= 0.0:
             raise AnalysisError(f"modes: {UNSTABLE}")
         omega = 1.0 / np.sqrt(inverse[::-1])
         shapes = vectors[:, ::-1].T / root
+        if self.plan is not None:
+            shapes = self._turned(omega, shapes)
         shapes *= np.where(shapes @ (self.mass * self.influence) < 0.0, -1.0, 1.0)[:, None]
         loads = omega[:, None] ** 2 * self.mass * shapes
         participation = shapes @ (self.mass * self.influence)
-        return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation)
+        floors, lines = self._at_floors(forces), self._at_lines(forces)
+        first = 0 if self.plan is None else int(np.argmax(participation**2))
+        return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation, loads @ lines.T, first)
 
-    def complex_modes(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _turned(self, omega: np.ndarray, shapes: np.ndarray) -> np.ndarray:
+        """Modes of one frequency turned so that one of them has all of their mass in the direction of the frame."""
+        shapes = shapes.copy()
+        for cluster in clusters(omega):
+            participation = shapes[cluster] @ (self.mass * self.influence)
+            size = float(np.linalg.norm(participation))
+            if cluster.size > 1 and size > 0.0:
+                turn, _ = np.linalg.qr(np.column_stack([participation / size, np.eye(cluster.size)]))
+                shapes[cluster] = turn.T @ shapes[cluster]
+        return shapes
+
+    def complex_modes(self, stiffness: np.ndarray, like: LinearModes | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return frequencies and damping ratios of free vibrations with dampers of a complex stiffness.
 
         Free vibrations exp(i omega t) of M u'' + (K + D' (k' + i k'') D) u = 0, with k' and k'' whatever the frequency;
-        the ratio is Im(omega) / |omega|. In rising order of frequency.
+        the ratio is Im(omega) / |omega|.
 
         Args:
             stiffness: complex stiffness of the dampers, (d,) N/m.
+            like: modes in whose order they are wanted; None: in rising order of frequency.
 
         Returns:
-            |omega| in rad/s, ascending, and the damping ratios, (m,) each.
+            |omega| in rad/s, and the damping ratios, (m,) each.
 
         Raises:
             AnalysisError: an eigenvalue is not finite.
@@ -115,33 +161,58 @@ class CondensedFrame:
         """
         flexibility, _, _ = self._with(np.asarray(stiffness, dtype=complex))
         root = np.sqrt(self.mass)
-        inverse = scipy.linalg.eigvals(root[:, None] * flexibility * root)
+        matrix = root[:, None] * flexibility * root
+        inverse, vectors = (scipy.linalg.eigvals(matrix), None) if like is None else scipy.linalg.eig(matrix)
         if not np.all(np.isfinite(inverse)) or np.any(np.abs(inverse) == 0.0):
             raise AnalysisError(f"complex modes: {UNSTABLE} [E-DESIGN-02]")
         omega = np.sqrt(1.0 / inverse)
         order = np.argsort(np.abs(omega))
+        if like is not None and vectors is not None:
+            order = alike(like.masses * root, vectors.T)
         return np.abs(omega)[order], (omega.imag / np.abs(omega))[order]
 
     def static(self, loads: np.ndarray, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return displacements of the floors and deformations of the dampers under static loads.
+        """Return displacements of the floors and drift ratios on the lines of a building under static loads.
 
         Args:
             loads: loads on the masses, (m,) N.
             stiffness: stiffness of the dampers, (d,) N/m.
 
         Returns:
-            Displacements of the floors (f,) m, and deformations of the dampers with their braces (d,) m.
+            Displacements of the floors (f,) m, and drift ratios on the lines (l,), none of a plane frame.
         """
-        _, floors, dampers = self._with(stiffness)
-        return floors @ loads, dampers @ loads
+        _, forces, _ = self._with(stiffness)
+        return self._at_floors(forces) @ loads, self._at_lines(forces) @ loads
+
+    def _at_floors(self, forces: np.ndarray) -> np.ndarray:
+        """Displacements of the floors (f, m) by loads on the masses, with forces (d, m) of the dampers."""
+        return self.floor_A - self.floor_B @ forces
+
+    def _at_lines(self, forces: np.ndarray) -> np.ndarray:
+        """Drift ratios on the lines of a building (l, m) likewise."""
+        if self.plan is None:
+            return np.zeros((0, self.mass.size), forces.dtype)
+        return self.plan.A - self.plan.B @ forces
 
     def _with(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Flexibilities with dampers: masses by masses, floors by masses, dampers by masses."""
+        """With dampers and loads on the masses: displacements of these, forces and deformations of the dampers."""
         k = np.asarray(stiffness)
         dampers = np.linalg.solve(np.eye(k.size) + self.C * k, self.B)  # deformation by loads on the masses
         forces = k[:, None] * dampers
         flexibility = self.A - self.B.T @ forces
-        return 0.5 * (flexibility + flexibility.T), self.floor_A - self.floor_B @ forces, dampers
+        return 0.5 * (flexibility + flexibility.T), forces, dampers
+
+
+def alike(wanted: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+    """Return the order of vectors in which each is like another one, (n,).
+
+    Args:
+        wanted: orthonormal, (n, m).
+        vectors: real or complex, (n, m).
+    """
+    size = np.linalg.norm(vectors, axis=1)
+    _, order = scipy.optimize.linear_sum_assignment(-np.abs(wanted @ vectors.T) / size)
+    return np.asarray(order)
 
 
 def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
@@ -175,6 +246,8 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
     influence = np.zeros(n)
     influence[across[across >= 0]] = 1.0
     directions = analysis.damper_directions().toarray()[[device.number for device in frame.devices]]
+    space = frame.model.dimension == 3
+    lines = [(i, at.ratio) for i, storey in enumerate(frame.storeys) for at in storey.drifts[direction] if space]
     unit = np.zeros((n, heavy.size))
     unit[heavy, np.arange(heavy.size)] = 1.0
     try:
@@ -182,6 +255,11 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
     except RuntimeError as error:
         raise AnalysisError(f"the stiffness of the frame is singular: {error} [E-GRAV-01]") from error
     by_masses, by_dampers = solver.solve(unit), solver.solve(np.ascontiguousarray(directions.T))
+    plan = None
+    if space:
+        ratios = np.array([np.asarray(analysis.along([ratio]).toarray())[0] for _, ratio in lines]).reshape(-1, n)
+        ground = _ground(structure, n)[:, heavy]
+        plan = InPlan(ground, np.array([i for i, _ in lines]), ratios @ by_masses, ratios @ by_dampers)
     return CondensedFrame(
         mass[heavy],
         influence[heavy],
@@ -191,4 +269,20 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
         directions @ by_dampers,
         floor_rows @ by_masses,
         floor_rows @ by_dampers,
+        plan,
     )
+
+
+def _ground(structure: Structure, n: int) -> np.ndarray:
+    """How each degree with mass moves with a ground that moves along x, along y, or turns, (3, n)."""
+    frame, equations = structure.frame, structure.analysis.equations
+    mass = np.array(list(frame.masses.values()))
+    plan = np.array([frame.places[name][:2] for name in frame.masses])
+    found = np.zeros((3, n))
+    for name, (x, y) in zip(frame.masses, plan - np.average(plan, axis=0, weights=mass), strict=True):
+        along_x, along_y, turn = equations[frame.nodes[name]][[0, 1, 5]]
+        found[0, along_x] = found[1, along_y] = 1.0
+        found[2, along_x], found[2, along_y] = -y, x
+        if name in frame.turning:
+            found[2, turn] = 1.0
+    return found

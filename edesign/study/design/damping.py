@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.damper.sizing import damping_of_frequencies
-from edesign.study.design.condensed import CondensedFrame, LinearModes
+from edesign.study.design.condensed import CondensedFrame, LinearModes, alike
 
 
 @dataclass(frozen=True)
@@ -16,6 +16,7 @@ class ModalDamping:
 
     Attributes:
         omega: with the dampers' storage stiffness, rad/s.
+        first: index of the mode that leads in the direction of the frame.
         strain_energy: by Eq. 5.6 with the true modes of the frame with dampers.
         frequencies: by Eq. 5.8, from the frequencies without and with dampers.
         complex: of free vibrations with the complex stiffness of the dampers.
@@ -25,6 +26,7 @@ class ModalDamping:
     strain_energy: np.ndarray
     frequencies: np.ndarray
     complex: np.ndarray
+    first: int
 
 
 def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarray) -> ModalDamping:
@@ -37,11 +39,17 @@ def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarra
     Source: thesis Eqs. 5.6-5.8.
     """
     modes = frame.modes(stiffness.real)
-    _, ratio = frame.complex_modes(stiffness)
+    without = bare.omega
+    if frame.plan is None:
+        _, ratio = frame.complex_modes(stiffness)
+    else:  # modes along x, along y and turns pass each other as dampers are added
+        root = np.sqrt(frame.mass)
+        _, ratio = frame.complex_modes(stiffness, like=modes)
+        without = without[alike(modes.masses * root, bare.masses * root)]
     energies = strain_energy_damping(modes, stiffness)
     loss_factor = stiffness.imag.sum() / stiffness.real.sum()  # of the elastomer, or less behind flexible braces
-    by_frequency = damping_of_frequencies(float(loss_factor), bare.omega, modes.omega)
-    return ModalDamping(modes.omega, energies, by_frequency, ratio)
+    by_frequency = damping_of_frequencies(float(loss_factor), without, modes.omega)
+    return ModalDamping(modes.omega, energies, by_frequency, ratio, modes.first)
 
 
 def strain_energy_damping(modes: LinearModes, stiffness: np.ndarray) -> np.ndarray:

@@ -9,9 +9,9 @@ from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import HystereticDesign, SizedDesign, ViscousDesign
-from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
 from edesign.study.design.elastomer.designer import ElastomerDesigner
 from edesign.study.design.hysteretic.designer import HystereticDesigner
@@ -38,7 +38,7 @@ class DesignResult:
 
 
 def run_design(
-    project: Project,
+    project: AnalysisFile,
     name: str,
     spec: SizedDesign,
     folder: Path,
@@ -82,7 +82,7 @@ def run_design(
     return DesignResult(run.dampers(done.chosen.sizing), group, status, done.reason)
 
 
-def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -> None:
+def check_sizing(project: AnalysisFile, name: str, spec: SizedDesign, folder: Path) -> None:
     """Size a design once, so that a target which no damper can reach shows before anything is run.
 
     A sizing that does not converge is left to `run_design`, which keeps its history.
@@ -103,7 +103,7 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
         raise _named(name, error) from error
 
 
-def first_warnings(project: Project, name: str, spec: SizedDesign, folder: Path) -> list[str]:
+def first_warnings(project: AnalysisFile, name: str, spec: SizedDesign, folder: Path) -> list[str]:
     """Return the warnings about a design before any history; for a verified design, those about its first round.
 
     Args:
@@ -127,7 +127,7 @@ def first_warnings(project: Project, name: str, spec: SizedDesign, folder: Path)
 
 
 def _designer(
-    project: Project, name: str, spec: SizedDesign, folder: Path, progress: Callable[[str], None]
+    project: AnalysisFile, name: str, spec: SizedDesign, folder: Path, progress: Callable[[str], None]
 ) -> Designer[Any]:
     if isinstance(spec, ViscousDesign):
         return ViscousDesigner(project, name, spec, progress)

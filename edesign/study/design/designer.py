@@ -12,9 +12,9 @@ from typing import Any, ClassVar, Generic
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import Optimum, SizedDesign
-from edesign.project.project import Project
 from edesign.study.design.bounds import Bound, analyse_bounds
 from edesign.study.design.building import Building, make_building, sized_dampers
 from edesign.study.design.device_model import DeviceModel
@@ -49,7 +49,7 @@ class Designer(ABC, Generic[S]):
     results: ClassVar[Results]
     model: DeviceModel[Any, Any]
 
-    def __init__(self, project: Project, name: str, spec: SizedDesign, progress: Callable[[str], None]) -> None:
+    def __init__(self, project: AnalysisFile, name: str, spec: SizedDesign, progress: Callable[[str], None]) -> None:
         self.name, self.project, self.progress = name, project, progress
         self._spec = spec
         self.building: Building = make_building(project, name, spec)
@@ -214,7 +214,7 @@ class Designer(ABC, Generic[S]):
             self.progress(f"round {number}, {self.words[self.changed]} {value:.4g}")
             histories = respond(self.dampers(sizing), number)
             at_level = histories_at(self._spec.level, self._spec.verify, histories)
-            drift = mean_drift(at_level) if drifts else ()
+            drift = mean_drift(at_level, self._spec.along) if drifts else ()
             return replace(judged(histories, judge), strain=self.strain(sizing, at_level), drift=drift)
 
         return outcome
@@ -237,6 +237,8 @@ class Designer(ABC, Generic[S]):
 def labels(spec: SizedDesign) -> dict[str, Any]:
     """Return the attributes of the archive that identify a design."""
     found: dict[str, Any] = {"method": spec.method, "law": spec.law, "kind": spec.kind, "bays": str(spec.bays)}
+    if spec.along is not None:
+        found |= {"along": spec.along, "frames": str(spec.frames)}
     found |= {"state": spec.state, "level": spec.level or ""}
     found["changed"] = spec.verify.change if spec.verify is not None else "target"
     found |= {key: getattr(spec, key) for key in ("distribution", "braces_in_target") if hasattr(spec, key)}

@@ -120,7 +120,8 @@ class DeviceModel(ABC, Generic[D, V]):
         Args:
             stiffness: complex, of the dampers at each place with their braces, (d,) N/m.
         """
-        return float(strain_energy_damping(self.building.frame.modes(stiffness.real), stiffness)[0])
+        modes = self.building.frame.modes(stiffness.real)
+        return float(strain_energy_damping(modes, stiffness)[modes.first])
 
     @abstractmethod
     def storage(self, state: V) -> np.ndarray:
@@ -163,7 +164,9 @@ class DeviceModel(ABC, Generic[D, V]):
         return self._estimate(self.bare, nothing, peaks, nothing, {})
 
     def _drift(self, modes: LinearModes, peaks: SpectralPeaks) -> np.ndarray:
-        return peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / self.building.heights
+        return self.building.drifts(
+            peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)), peaks.combined(modes.lines)
+        )
 
     def _estimate(
         self,

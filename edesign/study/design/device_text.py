@@ -22,8 +22,10 @@ def _entry(run: object) -> dict[str, object]:
         value = getattr(run, key)
         if value is not None:
             size[key] = _with_unit(value, unit)
+    where = {} if run.along is None else {"along": run.along, "frames": _selection(str(run.frames))}
     return {
         "kind": run.kind,
+        **where,
         "bays": _selection(str(run.bays)),
         "storeys": _selection(str(run.storeys)),
         "law": run.law,

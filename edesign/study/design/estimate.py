@@ -12,8 +12,8 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.analysis.damping import first_ratio
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import SimplifiedDesign, SizedDesign
-from edesign.project.project import Project
 from edesign.study.design.condensed import CondensedFrame, LinearModes
 
 _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left out
@@ -58,7 +58,7 @@ class FrameEstimate:
     dampers: Mapping[str, np.ndarray]
 
 
-def make_action(project: Project, spec: SizedDesign) -> Action | None:
+def make_action(project: AnalysisFile, spec: SizedDesign) -> Action | None:
     """Return the action of a design's hazard level; None if the design names none.
 
     Raises:
@@ -78,7 +78,7 @@ def make_action(project: Project, spec: SizedDesign) -> Action | None:
     return action
 
 
-def action_of(project: Project, level: str, inherent_damping: float | None) -> Action:
+def action_of(project: AnalysisFile, level: str, inherent_damping: float | None) -> Action:
     """Return the action of a hazard level on a frame.
 
     Args:

@@ -25,8 +25,10 @@ def pattern_of(building: Building, distribution: str) -> np.ndarray:
         return np.full(stiffness.size, stiffness.mean())
     chosen = building.storeys - 1
     if distribution == "storey_shear":
-        share = mode_shears(building.frame, building.frame.modes())[0, chosen]
+        modes = building.frame.modes()
+        share = mode_shears(building.frame, modes)[modes.first, chosen]
     else:
-        drift = np.diff(building.frame.modes().floors[0], prepend=0.0)[chosen]
+        modes = building.frame.modes()
+        drift = np.diff(modes.floors[modes.first], prepend=0.0)[chosen]
         share = building.computed_stiffness[chosen] * drift**2
     return np.asarray(share * (stiffness.mean() / share.mean()))

@@ -10,7 +10,11 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.verdicts import Verdict
+from edesign.project.criteria.criteria import Criterion, MeasureCriterion, QuantityCriterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.criteria.measures import MEASURES
 from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import Design
 from edesign.project.dampers.verification import AnyVerify
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
 from edesign.study.results.recording import coordinate
@@ -56,14 +60,40 @@ def histories_at(level: str | None, verify: AnyVerify | None, histories: Mapping
     return [group for group in histories.values() if (group.attributes.get("level") or "") == (at or "")]
 
 
-def mean_drift(histories: Sequence[Group]) -> tuple[float, ...]:
-    """Return the storey drifts over height, (f,), mean of the peaks of completed histories; empty if there are none."""
+def along_design(criterion: Criterion, spec: Design) -> Criterion:
+    """Return a criterion that looks along the direction of a design of a building where it does not say another one.
+
+    Args:
+        spec: the design; one of a plane frame has no direction.
+    """
+    along = getattr(spec, "along", None)
+    if along is None or not isinstance(criterion, MeasureCriterion | QuantityCriterion) or criterion.frames:
+        return criterion
+    told = MEASURES if isinstance(criterion, MeasureCriterion) else QUANTITIES
+    if criterion.direction is not None or "direction" not in told[criterion.subject].in_space:
+        return criterion
+    return criterion.model_copy(update={"direction": along})
+
+
+def mean_drift(histories: Sequence[Group], along: str | None = None) -> tuple[float, ...]:
+    """Return the storey drifts over height, (f,), mean of the peaks of completed histories; empty if there are none.
+
+    Args:
+        along: direction of a building, in which the largest of its column lines counts; None: of a plane frame.
+    """
     peaks = [
-        np.maximum(group.variables["storey_drift_max"].values, -group.variables["storey_drift_min"].values)
+        _of_direction(group, along)
         for group in histories
         if group.attributes.get("status", "completed") == "completed" and "storey_drift_max" in group.variables
     ]
     return tuple(np.mean(peaks, axis=0).tolist()) if peaks else ()
+
+
+def _of_direction(group: Group, along: str | None) -> np.ndarray:
+    """The larger of both signs of the peaks of the storey drifts, (f,)."""
+    largest, smallest = (group.variables[f"storey_drift_{which}"].values for which in ("max", "min"))
+    peaks = np.maximum(largest, -smallest)
+    return peaks if along is None else peaks[:, list(group.coords["direction"].values).index(along)]
 
 
 def kept_outcome(

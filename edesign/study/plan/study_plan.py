@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -19,6 +20,8 @@ from edesign.project.analysis.analyses import (
 from edesign.project.analysis.pushover import Eccentric, Pushover, Pushovers
 from edesign.project.analysis.shaking import Shaking
 from edesign.project.reading.problems import keys_text, unknown_name
+from edesign.project.records.pairs import InSpace
+from edesign.project.records.records import record_of
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
 from edesign.study.analysis.intensity import intensity_text
@@ -169,7 +172,7 @@ def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
     Args:
         plan: its analyses.
     """
-    wanted = {study.variants[task.variant].design for task in plan}
+    wanted = {name for task in plan for name in study.variants[task.variant].designs}
     return tuple(name for name in study.designs if name in wanted)
 
 
@@ -179,7 +182,36 @@ def verification_records(study: Study, name: str) -> tuple[str, ...]:
     return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
 
 
-def histories_of_a_round(study: Study, name: str) -> int:
-    """Return the number of histories in one round of a design's verification, its recordings at all its levels."""
+def verifying_histories(study: Study, name: str, number: int) -> Iterator[HistoryAnalysis]:
+    """Yield the histories of a round of a design's verification, or of a layout: its recordings at all its levels.
+
+    Args:
+        number: of the round or layout, from 1.
+    """
     verify = study.designs[name].verify
-    return len(verification_records(study, name)) * len(verify.levels or ("",)) if verify is not None else 0
+    if verify is None:
+        return
+    of_building = study.base.structure == "building"
+    kind = BuildingHistory if of_building else HistoryAnalysis
+    shaken = {key: getattr(verify, key) for key in ("angles", "eccentricity", "eccentricity_ratio") if of_building}
+    along = getattr(study.designs[name], "along", None)
+    for level in verify.levels or ("",):
+        for reference in verification_records(study, name):
+            if along == "y" and "angles" not in verify.model_fields_set:  # a single record acts along the design
+                pair = isinstance(study.base.records[record_of(reference)], InSpace)
+                shaken["angles"] = (0.0,) if pair else (0.5 * math.pi,)
+            spec = kind.model_construct(
+                **shaken,
+                kind="history",
+                name=".".join([name, str(number), *([level] if level else []), reference]),
+                variant=name,
+                record=reference,
+                level=level,
+                free_vibration=verify.free_vibration,
+            )
+            yield from shakings(spec)
+
+
+def histories_of_a_round(study: Study, name: str) -> int:
+    """Return the number of histories in one round of a design's verification."""
+    return sum(1 for _ in verifying_histories(study, name, 1))

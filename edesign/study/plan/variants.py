@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from edesign.errors import InputError
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.dampers import DamperBetween, Dampers
+from edesign.project.dampers.dampers import DamperBetween, Dampers, Device
 from edesign.project.dampers.designs import Design, ElastomerDesign
-from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.dampers.device_names import laws_of_design
 from edesign.project.study.study import Study, Variant
 from edesign.study.analysis.dampers import law_warnings
 from edesign.study.design.bounds import property_factors
@@ -26,10 +26,10 @@ def variant_project(
         temperature_C: of the dampers; None: that of the variant.
 
     Raises:
-        KeyError: the variant's design is not in `designed`.
+        KeyError: a design of the variant is not in `designed`.
     """
     variant, base = study.variants[name], study.project_of(name)
-    dampers = designed[variant.design] if variant.design is not None else base.dampers
+    dampers = _together(study, variant.designs, designed) if variant.designs else base.dampers
     if variant.dampers == "none" or dampers is None:
         return base.with_dampers(None)
     factor, own_temperature = bound_of(study, name)
@@ -54,9 +54,30 @@ def bound_of(study: Study, name: str) -> tuple[float, float | None]:
 
 def variant_strain(study: Study, name: str) -> float | None:
     """Return the shear strain at which the dampers of a variant count in its modes; None: that of the devices."""
-    design = study.variants[name].design
-    spec = study.designs[design] if design is not None else None
-    return spec.strain if isinstance(spec, ElastomerDesign) and isinstance(spec.strain, float) else None
+    designs = study.variants[name].designs
+    return _given_strain(study.designs[designs[0]]) if len(designs) == 1 else None
+
+
+def _given_strain(design: Design) -> float | None:
+    """The shear strain that a design gives for the properties of its layers; None: it gives none."""
+    return design.strain if isinstance(design, ElastomerDesign) and isinstance(design.strain, float) else None
+
+
+def _together(study: Study, names: Sequence[str], designed: Mapping[str, Dampers]) -> Dampers:
+    """The dampers of several designs, each with its laws; in modes their layers count at the strain of their design."""
+    first = designed[names[0]]
+    if len(names) == 1:
+        return first
+    laws, devices = dict(first.laws), list[Device]()
+    for name in names:
+        design, own = study.designs[name], designed[name]
+        laws |= {law: own.laws[law] for law in laws_of_design(design)}
+        strain = _given_strain(design)
+        for device in own.devices:
+            if strain is not None and device.layer_thickness is not None:
+                device = device.model_copy(update={"design_deformation": strain * device.layer_thickness})
+            devices.append(device)
+    return first.model_copy(update={"laws": laws, "devices": tuple(devices)})
 
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
@@ -90,13 +111,6 @@ def dampers_at_temperature(project: AnalysisFile, design: Design) -> Dampers:
         project = with_temperature(project, law, design.temperature)
     assert project.dampers is not None, "check_design wants the law"
     return project.dampers
-
-
-def laws_of_design(design: Design) -> tuple[str, ...]:
-    """Return the names of the laws that the dampers of a design may have."""
-    if isinstance(design, PlacementDesign):
-        return tuple(dict.fromkeys(item.law for item in design.catalogue.values()))
-    return (design.law,)
 
 
 def _with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None, factor: float = 1.0) -> Dampers:

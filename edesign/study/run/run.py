@@ -15,7 +15,7 @@ from edesign.study.check.advice import project_warnings, study_warnings, unjudge
 from edesign.study.check.check import check_inputs, check_study_inputs
 from edesign.study.plan.choosing import study_with_choices, with_choices
 from edesign.study.plan.plan import make_plan
-from edesign.study.plan.study_plan import make_study_plan
+from edesign.study.plan.study_plan import make_study_plan, verifying_histories, wanted_designs
 from edesign.study.plan.variants import variant_strain
 from edesign.study.results.kinds import DESIGNS
 from edesign.study.results.provenance import root_group, study_root_group
@@ -132,9 +132,11 @@ def run_study(
         return frames if run.stopped() else study_stripes(study, run, frames)
 
     strains = {name: variant_strain(study, name) for name in study.variants}
-    shaken = tuple(task.spec for task in plan if isinstance(task.spec, BuildingHistory))
+    shaken = [task.spec for task in plan if isinstance(task.spec, BuildingHistory)]
+    for name in wanted_designs(study, plan) if study.base.structure == "building" else ():
+        shaken += [spec for spec in verifying_histories(study, name, 1) if isinstance(spec, BuildingHistory)]
     # pairs are fitted by the angles of the histories
-    base = study.base.model_copy(update={"analyses": shaken}) if shaken else study.base
+    base = study.base.model_copy(update={"analyses": tuple(shaken)}) if shaken else study.base
     job = Job(study.path, base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
     with make_backend(backend, workers, scheduler) as made:
         return run_plan(job, path, progress or silent, made, workers, fresh, overwrite)

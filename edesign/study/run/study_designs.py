@@ -18,9 +18,10 @@ from edesign.project.study.study import Study
 from edesign.study.analysis.modal import mode_count
 from edesign.study.check.criteria_inputs import kept_for_verification, too_few_motions
 from edesign.study.design.design import DesignResult, run_design
+from edesign.study.design.verification import along_design
 from edesign.study.placement.placement import run_placement
 from edesign.study.plan.plan import Task, labels
-from edesign.study.plan.study_plan import histories_of_a_round, verification_records, wanted_designs
+from edesign.study.plan.study_plan import histories_of_a_round, verifying_histories, wanted_designs
 from edesign.study.plan.variants import variant_project
 from edesign.study.results.kinds import DESIGNS
 from edesign.study.run.analyses import analyse
@@ -64,9 +65,9 @@ def study_designs(study: Study, run: RunState) -> Prepared:
     frames: dict[tuple[str, float | None, bool, bool], AnalysisFile] = {}
 
     def prepared(task: Task) -> tuple[AnalysisFile, PlannedAnalysis]:
-        design = study.variants[task.variant].design
-        if design is not None and made[design].status != "completed":
-            raise AnalysisError(f"its design `{design}` failed: {made[design].reason} [E-DESIGN-05]")
+        for design in study.variants[task.variant].designs:
+            if made[design].status != "completed":
+                raise AnalysisError(f"its design `{design}` failed: {made[design].reason} [E-DESIGN-05]")
         key = (task.variant, task.temperature_C, task.details, task.stripe is not None)
         if key not in frames:
             project = variant_project(study, task.variant, designed, task.temperature_C)
@@ -100,7 +101,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
         assert verify is not None
         # the histories of the verification are of this design alone, whatever variants a criterion names
         asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
-        return judge(asked, (), histories, study.base)
+        return judge([along_design(c, spec) for c in asked], (), histories, study.base)
 
     resume = run.writer.read(place) if run.writer.has(place) else None
     try:
@@ -119,7 +120,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
                 )
             else:
                 result = run_design(
-                    study.plane,
+                    study.base,
                     name,
                     spec,
                     study.folder,
@@ -154,19 +155,10 @@ def _respond(
     outputs = kept_for_verification(study, verify)
     for number, dampers in wanted:
         project = study.base.with_dampers(dampers).model_copy(update={"outputs": outputs})
-        for level in verify.levels or ("",):
-            for reference in verification_records(study, name):
-                spec = HistoryAnalysis.model_construct(
-                    kind="history",
-                    name=".".join([name, str(number), *([level] if level else []), reference]),
-                    variant=name,
-                    record=reference,
-                    level=level,
-                    free_vibration=verify.free_vibration,
-                )
-                specs[spec.name] = spec
-                keys.setdefault(number, []).append(spec.name)
-                calls.append(Call(spec.name, analyse, (project, spec, run.motions[reference], None)))
+        for spec in verifying_histories(study, name, number):
+            specs[spec.name] = spec
+            keys.setdefault(number, []).append(spec.name)
+            calls.append(Call(spec.name, analyse, (project, spec, run.motions[spec.record], None)))
     found: dict[str, Group] = {}
     open_rounds = list(keys.values())
     try:

@@ -13,8 +13,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, SimplifiedDesign, StrainEnergyDesign
-from edesign.project.project import Project
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, per_storey
 from edesign.study.design.damping import ModalDamping
@@ -52,7 +52,7 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
     model: ElastomerModel
 
     def __init__(
-        self, project: Project, name: str, spec: ElastomerDesign, folder: Path, progress: Callable[[str], None]
+        self, project: AnalysisFile, name: str, spec: ElastomerDesign, folder: Path, progress: Callable[[str], None]
     ) -> None:
         if law_at(project, spec.law, spec.temperature).layers is None:
             message = f"the law `{spec.law}` has no `prototype`: it has no layers to be sized [E-DESIGN-03]"
@@ -145,7 +145,7 @@ class ElastomerDesigner(Designer[ElastomerSizing]):
         at, response = at_consistent_strain(
             model, solve, lambda found: found[0].last.moduli, reached, sizing.strain
         ).found
-        period = 2.0 * np.pi / float(at.modes.omega[0])
+        period = 2.0 * np.pi / at.modes.first_omega
         return Bound(name, factor, temperature_C, ratio(at.last.moduli), period, at.last.damping, response)
 
     def strain(self, sizing: ElastomerSizing, histories: Sequence[Group]) -> float:

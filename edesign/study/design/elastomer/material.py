@@ -13,8 +13,8 @@ from edesign.damper.testing.property_table import PropertyTable, property_table_
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.frame.devices import DeviceLaw
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import ElastomerDesign, FileProperties, FixedProperties
-from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
 from edesign.study.design.building import law_at
 
@@ -36,7 +36,9 @@ Material = Callable[[float], Elastomer]
 """The elastomer at a strain, for one temperature."""
 
 
-def material(project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None) -> Material:
+def material(
+    project: AnalysisFile, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
+) -> Material:
     """Return the elastomer of a design at a temperature as a function of strain and frequency.
 
     Two frequencies of the design stand for the mean of the properties at both; one is taken whatever the frequency.
@@ -72,7 +74,7 @@ def material(project: Project, name: str, spec: ElastomerDesign, folder: Path, t
 
 
 def _at(
-    project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
+    project: AnalysisFile, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
 ) -> Callable[[float, float], Moduli]:
     """Properties at a strain and a frequency in Hz."""
     chosen = spec.properties

@@ -26,6 +26,13 @@ _HISTORY_STRAIN = "effective strain of the layers, mean of the histories"
 _PERIOD = "first period with dampers and braces"
 _AREA_RATIO = "area of a layer over that of the prototype, A_D/A_P"
 
+
+def _of_first(model: ElastomerModel, one: Round[ElastomerSizing], what: str) -> float:
+    """A value of the first mode with the dampers of a round."""
+    found = model.modal_damping(one.sizing)
+    return float(getattr(found, what)[found.first])
+
+
 _STRAIN_STEPS: tuple[Column, ...] = (
     ("round", ONE, lambda m, row: row[0], "1", "round that the step belongs to"),
     ("taken", ONE, lambda m, row: row[1].strain, "1", "strain at which properties were taken"),
@@ -84,12 +91,12 @@ ELASTOMER = Results(
         ("strain", ONE, lambda m, r: r.sizing.strain, "1", "strain at which properties were taken"),
         ("history_strain", ONE, lambda m, r: None if r.outcome is None else r.outcome.strain, "1", _HISTORY_STRAIN),
         ("layer_area", STOREY, lambda m, r: r.sizing.area, "m^2", "area of one layer"),
-        ("period", ONE, lambda m, r: 2.0 * math.pi / float(m.modal_damping(r.sizing).omega[0]), "s", _PERIOD),
+        ("period", ONE, lambda m, r: 2.0 * math.pi / _of_first(m, r, "omega"), "s", _PERIOD),
         *(
             (
                 name,
                 ONE,
-                lambda m, r, way=way: float(getattr(m.modal_damping(r.sizing), way)[0]),
+                lambda m, r, way=way: _of_first(m, r, way),
                 "1",
                 f"added damping ratio of the first mode, with braces, {label}",
             )

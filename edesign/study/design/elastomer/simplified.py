@@ -161,8 +161,7 @@ def static_response(
     period = 1.0 / frequency
     F_b = base_shear(float(spectrum.acceleration(period)), float(mass.sum()), period, corner, building.heights.size)
     loads = lateral_forces(F_b, mass, _shape(building, spec, at.modes))
-    floors, _ = frame.static(loads, at.stiffness.real)
-    drift = np.abs(np.diff(floors, prepend=0.0)) / building.heights
+    drift = building.largest_drifts(*frame.static(loads, at.stiffness.real))
     return StaticResponse(at.last, drift, F_b)
 
 
@@ -186,7 +185,7 @@ def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Elastome
 def _shape(building: Building, spec: SimplifiedDesign, modes: LinearModes) -> np.ndarray:
     frame = building.frame
     if spec.forces == "first_mode":
-        return np.where(frame.influence > 0.0, modes.masses[0], 0.0)
+        return np.where(frame.influence > 0.0, modes.masses[modes.first], 0.0)
     levels = np.concatenate([np.cumsum(building.heights), [0.0]])  # a mass of no floor (-1) stands at no height
     return levels[frame.floor_of]
 

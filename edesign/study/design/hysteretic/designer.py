@@ -10,9 +10,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.damper.hysteresis import hysteresis
 from edesign.errors import InputError
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import restrained_misfits
 from edesign.project.dampers.designs import DESIGNED_BRACES, HystereticDesign
-from edesign.project.project import Project
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import law_at, per_storey, read_law
 from edesign.study.design.condensed import LinearModes
@@ -46,7 +46,9 @@ class HystereticDesigner(Designer[HystereticSizing]):
     results = HYSTERETIC
     model: HystereticModel
 
-    def __init__(self, project: Project, name: str, spec: HystereticDesign, progress: Callable[[str], None]) -> None:
+    def __init__(
+        self, project: AnalysisFile, name: str, spec: HystereticDesign, progress: Callable[[str], None]
+    ) -> None:
         if law_at(project, spec.law, None).restrained is not None:  # the law of a file, too
             for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
                 raise InputError(f"designs.{name}.{key}: {message}")

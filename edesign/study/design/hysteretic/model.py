@@ -61,7 +61,7 @@ class SecantVibration:
     @property
     def period(self) -> float:
         """Period of the first mode, s."""
-        return 2.0 * math.pi / float(self.modes.omega[0])
+        return 2.0 * math.pi / self.modes.first_omega
 
     @property
     def stiffness(self) -> np.ndarray:
@@ -167,7 +167,7 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         Source: ASCE/SEI 7-16, 18.7.3.2: hysteretic damping is that of the fundamental mode.
         """
         added = np.zeros(modes.omega.size)
-        added[0] = state.damping
+        added[modes.first] = state.damping
         return added
 
     def demands(
@@ -194,8 +194,9 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
             damping: damping ratio that the dampers add to the first.
             action: whose spectrum gives the amplitude; None: what the design says.
         """
-        share = float(modes.participation[0]) * float(modes.floors[0, -1])
-        return self.roof_amplitude(modes.floors[0], share, float(modes.omega[0]), damping, action)
+        first = modes.first
+        share = float(modes.participation[first]) * float(modes.floors[first, -1])
+        return self.roof_amplitude(modes.floors[first], share, modes.first_omega, damping, action)
 
     def _shears(self) -> np.ndarray:
         """Shears of the storeys with dampers, without them, linear, (s,) N: of spectrum or first mode, or given."""
@@ -208,9 +209,9 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
             found = peaks.combined(mode_shears(frame, bare))
         else:
             if self.action is not None:
-                omega, ratio = float(bare.omega[0]), self.action.inherent_damping
-                generalised = float(bare.participation[0]) * self.action.displacement(omega, ratio)
+                omega, ratio = bare.first_omega, self.action.inherent_damping
+                generalised = float(bare.participation[bare.first]) * self.action.displacement(omega, ratio)
             else:
-                generalised = self.roof(bare, 0.0, None) / float(bare.floors[0, -1])
-            found = np.abs(generalised * mode_shears(frame, bare)[0])
+                generalised = self.roof(bare, 0.0, None) / float(bare.floors[bare.first, -1])
+            found = np.abs(generalised * mode_shears(frame, bare)[bare.first])
         return np.asarray(found[self.building.storeys - 1])

@@ -51,10 +51,11 @@ def bare_damping(model: HystereticModel, yield_force: np.ndarray) -> float:
         yield_force: of all dampers of each storey along its drift, (s,) N.
     """
     bare = model.bare
-    roof, at_roof, size = model.roof(bare, 0.0, None), float(bare.floors[0, -1]), np.abs(bare.dampers[0])
+    roof, first = model.roof(bare, 0.0, None), bare.first
+    at_roof, size = float(bare.floors[first, -1]), np.abs(bare.dampers[first])
     deformation = roof / abs(at_roof) * np.maximum(size, _LEAST * size.max())
     work = 4.0 * float(model.at_places(yield_force) @ deformation)
-    return work / (2.0 * math.pi * (float(bare.omega[0]) * (roof / at_roof)) ** 2)
+    return work / (2.0 * math.pi * (bare.first_omega * (roof / at_roof)) ** 2)
 
 
 def _at_wanted_roof(model: HystereticModel, scale: np.ndarray, action: Action | None) -> SecantVibration:
@@ -94,17 +95,17 @@ def _at_roof(model: HystereticModel, scale: np.ndarray, roof: float, start: Seca
     only grow: there is one answer. Its secants give the next shape.
     """
     modes = model.bare if start is None else start.modes
-    u = roof / float(modes.floors[0, -1]) * modes.dampers[0]
-    shape, relax = modes.masses[0] / modes.floors[0, -1], Relaxation()
+    u = roof / float(modes.floors[modes.first, -1]) * modes.dampers[modes.first]
+    shape, relax = modes.masses[modes.first] / modes.floors[modes.first, -1], Relaxation()
     for _ in range(_MOST_ITERATIONS):
         u = _static(model, scale, roof, model.building.frame.mass * shape, u)
         deformation = np.maximum(np.abs(u), _LEAST * np.abs(u).max())
         secants = model.secants(scale, deformation)
         modes = model.building.frame.modes(secants.force / deformation)
-        following = roof / float(modes.floors[0, -1]) * modes.dampers[0]
+        following = roof / float(modes.floors[modes.first, -1]) * modes.dampers[modes.first]
         if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
             return _vibration(model, scale, roof, deformation, secants, modes)
-        shape = relax(shape, modes.masses[0] / modes.floors[0, -1])
+        shape = relax(shape, modes.masses[modes.first] / modes.floors[modes.first, -1])
     raise AnalysisError(
         f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g} [E-DESIGN-02]"
     )
@@ -155,8 +156,8 @@ def _vibration(
     secants: Secants,
     modes: LinearModes,
 ) -> SecantVibration:
-    energy = float(secants.energy @ (modes.dampers[0] / deformation) ** 2)  # of generalised displacement 1
-    at_amplitude = energy / (2.0 * math.pi * float(modes.omega[0]) ** 2)
+    energy = float(secants.energy @ (modes.dampers[modes.first] / deformation) ** 2)  # of generalised displacement 1
+    at_amplitude = energy / (2.0 * math.pi * modes.first_omega**2)
     average = model.spec.equivalent_damping == "average"
     damping = _average(model, scale, deformation, modes) if average else at_amplitude
     return SecantVibration(scale, roof, deformation, secants, modes, at_amplitude, math.nan, damping)
@@ -164,10 +165,10 @@ def _vibration(
 
 def _average(model: HystereticModel, scale: np.ndarray, deformation: np.ndarray, modes: LinearModes) -> float:
     """Mean of the equivalent damping over amplitudes up to that of a deformation (d,) m, in the same shape."""
-    first, amplitudes = modes.dampers[0], _SHARES[:, None] * deformation
+    first, amplitudes = modes.dampers[modes.first], _SHARES[:, None] * deformation
     found = model.secants(scale, amplitudes)
     here = model.secants(scale, deformation)
-    frame = float(modes.omega[0]) ** 2 - float((here.force / deformation) @ first**2)
+    frame = modes.first_omega**2 - float((here.force / deformation) @ first**2)
     stiffness = frame + (found.force / amplitudes) @ first**2
     energy = found.energy @ (first / deformation) ** 2 / _SHARES**2
     return float(_WEIGHTS @ (energy / (2.0 * math.pi * stiffness)))

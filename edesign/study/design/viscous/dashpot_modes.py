@@ -11,7 +11,10 @@ from edesign.errors import AnalysisError
 from edesign.study.design.condensed import CondensedFrame, LinearModes
 
 _REAL = 1e-9  # of an eigenvalue: imaginary parts below it are rounding of two modes that do not oscillate
-_ALIKE = 0.5  # share of the first mode without dampers in the kinetic energy: at most one mode has more
+_STILL = 1e-9  # of the largest displacement of a floor: at the roof, along which the mode does not move
+_ALIKE = 0.5
+"""Share of the first mode without dampers in the kinetic energy: at most one mode has more. In a building it is the
+effective mass along the design over that of the leading mode without dampers."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +86,12 @@ def dashpot_modes(
     s, shapes = 1.0 / inverse[oscillates], vectors[:, oscillates].T
     q, velocity = shapes[:, :n], shapes[:, 2 * n :]
     floors = q @ bare.floors - (velocity * dashpots) @ (frame.floor_B - bare.floors.T @ share.T).T
-    likeness = np.abs(q[:, 0]) ** 2 / np.sum(np.abs(q) ** 2, axis=1)
+    if frame.plan is None:
+        likeness = np.abs(q[:, 0]) ** 2 / np.sum(np.abs(q) ** 2, axis=1)
+    else:  # by effective mass: modes of nearly one frequency mix as dampers are added
+        likeness = np.abs(q @ bare.participation) ** 2 / np.sum(np.abs(q) ** 2, axis=1)
+        likeness /= bare.participation[bare.first] ** 2
     first = int(np.argmax(likeness)) if s.size and likeness.max() > _ALIKE else None
     roof = floors[:, -1:]
+    roof = np.where(np.abs(roof) > _STILL * np.abs(floors).max(axis=1, keepdims=True), roof, 1.0)
     return DashpotModes(np.abs(s), -s.real / np.abs(s), first, floors / roof, np.abs(velocity / s[:, None] / roof))

@@ -12,8 +12,8 @@ from edesign.archive.dataset import Group
 from edesign.damper.dashpot import dashpot
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.designs import ViscousDesign
-from edesign.project.project import Project
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import per_storey, read_law
 from edesign.study.design.designer import REACHABLE, Designer
@@ -47,7 +47,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
     results = VISCOUS
     model: ViscousModel
 
-    def __init__(self, project: Project, name: str, spec: ViscousDesign, progress: Callable[[str], None]) -> None:
+    def __init__(self, project: AnalysisFile, name: str, spec: ViscousDesign, progress: Callable[[str], None]) -> None:
         super().__init__(project, name, spec, progress)
         self.spec = spec
         found = read_law(self.building, name, spec, dashpot)

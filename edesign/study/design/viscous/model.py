@@ -116,7 +116,7 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
             damping: damping ratio that the dampers add to the first mode; None: that of the modes.
         """
         assert modes.first is not None
-        share = float(self.bare.participation[0] * self.bare.floors[0, -1])
+        share = float(self.bare.participation[self.bare.first] * self.bare.floors[self.bare.first, -1])
         added = modes.first_damping if damping is None else damping
         return self.roof_amplitude(modes.floors[modes.first], share, modes.first_omega, added, action)
 
@@ -217,9 +217,9 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
             coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
             roof: amplitude at the roof, m; it does not matter for linear dashpots.
         """
-        bare, at_roof = self.bare, float(self.bare.floors[0, -1])
-        alpha = self.dashpot.alpha
-        shape, period = bare.dampers[0] / at_roof, 2.0 * math.pi / float(bare.omega[0])
+        bare, first = self.bare, self.bare.first
+        alpha, at_roof = self.dashpot.alpha, float(bare.floors[first, -1])
+        shape, period = bare.dampers[first] / at_roof, 2.0 * math.pi / bare.first_omega
         amplitude = roof if alpha < 1.0 else 1.0
         return added_damping(self.at_places(coefficient), alpha, shape, amplitude, period, 1.0 / at_roof**2)
 

@@ -183,14 +183,15 @@ def _ends(model: ViscousModel, pattern: np.ndarray, weight: np.ndarray, target: 
     flexibility = np.maximum(np.diag(model.building.frame.C) - shared, 0.0)
     if model.braces is not None:
         flexibility += 1.0 / model.braces
-    felt = float(model.bare.omega[0]) * weight * model.at_places(pattern) * flexibility
+    felt = model.bare.first_omega * weight * model.at_places(pattern) * flexibility
     return min(first, _FREE / max(float(felt.max()), sys.float_info.min)), last
 
 
 def _scale_of(model: ViscousModel, pattern: np.ndarray, weight: np.ndarray, damping: float) -> float:
     """Scale of a pattern with a damping ratio by the energy of the first mode without dampers."""
     bare = model.bare
-    of_pattern = 0.5 * float(bare.dampers[0] ** 2 @ (weight * model.at_places(pattern))) / float(bare.omega[0])
+    weights = weight * model.at_places(pattern)
+    of_pattern = 0.5 * float(bare.dampers[bare.first] ** 2 @ weights) / bare.first_omega
     return damping / of_pattern
 
 
