@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,20 +50,21 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
     if not completed:
         return None
     storeys = np.asarray(design.coords["storey"].values)
+    own = _own(design, completed[0])
     number = float(str(design.attributes["number"]))
-    force = np.array([_largest(group, "damper_force", storeys) for group in completed]) / number
+    force = np.array([_largest(group, "damper_force", storeys, own) for group in completed]) / number
     values = {"force": force}
-    values["stroke"] = np.array([_largest(group, "damper_deformation", storeys) for group in completed])
+    values["stroke"] = np.array([_largest(group, "damper_deformation", storeys, own) for group in completed])
     if "device_core_area" in design.variables:
-        values["core_strain"] = np.array([_largest(group, "core_strain", storeys) for group in completed])
+        values["core_strain"] = np.array([_largest(group, "core_strain", storeys, own) for group in completed])
         cumulated = (group.variables["cumulative_ductility_final"].values for group in completed)
         values["cumulative_ductility"] = np.array(
-            [_of_storeys(group, of, storeys) for group, of in zip(completed, cumulated, strict=True)]
+            [_of_storeys(group, of, storeys, own) for group, of in zip(completed, cumulated, strict=True)]
         )
     elif design.attributes["method"] == "hysteretic":
         yield_force = number * property_factor * np.asarray(design.variables["device_yield_force"].values)
         work = np.array(
-            [_of_storeys(group, group.variables["damper_work_final"].values, storeys) for group in completed]
+            [_of_storeys(group, group.variables["damper_work_final"].values, storeys, own) for group in completed]
         )
         values["cumulated_plastic"] = work / yield_force
     else:
@@ -73,14 +74,21 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
     return DeviceDemand(found.variant, found.level, len(completed), len(found.histories), both)
 
 
-def _largest(group: Group, name: str, storeys: Sequence[int] | np.ndarray) -> np.ndarray:
+def _own(design: Group, history: Group) -> np.ndarray:
+    """Which of the dampers of a variant, that may have several designs, are of one of them, (d,)."""
+    names = design.attributes.get("device_names")
+    dampers = np.asarray(history.coords["damper"].values).astype(str)
+    return np.isin(dampers, names) if isinstance(names, list) else np.ones(dampers.size, dtype=bool)
+
+
+def _largest(group: Group, name: str, storeys: np.ndarray, own: np.ndarray) -> np.ndarray:
     """Largest size of a quantity of the dampers of each storey, (s,)."""
     size = peak(group, name)
     assert size is not None, "histories of dampers have their extremes"
-    return _of_storeys(group, size, storeys)
+    return _of_storeys(group, size, storeys, own)
 
 
-def _of_storeys(group: Group, values: np.ndarray, storeys: Sequence[int] | np.ndarray) -> np.ndarray:
-    """Largest of values of the dampers (d,) in each storey, (s,)."""
+def _of_storeys(group: Group, values: np.ndarray, storeys: np.ndarray, own: np.ndarray) -> np.ndarray:
+    """Largest of values of some of the dampers (d,) in each storey, (s,)."""
     of = np.asarray(group.variables["damper_storey"].values)
-    return np.array([values[of == storey].max() for storey in storeys])
+    return np.array([values[own & (of == storey)].max() for storey in storeys])

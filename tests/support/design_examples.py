@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from shear_frames import shear_frame_text
@@ -10,8 +11,12 @@ from shear_frames import shear_frame_text
 from edesign.errors import InputError
 from edesign.frame.project_file import load_project
 from edesign.frame.sections.profiles import profile_names
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
+from edesign.project.building.checks_dampers import check_bays
 from edesign.project.checks.designs import check_design
 from edesign.project.dampers.designs import Design
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.base import Model
@@ -75,11 +80,15 @@ def shear_project(storeys: int, dampers: str = LAWS) -> Project:
     return parse_project(text, "project.yaml", profile_names())
 
 
-def design(text: str, project: Project) -> Design:
-    """A design from the inside of its mapping, checked against a project."""
+def design(text: str, project: AnalysisFile) -> Design:
+    """A design from the inside of its mapping, checked against a project or building."""
     study, problems = check_model(f"designs: {{tried: {{{text}}}}}", _Study, "study file", "edesign_study: 1")
     if study is not None:
-        check_design(("designs", "tried"), study.designs["tried"], project, problems)
+        found, keys = study.designs["tried"], ("designs", "tried")
+        stand = None
+        if isinstance(project, Building) and not isinstance(found, PlacementDesign):
+            stand = partial(check_bays, project, problems, keys, found)
+        check_design(keys, found, project, problems, stand)
     if study is None or problems.found:
         raise FileProblems(Path("study.yaml"), problems.found)
     return study.designs["tried"]

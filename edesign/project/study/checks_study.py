@@ -233,6 +233,7 @@ def _own_names(study: Study, problems: Problems) -> None:
 
 def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:
     check_names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
+    check_shaking(study.base, problems, keys, verify)
     if verify.levels is None:
         message = "this key is missing; criteria judge histories at levels of the hazard"
         problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)} [E-KEY-02]")

@@ -101,6 +101,20 @@ ELASTOMER_DAMPING = TableSpec[Row](
     keys=0,
     named_by_title=True,
 )
+PLAN_MODES = TableSpec[Place](
+    "modes_with_design",
+    "Modes of the building with the dampers of this design",
+    (
+        count("mode", lambda mode: int(mode.name)),
+        col("T bare", S, at("plan_bare_period")),
+        col("T", S, at("plan_period")),
+        col("along x", PERCENT, at("plan_mass_ratio_x")),
+        col("along y", PERCENT, at("plan_mass_ratio_y")),
+        col("in turns", PERCENT, at("plan_mass_ratio_turn")),
+        col("added damping", PERCENT, at("plan_damping")),
+    ),
+    keys=0,
+)
 ROUNDS = TableSpec[Place](
     "rounds",
     "Rounds",
@@ -144,7 +158,7 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
         sized = [hysteretic_storeys_table(group), devices_table(group, sets, factors), hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
-    tables = [*sized, _warnings(group), rounds_table(group), bounds_table(group)]
+    tables = [*sized, plan_modes_table(group), _warnings(group), rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -209,6 +223,16 @@ def damping_table(group: Group) -> Table:
             row |= {"mode": int(mode.name), "bare_period": mode.value("bare_period")}
             rows.append(row | {"dampers": assembly.name.replace("_", " ")})
     return ELASTOMER_DAMPING.of(rows)
+
+
+def plan_modes_table(group: Group) -> Table:
+    """Return where the modes of a building move, and the damping that the dampers of a design add to them."""
+    modes = list(places({"": group}, "plan_mode", "plan_damping"))
+    if not modes:
+        return Table("")
+    leading = f"mode {group.attributes['leading_mode']} leads along {group.attributes['along']}"
+    notes = [f"{leading}; along, in turns: share of the mass; added damping: by energies, of this design alone"]
+    return PLAN_MODES.of(modes, notes=notes)
 
 
 def rounds_table(group: Group) -> Table:

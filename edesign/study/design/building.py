@@ -34,6 +34,7 @@ class Building:
         heights: of all storeys, m.
         storey_stiffness: of the frame without dampers, all storeys, N/m.
         computed_stiffness: the same as computed from the first mode, whether it was given or not, N/m.
+        names: of the dampers at the places.
         place_storey: (d,) index of each place in `storeys`.
         cosine: (d,) of each damper's slope.
         deformation_scale: (d,) of its law over its own deformation: of braces that stretch with their length, else 1.
@@ -47,6 +48,7 @@ class Building:
     heights: np.ndarray
     storey_stiffness: np.ndarray
     computed_stiffness: np.ndarray
+    names: tuple[str, ...]
     place_storey: np.ndarray
     cosine: np.ndarray
     deformation_scale: np.ndarray
@@ -146,6 +148,7 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         np.array(project.grid.storey_heights),
         computed if given == "computed" else np.array(given),
         computed,
+        tuple(device.name for device in devices),
         np.array([index[device.storey] for device in devices]),
         np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == across) for device in devices]),
         np.array([device.deformation_scale for device in devices]),

@@ -12,6 +12,9 @@ from edesign.errors import AnalysisError
 from edesign.study.analysis.leading_mode import clusters
 from edesign.study.analysis.structure import Structure
 
+TOLD = 3
+"""Modes that results of designs tell of."""
+
 
 @dataclass(frozen=True)
 class LinearModes:
@@ -25,6 +28,7 @@ class LinearModes:
         participation: (n,) for ground motion in the direction of the frame, sqrt(kg).
         lines: (n, l) drift ratios on the column lines of a building; (n, 0) of a plane frame.
         first: index of the mode that leads in the direction of the frame; of a plane frame the first.
+        told: indices of the modes that results tell of, as `told_modes`.
     """
 
     omega: np.ndarray
@@ -34,6 +38,7 @@ class LinearModes:
     participation: np.ndarray
     lines: np.ndarray
     first: int
+    told: np.ndarray
 
     @property
     def first_omega(self) -> float:
@@ -127,8 +132,33 @@ class CondensedFrame:
         loads = omega[:, None] ** 2 * self.mass * shapes
         participation = shapes @ (self.mass * self.influence)
         floors, lines = self._at_floors(forces), self._at_lines(forces)
-        first = 0 if self.plan is None else int(np.argmax(participation**2))
-        return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation, loads @ lines.T, first)
+        told, first = self.told_modes(participation), 0
+        if self.plan is not None:
+            first = int(np.argmax(participation**2))
+        drifts = loads @ lines.T
+        return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation, drifts, first, told)
+
+    def told_modes(self, participation: np.ndarray) -> np.ndarray:
+        """Return the indices of the modes that results tell of: all of a plane frame.
+
+        Of a building they are those with most effective mass in the direction of the frame.
+
+        Args:
+            participation: of modes in rising order of frequency, with generalised masses of 1, (n,).
+        """
+        if self.plan is None:
+            return np.arange(participation.size)
+        return np.sort(np.argsort(-np.abs(participation), kind="stable")[:TOLD])
+
+    def mass_ratios(self, modes: LinearModes) -> np.ndarray:
+        """Return the effective masses of the modes of a building along x, along y and in turns, over the whole, (n, 3).
+
+        Source: Chopra, Dynamics of Structures, 13.3.
+        """
+        assert self.plan is not None, "a plane frame has one direction"
+        ground = self.mass * self.plan.ground
+        whole = np.sum(ground * self.plan.ground, axis=1)
+        return np.asarray((modes.masses @ ground.T) ** 2 / whole)
 
     def _turned(self, omega: np.ndarray, shapes: np.ndarray) -> np.ndarray:
         """Modes of one frequency turned so that one of them has all of their mass in the direction of the frame."""

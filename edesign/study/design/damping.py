@@ -16,10 +16,10 @@ class ModalDamping:
 
     Attributes:
         omega: with the dampers' storage stiffness, rad/s.
-        first: index of the mode that leads in the direction of the frame.
         strain_energy: by Eq. 5.6 with the true modes of the frame with dampers.
         frequencies: by Eq. 5.8, from the frequencies without and with dampers.
         complex: of free vibrations with the complex stiffness of the dampers.
+        first, told: indices of modes, as those of `LinearModes`.
     """
 
     omega: np.ndarray
@@ -27,6 +27,7 @@ class ModalDamping:
     frequencies: np.ndarray
     complex: np.ndarray
     first: int
+    told: np.ndarray
 
 
 def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarray) -> ModalDamping:
@@ -49,7 +50,7 @@ def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarra
     energies = strain_energy_damping(modes, stiffness)
     loss_factor = stiffness.imag.sum() / stiffness.real.sum()  # of the elastomer, or less behind flexible braces
     by_frequency = damping_of_frequencies(float(loss_factor), without, modes.omega)
-    return ModalDamping(modes.omega, energies, by_frequency, ratio, modes.first)
+    return ModalDamping(modes.omega, energies, by_frequency, ratio, modes.first, modes.told)
 
 
 def strain_energy_damping(modes: LinearModes, stiffness: np.ndarray) -> np.ndarray:

@@ -28,6 +28,7 @@ from edesign.study.design.results import (
     store_bounds,
     store_estimate,
     store_iterations,
+    store_plan_modes,
     store_rounds,
     store_sizing,
 )
@@ -130,6 +131,7 @@ class Designer(ABC, Generic[S]):
         spec, model, results, sizing = self._spec, self.model, self.results, done.chosen.sizing
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
         store_sizing(group, model, results, sizing, self.modes(sizing))
+        store_plan_modes(group, model, self.state(sizing))
         store_iterations(group, model, results, done.rounds)
         self.store_steps(group, done, status)
         store_rounds(group, model, results, done.rounds, self.words[self.changed])

@@ -131,6 +131,10 @@ class DeviceModel(ABC, Generic[D, V]):
     def added_damping(self, state: V, modes: LinearModes) -> np.ndarray:
         """Return the damping ratio that the dampers add to each of the modes with their storage, (n,)."""
 
+    def losses(self, state: V, modes: LinearModes) -> np.ndarray:
+        """Return the damping ratio by what all dampers dissipate in each of the modes with their storage, (n,)."""
+        return self.added_damping(state, modes)
+
     @abstractmethod
     def demands(
         self, state: V, modes: LinearModes, peaks: SpectralPeaks

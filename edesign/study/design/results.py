@@ -12,13 +12,14 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.study.design.bounds import Bound, governing
 from edesign.study.design.building import Building
+from edesign.study.design.condensed import TOLD, alike
 from edesign.study.design.device_model import DeviceModel
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.loop import Round
 from edesign.study.design.verification import store_outcomes
 from edesign.study.results.recording import coordinate
 
-MODES = 3
+_ROUNDING = 1e-12  # of shares and damping of modes that are none
 
 Model = DeviceModel[Any, Any]
 Text = str | Callable[[Any], str]
@@ -130,19 +131,51 @@ def store_sizing(group: Group, model: Model, results: Results, sizing: Any, mode
     """Add the storeys of the frame, the dampers in them, and the modes without and with them."""
     building, bare = model.building, model.bare
     group.attributes |= {"number": model.spec.number, "places": int(building.place_storey.size)}
+    group.attributes["device_names"] = list(building.names)
     coordinate(group, "storey", building.storeys, "1", "storey with dampers")
     coordinate(group, "frame_storey", np.arange(1, building.heights.size + 1), "1", "storey of the frame")
     store(group, model, (*_STOREYS, *results.storeys), sizing)
     facts = {name: of(model, sizing) for name, of in results.facts.items()}
     group.attributes |= {name: value for name, value in facts.items() if value is not None}
     found = [np.asarray(of(model, modes)) for _, _, of, _, _ in results.modes]
-    count = min(MODES, bare.omega.size, *(values.shape[-1] for values in found))
-    coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
-    group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
+    count = min(TOLD, bare.omega.size, *(values.shape[-1] for values in found))
+    named = "number of the mode" if building.frame.plan is None else "modes with most mass along the direction"
+    coordinate(group, "mode", np.arange(1, count + 1), "1", named)
+    if building.frame.plan is not None:
+        group.attributes["first_mode"] = int(np.flatnonzero(bare.told == bare.first)[0]) + 1
+    group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[bare.told][:count], "s", "natural period without dampers")
     if results.assemblies[0]:
         coordinate(group, "assembly", list(results.assemblies[0]), "", results.assemblies[1])
     for (name, dims, _, unit, label), values in zip(results.modes, found, strict=True):
         group.add(name, dims, values[..., :count], _text(unit, model), _text(label, model))
+
+
+def store_plan_modes(group: Group, model: Model, state: Any) -> None:
+    """Add the modes of a building with dampers that count in a state: where they move, and what damping they get.
+
+    They go up to the last of those that lead along x, along y and in turns; nothing of a plane frame.
+    """
+    frame = model.building.frame
+    if frame.plan is None:
+        return
+    modes = frame.modes(model.storage(state))
+    found = np.column_stack([frame.mass_ratios(modes), model.losses(state, modes)])
+    found[found < _ROUNDING] = 0.0
+    ratios, damping = found[:, :3], found[:, 3]
+    last = max(TOLD, int(ratios.argmax(axis=0).max()) + 1)
+    root = np.sqrt(frame.mass)
+    bare = model.bare.omega[alike(modes.masses * root, model.bare.masses * root)]
+    coordinate(group, "plan_mode", np.arange(1, last + 1), "1", "number of the mode of the building with dampers")
+    group.add("plan_period", ("plan_mode",), 2.0 * np.pi / modes.omega[:last], "s", "natural period with dampers")
+    label = "natural period without dampers of the mode that is most like it"
+    group.add("plan_bare_period", ("plan_mode",), 2.0 * np.pi / bare[:last], "s", label)
+    for name, ratio in zip(("x", "y", "turn"), ratios.T, strict=True):
+        where = "in turns about the vertical" if name == "turn" else f"along {name}"
+        label = f"effective mass {where} over that of the building"
+        group.add(f"plan_mass_ratio_{name}", ("plan_mode",), ratio[:last], "1", label)
+    label = "damping ratio that the dampers of the design add, by modal strain energy"
+    group.add("plan_damping", ("plan_mode",), damping[:last], "1", label)
+    group.attributes["leading_mode"] = modes.first + 1
 
 
 def store_iterations(group: Group, model: Model, results: Results, rounds: Sequence[Round[Any]]) -> None:

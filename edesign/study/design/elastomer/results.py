@@ -66,12 +66,18 @@ ELASTOMER = Results(
     },
     assemblies=(ASSEMBLIES, _ASSEMBLIES),
     modes=(
-        ("period", _BOTH, lambda m, found: [2.0 * np.pi / d.omega for d in found], "s", "natural period with dampers"),
+        (
+            "period",
+            _BOTH,
+            lambda m, found: [2.0 * np.pi / d.omega[d.told] for d in found],
+            "s",
+            "natural period with dampers",
+        ),
         *(
             (
                 name,
                 _BOTH,
-                lambda m, found, way=way: [getattr(d, way) for d in found],
+                lambda m, found, way=way: [getattr(d, way)[d.told] for d in found],
                 "1",
                 f"added damping ratio {label}",
             )

@@ -13,6 +13,7 @@ from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.project.dampers.designs import HystereticDesign
 from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import LinearModes
+from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.device_model import DeviceModel
 from edesign.study.design.estimate import Action, SpectralPeaks, spectral_peaks
 
@@ -169,6 +170,11 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         added = np.zeros(modes.omega.size)
         added[modes.first] = state.damping
         return added
+
+    def losses(self, state: SecantVibration, modes: LinearModes) -> np.ndarray:
+        """Return the damping ratio of each mode by the loops at the amplitude of the design, (n,)."""
+        lost = state.secants.energy / (np.pi * state.deformation**2)
+        return strain_energy_damping(modes, state.stiffness + 1.0j * lost)
 
     def demands(
         self, state: SecantVibration, modes: LinearModes, peaks: SpectralPeaks

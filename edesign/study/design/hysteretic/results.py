@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.dampers.designs import HYSTERETIC_TARGETS
+from edesign.study.design.condensed import LinearModes
 from edesign.study.design.hysteretic.model import HystereticModel
 from edesign.study.design.hysteretic.sizing import LARGEST_SHARE, HystereticSizing, vibration_of
 from edesign.study.design.loop import Round
@@ -40,6 +41,10 @@ _COMPRESSION = "adjusted strength in compression, beta omega R_y F_ysc A_sc"
 def _scale(model: HystereticModel, sizing: HystereticSizing) -> np.ndarray:
     """Yield force of one damper of each storey over that of its law, (s,)."""
     return model.of_device(sizing.size) / model.loop.yield_force
+
+
+def _periods(modes: LinearModes) -> np.ndarray:
+    return np.asarray(2.0 * np.pi / modes.omega[modes.told])
 
 
 def _objective(model: HystereticModel, one: Round[HystereticSizing]) -> float | None:
@@ -120,8 +125,8 @@ HYSTERETIC = Results(
         "damping_average": lambda m, s: s.vibration.damping_average,
     },
     modes=(
-        ("elastic_period", MODE, lambda m, modes: 2.0 * np.pi / modes[0].omega, "s", _ELASTIC_PERIOD),
-        ("period", MODE, lambda m, modes: 2.0 * np.pi / modes[1].omega, "s", _PERIOD_LABEL),
+        ("elastic_period", MODE, lambda m, modes: _periods(modes[0]), "s", _ELASTIC_PERIOD),
+        ("period", MODE, lambda m, modes: _periods(modes[1]), "s", _PERIOD_LABEL),
     ),
     steps=(),
     rounds=(

@@ -27,6 +27,7 @@ class DashpotModes:
         first: index of the mode most like the first mode without dampers; None: that does not oscillate.
         floors: horizontal displacement of each floor, complex (n, f), in modes of roof displacement 1.
         dashpots: amplitude of the deformation of each dashpot without its spring, likewise, (n, d).
+        told: indices of the modes that results tell of, as `CondensedFrame.told_modes`.
     """
 
     omega: np.ndarray
@@ -34,6 +35,7 @@ class DashpotModes:
     first: int | None
     floors: np.ndarray
     dashpots: np.ndarray
+    told: np.ndarray
 
     @property
     def first_omega(self) -> float:
@@ -86,12 +88,13 @@ def dashpot_modes(
     s, shapes = 1.0 / inverse[oscillates], vectors[:, oscillates].T
     q, velocity = shapes[:, :n], shapes[:, 2 * n :]
     floors = q @ bare.floors - (velocity * dashpots) @ (frame.floor_B - bare.floors.T @ share.T).T
-    if frame.plan is None:
-        likeness = np.abs(q[:, 0]) ** 2 / np.sum(np.abs(q) ** 2, axis=1)
-    else:  # by effective mass: modes of nearly one frequency mix as dampers are added
-        likeness = np.abs(q @ bare.participation) ** 2 / np.sum(np.abs(q) ** 2, axis=1)
-        likeness /= bare.participation[bare.first] ** 2
+    energy = np.sum(np.abs(q) ** 2, axis=1)
+    participation = np.abs(q @ bare.participation) / np.sqrt(energy)
+    likeness = np.abs(q[:, 0]) ** 2 / energy
+    if frame.plan is not None:  # modes of nearly one frequency mix as dampers are added
+        likeness = (participation / bare.participation[bare.first]) ** 2
     first = int(np.argmax(likeness)) if s.size and likeness.max() > _ALIKE else None
     roof = floors[:, -1:]
     roof = np.where(np.abs(roof) > _STILL * np.abs(floors).max(axis=1, keepdims=True), roof, 1.0)
-    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, floors / roof, np.abs(velocity / s[:, None] / roof))
+    dashpot, told = np.abs(velocity / s[:, None] / roof), frame.told_modes(participation)
+    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, floors / roof, dashpot, told)

@@ -66,8 +66,8 @@ VISCOUS = Results(
         "damping_fema356": lambda m, s: s.formula,
     },
     modes=(
-        ("period", MODE, lambda m, modes: 2.0 * np.pi / modes.omega, "s", _PERIOD),
-        ("damping_complex", MODE, lambda m, modes: modes.damping, "1", _DAMPING_COMPLEX),
+        ("period", MODE, lambda m, modes: 2.0 * np.pi / modes.omega[modes.told], "s", _PERIOD),
+        ("damping_complex", MODE, lambda m, modes: modes.damping[modes.told], "1", _DAMPING_COMPLEX),
     ),
     steps=(
         ("frequency", ONE, lambda m, i: i.vibration.omega / (2.0 * math.pi), "Hz", "first frequency"),

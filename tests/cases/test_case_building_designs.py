@@ -1,0 +1,171 @@
+"""A study that designs dampers of a building along x and along y, and has both in one variant."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from building_examples import SMALL
+from cases.small_frame import RECORD, TEXT
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.errors import InputError
+from edesign.frame.project_file import load_study
+from edesign.report.archive.document import page_text
+from edesign.report.archive.tables import overview
+from edesign.study.check.summary import check_study
+from edesign.study.run.run import run_study
+
+LAWS = """\
+dampers:
+  laws:
+    oil: {type: viscous_power, parameters: {c: 100 kN*(s/m)^0.5, alpha: 0.5}}
+    steel: {type: elastic_plastic, parameters: {k: 50 kN/mm, Fy: 120 kN, b: 0.02}}
+"""
+REST = """\
+damping: {kind: rayleigh, ratio: 3 %, periods: [1.2 s, 0.2 s]}
+integration: {method: newmark, time_step: 0.01 s}
+records:
+  pair: {pair: [{file: motion.AT2}, {file: across.AT2}]}
+  one: {file: motion.AT2}
+"""
+STUDY = """\
+edesign_study: 1
+title: Two storeys with dampers along x and y
+project: building.yaml
+designs:
+  x: {method: viscous, law: oil, kind: chevron, along: x, frames: [X1, X3], bays: 1, damping: 12 %,
+    amplitude: spectrum, level: DBE, brace: {ratio: 10}}
+  y: {method: hysteretic, law: steel, kind: rising, along: y, frames: B, bays: all, shear_share: 15 %, level: DBE,
+    verify: {records: [pair, one], levels: DBE, criteria: drift, change: yield_force, rounds: 3}}
+variants:
+  bare: {dampers: none}
+  damped: {design: [x, y]}
+histories:
+  - {variants: damped, levels: DBE, records: pair, eccentricity: [0, +x+y]}
+criteria:
+  - {name: drift, measure: interstorey_drift, most: 1.5 %, levels: DBE}
+outputs: {histories: [floors, storeys, dampers]}
+"""
+
+
+def write(folder: Path, study: str = STUDY, dampers: str = LAWS) -> Path:
+    (folder / "motion.AT2").write_text(RECORD, encoding="utf-8")
+    (folder / "across.AT2").write_text(RECORD.replace("0.20", "0.15"), encoding="utf-8")
+    (folder / "building.yaml").write_text(SMALL + dampers + REST, encoding="utf-8")
+    path = folder / "study.yaml"
+    path.write_text(study, encoding="utf-8")
+    return path
+
+
+def histories(archive: Path, variant: str) -> dict[str, Group]:
+    with open_archive(archive) as found:
+        names = [name for name in found.names("analyses") if name.startswith(f"{variant}.DBE")]
+        return {name.removeprefix(variant): found.group(f"analyses/{name}") for name in names}
+
+
+def test_dampers_of_two_designs_are_those_that_a_building_file_may_have_itself(tmp_path: Path) -> None:
+    """Histories bit for bit: the devices in the archive have all digits."""
+    study = load_study(write(tmp_path))
+    assert check_study(study)["designs"] == "x (viscous), y (hysteretic)"
+    summary = run_study(study)
+    assert all(outcome.status == "completed" for outcome in summary.outcomes), summary.outcomes
+    designed = histories(summary.archive, "damped")
+    assert list(designed) == [".DBE.pair.0", ".DBE.pair.+x+y"]
+    with open_archive(summary.archive) as archive:
+        groups = [archive.group(f"designs/{name}") for name in "xy"]
+        tables = {table.title for table in overview(archive)}
+        page = page_text(archive)
+    assert {"Design x: viscous, completed", "Design y: hysteretic, completed"} <= tables
+    assert "Modes of the building with the dampers of this design" in page and "could not be" not in page
+    names = [name for group in groups for name in group.attributes["device_names"]]
+    dampers = next(iter(designed.values())).coords["damper"].values.tolist()
+    assert names == dampers and {name[:2] for name in names} == {"VX", "RY"}
+    # along y the single record acts along y too
+    assert groups[1].coords["criterion"].values.tolist() == ["drift, DBE"]
+
+    own = tmp_path / "own"
+    own.mkdir()
+    texts = [re.sub("^", "  ", str(group.attributes["devices"]), flags=re.MULTILINE).rstrip() for group in groups]
+    text = "\n".join([texts[0], texts[1].partition("\n")[2]]) + "\n"
+    plain = STUDY[: STUDY.index("designs:")] + STUDY[STUDY.index("variants:") :]
+    path = write(own, plain.replace("{design: [x, y]}", "{dampers: project}"), LAWS + text)
+    again = histories(run_study(load_study(path)).archive, "damped")
+    for name, group in designed.items():
+        for key in ("storey_drift_max", "floor_displacement", "damper_force", "damper_deformation"):
+            assert np.array_equal(group.variables[key].values, again[name].variables[key].values), (name, key)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("along: x, frames: [X1, X3], bays: 1,", "bays: 1,"), "designs.x.along: this key is missing"),
+        (("frames: [X1, X3]", "frames: [X1, X9]"), "designs.x.frames"),
+        (("frames: [X1, X3]", "frames: [A, C]"), "designs.x.frames"),
+        (("bays: 1, damping", "bays: 3, damping"), "there is no bay 3 along x"),
+        (("[x, y]}", "[x, z]}"), "variants.damped.design[1]: there is no design `z`"),
+        (("[x, y]}", "[x, x]}"), "variants.damped.design[1]: `x` comes twice"),
+        (("rounds: 3}", "rounds: 3, angles: [0 deg, 360 deg]}"), "stands here twice"),
+    ],
+)
+def test_designs_that_a_building_cannot_have_are_refused_with_their_place(
+    tmp_path: Path, change: tuple[str, str], said: str
+) -> None:
+    assert STUDY.count(change[0]) == 1
+    with pytest.raises(InputError, match="study.yaml:") as found:
+        load_study(write(tmp_path, STUDY.replace(*change)))
+    assert said in str(found.value)
+
+
+PLANE = """\
+edesign_study: 1
+title: Rising and falling dampers
+project: project.yaml
+designs:
+  up: {method: viscous, law: oil, kind: rising, bays: 1, storeys: 1, damping: 5 %, amplitude: {drift: 1 %}}
+  down: {method: viscous, law: oil, kind: falling, bays: 1, storeys: 2, damping: 5 %, amplitude: {drift: 1 %}}
+variants: {both: {design: [up, down]}, one: {design: up}}
+histories: [{variants: all, records: motion}]
+"""
+
+
+def plane(folder: Path, *changes: tuple[str, str]) -> Path:
+    (folder / "motion.AT2").write_text(RECORD, encoding="utf-8")
+    (folder / "project.yaml").write_text(TEXT + LAWS, encoding="utf-8")
+    text = PLANE
+    for old, new in changes:
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    path = folder / "study.yaml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_a_plane_frame_has_the_dampers_of_several_designs(tmp_path: Path) -> None:
+    summary = run_study(load_study(plane(tmp_path)))
+    assert all(outcome.status == "completed" for outcome in summary.outcomes), summary.outcomes
+    with open_archive(summary.archive) as archive:
+        dampers = {name: archive.group(f"analyses/{name}.motion").coords["damper"] for name in ("both", "one")}
+    assert {name: of.values.tolist() for name, of in dampers.items()} == {"both": ["R_1_1", "F_1_2"], "one": ["R_1_1"]}
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        (
+            (("kind: falling", "kind: rising"), ("storeys: 2", "storeys: all")),
+            "variants.both.design[1]: `down` places dampers where `up` does: `R_1_1`",
+        ),
+        ((("storeys: 2,", "storeys: 2, temperature: 10 degC,"),), "`down` and `up` have the law `oil` at different"),
+        ((("storeys: 1,", "storeys: 1, along: x,"),), "designs.up.along: a plane frame has one direction"),
+    ],
+)
+def test_designs_that_do_not_go_together_are_refused(
+    tmp_path: Path, changes: tuple[tuple[str, str], ...], said: str
+) -> None:
+    with pytest.raises(InputError) as found:
+        load_study(plane(tmp_path, *changes))
+    assert said in str(found.value)
