@@ -348,3 +348,15 @@ def test_devices_of_a_design_stand_in_a_project_file() -> None:
     # horizontal stiffness: each diagonal by the square of its cosine
     k = 1e6 * np.array(result.dampers.devices[0].layer_area) * 2 / 0.07
     np.testing.assert_allclose(2 * k * 7.2**2 / (7.2**2 + 3.5**2), result.group.variables["damper_stiffness"].values)
+
+
+@pytest.mark.parametrize("kind", ["falling", "chevron_braces"])
+def test_dampers_that_shorten_as_a_storey_drifts_take_their_share_of_its_shear(kind: str) -> None:
+    """The shear of the columns of a symmetric frame with falling dampers is that with rising ones."""
+    project = shear_project(3)
+    text = f"{COMMON}, method: strain_energy, damping: 9 %, {FIXED}, level: DBE"
+    shears = {}
+    for one in ("rising", kind):
+        group = run_design(project, "tried", design(text.replace("storey", one), project), Path(".")).group
+        shears[one] = group.variables["estimated_column_shear"].values
+    assert shears[kind] == pytest.approx(shears["rising"], rel=1e-6)

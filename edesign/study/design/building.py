@@ -10,7 +10,8 @@ import numpy as np
 
 from edesign.core import LawValues
 from edesign.errors import AnalysisError, InputError, split_code
-from edesign.frame.devices import DeviceLaw
+from edesign.frame.devices import Device, DeviceLaw
+from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis_file import AnalysisFile, File
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
@@ -37,6 +38,8 @@ class Building:
         names: of the dampers at the places.
         place_storey: (d,) index of each place in `storeys`.
         cosine: (d,) of each damper's slope.
+        pull: (d,) horizontal force against the drift over the force of the damper: the cosine, with the sign that the
+            deformation has as the floor above moves along the direction.
         deformation_scale: (d,) of its law over its own deformation: of braces that stretch with their length, else 1.
     """
 
@@ -51,6 +54,7 @@ class Building:
     names: tuple[str, ...]
     place_storey: np.ndarray
     cosine: np.ndarray
+    pull: np.ndarray
     deformation_scale: np.ndarray
 
     @property
@@ -151,8 +155,15 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         tuple(device.name for device in devices),
         np.array([index[device.storey] for device in devices]),
         np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == across) for device in devices]),
+        np.array([_pull(structure.frame, device, across) for device in devices]),
         np.array([device.deformation_scale for device in devices]),
     )
+
+
+def _pull(frame: FrameModel, device: Device, across: int) -> float:
+    """What the deformation of a damper grows by as the floor above it moves by 1."""
+    above = {frame.nodes[name] for name in frame.floors[device.storey - 1].nodes}
+    return sum(c for c, node, degree in device.terms if degree == across and node in above)
 
 
 def storey_stiffness(frame: CondensedFrame) -> np.ndarray:

@@ -184,7 +184,7 @@ class DeviceModel(ABC, Generic[D, V]):
         building = self.building
         shears = mode_shears(building.frame, modes)
         columns = shears.copy()
-        horizontal = modes.dampers * storage * building.cosine
+        horizontal = modes.dampers * storage * building.pull
         np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
         return FrameEstimate(
             self._drift(modes, peaks),
