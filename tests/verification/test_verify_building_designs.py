@@ -23,7 +23,10 @@ from edesign.frame.sections.steel_section import steel_section
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building import parse_building
 from edesign.project.loader import parse_project
+from edesign.study.analysis.leading_mode import torsional_ratios
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.building import make_building
+from edesign.study.design.condensed import condense
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.viscous.dashpot_modes import dashpot_modes
 
@@ -137,6 +140,46 @@ def test_a_turned_building_gets_the_same_dampers(name: str) -> None:
     for one, other in (("x", "y"), ("y", "x"), ("turn", "turn")):
         ratios = (found.variables[f"plan_mass_ratio_{axis}"].values for found, axis in ((here, one), (there, other)))
         assert next(ratios) == pytest.approx(next(ratios), abs=1e-10)
+
+
+SETBACK = (
+    "storeys: [4 m, 3.5 m, 3.2 m]\n",
+    "storeys: [4 m, 3.5 m, 3.2 m]\nsetbacks: [{floors: 3, bays: {x: all, y: 1}}]\n",
+)
+
+
+@pytest.mark.parametrize("name", ["alpha", "pattern", "loops", "Eq. 5.9"])
+def test_a_turned_setback_gets_the_same_dampers(name: str) -> None:
+    """Centres of mass of the floors lie apart across the design, so that turns take part in drifts and modes."""
+    texts = (changed(ROWS, SETBACK), changed(TURNED, (SETBACK[0], SETBACK[1].replace("x: all, y: 1", "x: 1, y: all"))))
+    here = made(f"{METHODS[name]}, along: x, frames: [X1, X2]", building(texts[0])).group
+    there = made(f"{METHODS[name]}, along: y, frames: [A, B]", building(texts[1])).group
+    size = next(key for key in SIZES if key in here.variables)
+    for key in (size, "plan_period", "plan_damping", "period", "computed_storey_stiffness", "estimated_storey_drift"):
+        if key in here.variables:
+            assert there.variables[key].values == pytest.approx(here.variables[key].values, rel=1e-9), key
+    assert here.variables["plan_mass_ratio_turn"].values[int(here.attributes["leading_mode"]) - 1] > 1e-3
+
+
+def test_a_drift_is_that_at_the_centre_of_mass_above() -> None:
+    """By the displacements of two column lines of each rigid floor, in the modes of the core."""
+    file = building(changed(ROWS, SETBACK))
+    structure = make_structure(file)
+    frame = condense(structure)
+    modes, core = frame.modes(), structure.modes(6)
+    assert modes.omega[:6] == pytest.approx(core.omega, rel=1e-9)
+    ratios = np.column_stack([core.effective_mass_ratio[:, :2], torsional_ratios(structure.frame, core)])
+    assert frame.mass_ratios(modes)[:6] == pytest.approx(ratios, abs=1e-9)
+    centres = [structure.frame.places[f"floor.{floor}"][1] for floor in (1, 2, 3)]
+    for mode in range(6):
+        before = np.zeros(2)
+        for floor, centre in enumerate(centres, start=1):
+            here = np.array([core.shapes[mode, structure.frame.nodes[f"A{line}.{floor}"], 0] for line in (1, 2)])
+            at = [before, here]
+            drift = np.diff([u[0] + (u[1] - u[0]) * centre / 5.0 for u in at])
+            scale = np.abs(core.shapes[mode, :, :2]).max()
+            assert abs(modes.storeys[mode, floor - 1]) == pytest.approx(abs(drift[0]), abs=1e-7 * scale)
+            before = here
 
 
 # --- a floor that turns as it moves

@@ -73,7 +73,7 @@ class Building:
         if plan is None:
             return storeys / self.heights
         found = np.zeros(self.heights.size)
-        np.maximum.at(found, plan.storey, lines)
+        np.maximum.at(found, plan.storey_of, lines)
         return found
 
     def largest_drifts(self, floors: np.ndarray, lines: np.ndarray) -> np.ndarray:
@@ -170,14 +170,15 @@ def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
     """Return the storey stiffness of the frame without dampers under the loads of its first mode, (f,) N/m.
 
     It is storey shear over storey drift. Under these loads the displacements are the mode itself. Of a building both
-    are along the direction of the design in the mode that leads there, the drift between the centres of mass.
+    are along the direction of the design in the mode that leads there, the drift at the centre of mass of the floor
+    above.
 
     Raises:
         AnalysisError: a storey does not shear in the first mode.
     """
     mode = frame.modes()
     shear = mode_shears(frame, mode)[mode.first]
-    drift = np.diff(mode.floors[mode.first], prepend=0.0)
+    drift = mode.storeys[mode.first]
     if np.any(shear * drift <= 0.0):
         raise AnalysisError(
             "a storey does not shear in the first mode of the frame: it has no storey stiffness [E-DESIGN-02]"

@@ -9,6 +9,7 @@ import scipy
 
 from edesign.core.modes import UNSTABLE
 from edesign.errors import AnalysisError
+from edesign.frame.frame_model import FrameModel, Sum
 from edesign.study.analysis.leading_mode import clusters
 from edesign.study.analysis.structure import Structure
 
@@ -24,6 +25,7 @@ class LinearModes:
         omega: (n,) rad/s.
         masses: (n, m) displacements of the masses, generalised mass 1.
         floors: (n, floors) horizontal displacement of each floor.
+        storeys: (n, floors) drift of each storey, m; of a building at the centre of mass of the floor above.
         dampers: (n, devices) deformation of each damper with its brace.
         participation: (n,) for ground motion in the direction of the frame, sqrt(kg).
         lines: (n, l) drift ratios on the column lines of a building; (n, 0) of a plane frame.
@@ -34,6 +36,7 @@ class LinearModes:
     omega: np.ndarray
     masses: np.ndarray
     floors: np.ndarray
+    storeys: np.ndarray
     dampers: np.ndarray
     participation: np.ndarray
     lines: np.ndarray
@@ -58,15 +61,17 @@ class InPlan:
     Attributes:
         ground: (3, m) how each mass moves with a ground that moves by 1 along x, by 1 along y, and turns by 1 about
             the vertical through the centre of all masses.
-        storey: (l,) index of the storey of each line.
-        A: (l, m) drift ratio on each line by a force on a mass, 1/N.
-        B: (l, d) that by a force of a damper, 1/N.
+        storey_of: (l,) index of the storey of each line.
+        line_A: (l, m), line_B: (l, d), drift ratio on each line, 1/N.
+        storey_A: (f, m), storey_B: (f, d), drift of each storey at the centre of mass of the floor above, m/N.
     """
 
     ground: np.ndarray
-    storey: np.ndarray
-    A: np.ndarray
-    B: np.ndarray
+    storey_of: np.ndarray
+    line_A: np.ndarray
+    line_B: np.ndarray
+    storey_A: np.ndarray
+    storey_B: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -131,12 +136,14 @@ class CondensedFrame:
         shapes *= np.where(shapes @ (self.mass * self.influence) < 0.0, -1.0, 1.0)[:, None]
         loads = omega[:, None] ** 2 * self.mass * shapes
         participation = shapes @ (self.mass * self.influence)
-        floors, lines = self._at_floors(forces), self._at_lines(forces)
+        floors, lines = loads @ self._at_floors(forces).T, loads @ self._at_lines(forces).T
+        storeys = np.diff(floors, axis=1, prepend=0.0)
+        if self.plan is not None:
+            storeys = loads @ (self.plan.storey_A - self.plan.storey_B @ forces).T
         told, first = self.told_modes(participation), 0
         if self.plan is not None:
             first = int(np.argmax(participation**2))
-        drifts = loads @ lines.T
-        return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation, drifts, first, told)
+        return LinearModes(omega, shapes, floors, storeys, loads @ dampers.T, participation, lines, first, told)
 
     def told_modes(self, participation: np.ndarray) -> np.ndarray:
         """Return the indices of the modes that results tell of: all of a plane frame.
@@ -222,7 +229,7 @@ class CondensedFrame:
         """Drift ratios on the lines of a building (l, m) likewise."""
         if self.plan is None:
             return np.zeros((0, self.mass.size), forces.dtype)
-        return self.plan.A - self.plan.B @ forces
+        return self.plan.line_A - self.plan.line_B @ forces
 
     def _with(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """With dampers and loads on the masses: displacements of these, forces and deformations of the dampers."""
@@ -289,7 +296,9 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
     if space:
         ratios = np.array([np.asarray(analysis.along([ratio]).toarray())[0] for _, ratio in lines]).reshape(-1, n)
         ground = _ground(structure, n)[:, heavy]
-        plan = InPlan(ground, np.array([i for i, _ in lines]), ratios @ by_masses, ratios @ by_dampers)
+        storeys = _storey_rows(structure, floor_rows, direction)
+        on_lines = (np.array([i for i, _ in lines]), ratios @ by_masses, ratios @ by_dampers)
+        plan = InPlan(ground, *on_lines, storeys @ by_masses, storeys @ by_dampers)
     return CondensedFrame(
         mass[heavy],
         influence[heavy],
@@ -300,6 +309,28 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
         floor_rows @ by_masses,
         floor_rows @ by_dampers,
         plan,
+    )
+
+
+def _storey_rows(structure: Structure, floor_rows: np.ndarray, direction: int) -> np.ndarray:
+    """Drifts of the storeys of a building at the centres of mass of the floors above, (f, n), by those of the floors.
+
+    A floor below that turns moves there by its lever: -theta y along x, theta x along y.
+    """
+    frame, found = structure.frame, np.diff(floor_rows, axis=0, prepend=0.0)
+    across = 1 - direction
+    centres = [_centre(frame, floor.movers[direction][0])[across] for floor in frame.floors]
+    for i, below in enumerate(frame.floors[:-1]):
+        if below.turn:
+            lever = (centres[i + 1] - centres[i]) * (-1.0 if direction == 0 else 1.0)
+            found[i + 1] -= lever * np.asarray(structure.analysis.along([below.turn]).toarray())[0]
+    return found
+
+
+def _centre(frame: FrameModel, mover: Sum) -> np.ndarray:
+    """The place in plan that a displacement is of, (2,) m: that of its nodes in the mean."""
+    return np.sum(
+        [share * np.array(frame.places[frame.model.node_names[node]][:2]) for share, node, _ in mover], axis=0
     )
 
 

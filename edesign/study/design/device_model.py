@@ -92,12 +92,13 @@ class DeviceModel(ABC, Generic[D, V]):
         return size / (self.spec.number * self.building.attachment(self.power))
 
     def roof_amplitude(
-        self, floors: np.ndarray, share: float, omega: float, damping: float, action: Action | None
+        self, at_roof: complex, storeys: np.ndarray, share: float, omega: float, damping: float, action: Action | None
     ) -> float:
         """Return the amplitude of the first mode at the roof, m; nan where a design with linear dampers needs none.
 
         Args:
-            floors: displacements of the floors in the mode, (f,).
+            at_roof: displacement of the roof in the mode.
+            storeys: drifts of the storeys in it, (f,).
             share: of the spectral displacement that the roof has, participation factor times its displacement.
             omega: circular frequency of the mode, rad/s.
             damping: damping ratio that the dampers add to it.
@@ -107,8 +108,8 @@ class DeviceModel(ABC, Generic[D, V]):
         if action is None and isinstance(amplitude, RoofAmplitude):
             return amplitude.roof_displacement
         if action is None and isinstance(amplitude, DriftAmplitude):
-            drifts = np.abs(np.diff(floors, prepend=0.0)) / self.building.heights
-            return amplitude.drift * float(abs(floors[-1])) / float(drifts.max())
+            drifts = np.abs(storeys) / self.building.heights
+            return amplitude.drift * float(abs(at_roof)) / float(drifts.max())
         action = action or self.action
         if action is None:
             return math.nan
@@ -168,9 +169,7 @@ class DeviceModel(ABC, Generic[D, V]):
         return self._estimate(self.bare, nothing, peaks, nothing, {})
 
     def _drift(self, modes: LinearModes, peaks: SpectralPeaks) -> np.ndarray:
-        return self.building.drifts(
-            peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)), peaks.combined(modes.lines)
-        )
+        return self.building.drifts(peaks.combined(modes.storeys), peaks.combined(modes.lines))
 
     def _estimate(
         self,

@@ -29,6 +29,6 @@ def pattern_of(building: Building, distribution: str) -> np.ndarray:
         share = mode_shears(building.frame, modes)[modes.first, chosen]
     else:
         modes = building.frame.modes()
-        drift = np.diff(modes.floors[modes.first], prepend=0.0)[chosen]
+        drift = modes.storeys[modes.first, chosen]
         share = building.computed_stiffness[chosen] * drift**2
     return np.asarray(share * (stiffness.mean() / share.mean()))

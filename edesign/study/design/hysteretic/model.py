@@ -202,7 +202,9 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         """
         first = modes.first
         share = float(modes.participation[first]) * float(modes.floors[first, -1])
-        return self.roof_amplitude(modes.floors[first], share, modes.first_omega, damping, action)
+        return self.roof_amplitude(
+            modes.floors[first, -1], modes.storeys[first], share, modes.first_omega, damping, action
+        )
 
     def _shears(self) -> np.ndarray:
         """Shears of the storeys with dampers, without them, linear, (s,) N: of spectrum or first mode, or given."""

@@ -26,6 +26,7 @@ class DashpotModes:
         damping: -Re(s) / abs(s), (n,).
         first: index of the mode most like the first mode without dampers; None: that does not oscillate.
         floors: horizontal displacement of each floor, complex (n, f), in modes of roof displacement 1.
+        storeys: drift of each storey, likewise (see `LinearModes`).
         dashpots: amplitude of the deformation of each dashpot without its spring, likewise, (n, d).
         told: indices of the modes that results tell of, as `CondensedFrame.told_modes`.
     """
@@ -34,6 +35,7 @@ class DashpotModes:
     damping: np.ndarray
     first: int | None
     floors: np.ndarray
+    storeys: np.ndarray
     dashpots: np.ndarray
     told: np.ndarray
 
@@ -96,5 +98,10 @@ def dashpot_modes(
     first = int(np.argmax(likeness)) if s.size and likeness.max() > _ALIKE else None
     roof = floors[:, -1:]
     roof = np.where(np.abs(roof) > _STILL * np.abs(floors).max(axis=1, keepdims=True), roof, 1.0)
+    floors /= roof
+    storeys = np.diff(floors, axis=1, prepend=0.0)
+    if frame.plan is not None:
+        own = frame.plan.storey_B - bare.storeys.T @ share.T
+        storeys = (q @ bare.storeys - (velocity * dashpots) @ own.T) / roof
     dashpot, told = np.abs(velocity / s[:, None] / roof), frame.told_modes(participation)
-    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, floors / roof, dashpot, told)
+    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, floors, storeys, dashpot, told)

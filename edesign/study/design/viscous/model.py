@@ -118,7 +118,9 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
         assert modes.first is not None
         share = float(self.bare.participation[self.bare.first] * self.bare.floors[self.bare.first, -1])
         added = modes.first_damping if damping is None else damping
-        return self.roof_amplitude(modes.floors[modes.first], share, modes.first_omega, added, action)
+        return self.roof_amplitude(
+            modes.floors[modes.first, -1], modes.storeys[modes.first], share, modes.first_omega, added, action
+        )
 
     def modes(self, linear: np.ndarray, coefficient: np.ndarray) -> DashpotModes:
         """Return the complex modes of the frame with linear dashpots and the springs in series with them.
