@@ -23,6 +23,7 @@ from edesign.study.design.estimate import Action, FrameEstimate, make_action
 from edesign.study.design.fully_stressed import StoreySizes, search_fully_stressed
 from edesign.study.design.loop import LARGEST_FACTOR, Round, RoundOutcome, S, Search, search
 from edesign.study.design.optimum import search_optimum
+from edesign.study.design.plausibility import shared_mode
 from edesign.study.design.results import (
     Results,
     store_bounds,
@@ -143,7 +144,8 @@ class Designer(ABC, Generic[S]):
             if spec.bounds is not None:
                 bounds = analyse_bounds(spec.bounds, partial(self.bound, sizing, action))
                 store_bounds(group, model, results, bounds)
-        group.attributes["warnings"] = list(dict.fromkeys(self.further(group, done, found)))
+        warnings = [*shared_mode(model.building.frame, model.bare), *self.further(group, done, found)]
+        group.attributes["warnings"] = list(dict.fromkeys(warnings))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
 

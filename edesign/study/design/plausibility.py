@@ -12,9 +12,11 @@ from edesign.codes.asce7 import largest_property_factor, smallest_property_facto
 from edesign.project.dampers.designs import Bounds, SizedDesign
 from edesign.project.reading.words import percent
 from edesign.study.design.bounds import property_factors
+from edesign.study.design.condensed import CondensedFrame, LinearModes
 from edesign.study.design.loop import Search
 
 ROUNDING = 1e-6  # of shares and ratios
+_SHARED = 0.5  # of the mass of the leading mode; in a uniform cantilever the second has 0.31 (bending), 0.11 (shear)
 _AT_LIMIT = 1e-5  # relative, of a drift that a search has led to its limit
 _LEAST_SHARE = 1e-3  # of the dampers, from which a share with the same damping is looked for
 _SHARES = np.geomspace(_LEAST_SHARE, 1.0, 61)
@@ -38,6 +40,24 @@ def beyond_the_optimum(damping: Callable[[float], float], what: str) -> Iterator
         f"the dampers are beyond the size that adds most damping to the first mode ({percent(max(known))} with "
         f"braces): they add {percent(present)}, and {100.0 * share:.3g} % of the {what} would add as much"
     )
+
+
+def shared_mode(frame: CondensedFrame, bare: LinearModes) -> Iterator[str]:
+    """Say so if modes of a building share the mass along the direction of a design, which is for the one of them.
+
+    Args:
+        bare: modes without dampers.
+    """
+    if frame.plan is None:
+        return
+    share = bare.participation**2 / float(frame.mass @ frame.influence)
+    other = max((i for i in range(share.size) if i != bare.first), key=lambda i: share[i])
+    if share[other] > _SHARED * share[bare.first]:
+        yield (
+            f"modes {bare.first + 1} and {other + 1} without dampers both move along the direction, with "
+            f"{percent(share[bare.first])} and {percent(share[other])} of the mass: torsion or nearly equal periods "
+            "couple them, and the target is of the first named; the table of modes tells the damping of both"
+        )
 
 
 def estimate_warnings(spec: SizedDesign, done: Search[Any], drift: float) -> list[str]:
