@@ -81,6 +81,7 @@ def test_dampers_of_two_designs_are_those_that_a_building_file_may_have_itself(t
         page = page_text(archive)
     assert {"Design x: viscous, completed", "Design y: hysteretic, completed"} <= tables
     assert "Modes of the building with the dampers of this design" in page and "could not be" not in page
+    assert all(f"figure-model_damped_{frame}" in page for frame in ("X1", "YB"))
     names = [name for group in groups for name in group.attributes["device_names"]]
     dampers = next(iter(designed.values())).coords["damper"].values.tolist()
     assert names == dampers and {name[:2] for name in names} == {"VX", "RY"}

@@ -30,13 +30,16 @@ FROM_NODE = 0.08
 PINNED_END, SPRUNG_END = "end without moment", "end with a rotational stiffness"
 
 
-def model_elevations(building: Building, frame: SpaceFrame, heading: Sequence[str] = ()) -> Iterator[Named]:
+def model_elevations(
+    building: Building, frame: SpaceFrame, heading: Sequence[str] = (), variant: str = ""
+) -> Iterator[Named]:
     """Yield an elevation of each plane frame that differs from the others.
 
     Args:
         building: its grid and supports.
         frame: its members.
         heading: lines above each drawing; (): none.
+        variant: of a study, of which the frames with dampers are drawn; "": all frames are.
 
     Yields:
         Name of the file, caption and figure.
@@ -45,7 +48,7 @@ def model_elevations(building: Building, frame: SpaceFrame, heading: Sequence[st
         groups: dict[tuple[object, ...], list[int]] = {}
         for number in range(building.n_frames(along)):
             members = _members(frame, frame_name(along, number))
-            if members:
+            if members and not (variant and not _devices(building, along, number).look):
                 groups.setdefault(_look(building, frame, along, number, members), []).append(number)
         left_out = len(groups) - MOST
         for numbers in list(groups.values())[:MOST]:
@@ -54,11 +57,13 @@ def model_elevations(building: Building, frame: SpaceFrame, heading: Sequence[st
                 f"Frame{'s' * (len(names) > 1)} {some_names(names, 6)} along {along}: spans, heights and levels in m, "
             )
             caption += f"sections, ends of beams, supports{', dampers' * (building.dampers is not None)}."
+            if variant:
+                caption = f"Variant {variant}: {caption[0].lower()}{caption[1:]}"
             above = (*heading, caption.rstrip(".")) if heading else ()
             if left_out > 0 and numbers == list(groups.values())[MOST - 1]:
                 caption += f" {left_out} more that differ are not drawn."
             draw = partial(_draw, building=building, frame=frame, along=along, number=numbers[0])
-            yield file_name("model", names[0]), caption, on_sheet(draw, above)
+            yield file_name("model", *([variant] if variant else []), names[0]), caption, on_sheet(draw, above)
 
 
 def _members(frame: SpaceFrame, name: str) -> list[Member]:

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
 from edesign.report.building.model_figures import building_model_figures
+from edesign.report.building.variant_elevations import variant_elevations
 from edesign.report.html.section import Section
+from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.report.model.archived import model_drawings
 from edesign.report.page.source import Source
 from edesign.space.archived import PLACE
@@ -24,5 +26,7 @@ def model(source: Source) -> Section:
             yield from model_drawings(archive, source.project, source.study)
         elif source.building is not None and not archive.has(PLACE):  # a design has drawings of its own
             yield from building_model_figures(source.building)
+            if source.study is not None:
+                yield from variant_elevations(source.study, archived_dampers(archive, source.study))
 
     return Section("model", "The model", (), source.pictures(drawings_of_the_model))
