@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from edesign.frame.project_file import load_study
 from edesign.report.archive.document import page_text
 from edesign.report.archive.tables import overview
 from edesign.study.check.summary import check_study
+from edesign.study.design.verification import along_design
+from edesign.study.plan.study_plan import verifying_histories
 from edesign.study.run.run import run_study
 
 LAWS = """\
@@ -98,6 +101,20 @@ def test_dampers_of_two_designs_are_those_that_a_building_file_may_have_itself(t
     for name, group in designed.items():
         for key in ("storey_drift_max", "floor_displacement", "damper_force", "damper_deformation"):
             assert np.array_equal(group.variables[key].values, again[name].variables[key].values), (name, key)
+
+
+def test_a_verification_looks_along_its_design(tmp_path: Path) -> None:
+    """A single record acts along y, a pair as it does in histories; so do angles that are told."""
+    study = load_study(write(tmp_path))
+    angles = {spec.record: spec.angles for spec in verifying_histories(study, "y", 1)}
+    assert angles == {"pair": (0.0,), "one": (math.pi / 2,)}
+    told = load_study(write(tmp_path, STUDY.replace("rounds: 3}", "rounds: 3, angles: 30 deg, eccentricity: [0, +y]}")))
+    specs = list(verifying_histories(told, "y", 2))
+    assert [spec.name for spec in specs] == [f"y.2.DBE.{name}.{at}" for name in ("pair", "one") for at in ("0", "+y")]
+    assert {spec.angles for spec in specs} == {(math.pi / 6,)}
+    (drift,) = study.criteria
+    assert along_design(drift, study.designs["y"]).direction == "y"
+    assert along_design(drift.model_copy(update={"direction": "x"}), study.designs["y"]).direction == "x"
 
 
 @pytest.mark.parametrize(
