@@ -1,17 +1,28 @@
-"""Hollow sections of steel: square, rectangular and circular, hot finished (EN 10210-2) or cold formed (EN 10219-2)."""
+"""Hollow sections of steel: square, rectangular and circular.
+
+Hot finished (EN 10210-2), cold formed (EN 10219-2), or American in inches (HSS of ASTM A500).
+"""
 
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
+from fractions import Fraction
 
 from edesign.errors import InputError
 from edesign.frame.sections.section import Spot, fillets
 from edesign.frame.sections.section_names import SectionName
 
-_MM = 1e-3
+_MM, _INCH = 1e-3, 0.0254
 _SIZES = {"SHS": 2, "RHS": 3, "CHS": 2}
 _EXAMPLES = "`SHS200x10`, `RHS200x100x8`, `CHS168.3x8` (mm; cold formed: `CFSHS200x10`)"
+_HSS_SIZE = r"(?:\d+-)?\d+/\d+|\d+\.?\d*|\.\d+"
+_HSS = re.compile(rf"HSS\s*({_HSS_SIZE})((?:\s*[X×*]\s*(?:{_HSS_SIZE}))*)")
+_HSS_EXAMPLES = "`HSS8x6x1/2`, `HSS6.625x0.280` (inches, nominal thickness)"
+_MOST_INCHES = 50.0  # of a side; the widest tubes of ASTM A500 have 34 in, and sizes in mm begin above
+DESIGN_THICKNESS = 0.93
+"""Share of the nominal thickness that a wall of ASTM A500 counts with. Source: AISC 360-16, B4.2."""
 
 
 @dataclass(frozen=True)
@@ -24,8 +35,10 @@ class HollowSection:
         t: thickness of the wall, m.
         round: whether it is circular.
         cold_formed: otherwise hot finished.
+        american: of ASTM A500; `t` is then the design thickness.
 
-    Source: EN 10210-2:2006 and EN 10219-2:2006, Annex B.
+    Source: EN 10210-2:2006 and EN 10219-2:2006, Annex B. Corners of ASTM A500 with outer radius 2 t and inner radius t
+        are those of the AISC Steel Construction Manual, Part 1.
     """
 
     name: str
@@ -34,6 +47,7 @@ class HollowSection:
     t: float
     round: bool
     cold_formed: bool
+    american: bool = False
 
     @property
     def r_o(self) -> float:
@@ -42,6 +56,8 @@ class HollowSection:
             return 0.0
         if not self.cold_formed:
             return 1.5 * self.t
+        if self.american:
+            return 2.0 * self.t
         return (2.0 if self.t <= 6e-3 else 2.5 if self.t <= 10e-3 else 3.0) * self.t
 
     @property
@@ -140,11 +156,13 @@ def hollow_section(name: str) -> HollowSection | None:
     """Return a hollow section by its name; None if the name is not of a hollow section.
 
     Args:
-        name: as `SHS200x10`.
+        name: as `SHS200x10`, or `HSS8x6x1/2` in inches.
 
     Raises:
         InputError: the sizes in the name are not those of a hollow section.
     """
+    if name.strip().upper().startswith("HSS"):
+        return _american(name)
     parts = SectionName.of(name)
     if parts is None:
         return None
@@ -168,3 +186,25 @@ def hollow_section(name: str) -> HollowSection | None:
             f"`{name}`: {what} of {t / _MM:g} mm do not fit into {b / _MM:g} mm; sizes are {_EXAMPLES} [E-SECT-02]"
         )
     return found
+
+
+def _american(name: str) -> HollowSection:
+    """Return a section of ASTM A500 by its sizes in inches: two of a circular one, else three, the thickness last."""
+    found = _HSS.fullmatch(name.strip().upper())
+    written = re.findall(_HSS_SIZE, "X".join(found.groups())) if found else []
+    try:
+        sizes = [sum(float(Fraction(part)) for part in size.split("-")) for size in written]
+    except ZeroDivisionError:
+        sizes = []
+    if len(sizes) not in (2, 3):
+        raise InputError(
+            f"`{name}` has not two or three sizes; American hollow sections are written {_HSS_EXAMPLES} [E-SECT-02]"
+        )
+    *sides, t = sizes
+    if max(sides) > _MOST_INCHES or not 0.0 < 4.0 * t <= min(sides):
+        raise InputError(
+            f"`{name}`: sizes of HSS are in inches, such as {_HSS_EXAMPLES}; in mm write {_EXAMPLES} [E-SECT-02]"
+        )
+    called = "HSS" + "x".join(f"{size:g}" for size in (*sorted(sides, reverse=True), t))
+    h, b = max(sides) * _INCH, min(sides) * _INCH
+    return HollowSection(called, h, b, DESIGN_THICKNESS * t * _INCH, len(sides) == 1, cold_formed=True, american=True)

@@ -31,7 +31,7 @@ _SQUARE = {
 }
 """Least and largest thickness of hot finished squares, mm, by their sides. Source: EN 10210-2:1997, Annex B."""
 SQUARES = "SHS"
-_OTHER_HOLLOW = ("RHS", "CHS", "CFSHS", "CFRHS", "CFCHS")
+_OTHER_HOLLOW = ("RHS", "CHS", "CFSHS", "CFRHS", "CFCHS", "HSS")
 _AS_GOOD = ("I_y", "I_z", "W_pl_y", "W_pl_z")
 _AS_GOOD_IN_SHEAR = (*_AS_GOOD, "A_vz")
 

@@ -17,6 +17,7 @@ def steel_section(name: str) -> SteelSection:
     Args:
         name: of a rolled I section, as `profile` takes it, or of a hollow section, sizes in mm: `SHS200x10`,
             `RHS200x100x8`, `CHS168.3x8`, hot finished, with or without `HF` before it; `CFSHS200x10` is cold formed.
+            `HSS8x6x1/2` is of ASTM A500, in inches.
 
     Raises:
         InputError: there is no such section, or the walls of a hollow one do not fit into it.

@@ -116,8 +116,8 @@ class Catalogue(Collection[str], Protocol):
         """Return the catalogue's names near an unknown one as a clause for messages."""
 
 
-HOLLOW_FAMILIES = ("SHS", "RHS", "CHS")
-"""Square, rectangular and circular hollow sections, hot finished; `CF` before it: cold formed."""
+HOLLOW_FAMILIES = ("SHS", "RHS", "CHS", "HSS")
+"""Square, rectangular and circular hollow sections, hot finished; `CF` before it: cold formed; `HSS`: of ASTM A500."""
 
 
 def is_hollow(name: str) -> bool:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import csv
+import math
 from pathlib import Path
 
 import pytest
 
 import edesign
 from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.profiles import profile, profile_names
 from edesign.frame.sections.section_names import SectionName
 from edesign.frame.sections.steel_section import steel_section
@@ -83,6 +85,49 @@ def test_w_shapes_are_those_of_the_american_tables() -> None:
         assert float(name.rpartition("x")[2]) == pytest.approx(POUND_PER_FOOT * pounds, rel=0.003, abs=1.5), row["name"]
         found.add(name)
     assert len(found) == len(rows)
+
+
+@pytest.mark.parametrize(
+    ("written", "name", "printed"),
+    [
+        ("HSS8X8X1/2", "HSS8x8x0.5", (13.5, 125.0, 125.0, 37.5, 37.5, 204.0)),
+        ("HSS8x6x.500", "HSS8x6x0.5", (11.6, 98.2, 62.5, 30.5, 24.9, 127.0)),
+        ("hss 6 x 10 x 1/2", "HSS10x6x0.5", (13.5, 171.0, 76.8, 43.0, 30.1, 176.0)),
+    ],
+)
+def test_american_hollow_sections_have_their_printed_properties(
+    written: str, name: str, printed: tuple[float, ...]
+) -> None:
+    """A in2, I_x and I_y in4, Z_x and Z_y in3, J in4; printed in three digits, J by another formula (1 %).
+
+    Source: AISC Steel Construction Manual, 14th ed., Tables 1-11 and 1-12; walls count with 0.93 of the nominal
+        thickness.
+    """
+    assert BuildingSections().canonical(written) == name
+    assert BuildingSections().canonical(name) == name
+    of = steel_section(name)
+    found = [of.A / INCH**2, of.I_y / INCH**4, of.I_z / INCH**4, of.W_pl_y / INCH**3, of.W_pl_z / INCH**3]
+    assert found == pytest.approx(printed[:5], rel=5e-3)
+    assert of.I_t / INCH**4 == pytest.approx(printed[5], rel=0.01)
+
+
+def test_round_american_sections_have_two_sizes() -> None:
+    of, t = steel_section("HSS6.625x0.280"), 0.93 * 0.280
+    assert (of.kind, of.A / INCH**2) == ("CHS", pytest.approx(math.pi * t * (6.625 - t)))
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("HSS203.2x203.2x12.7", "sizes of HSS are in inches"),
+        ("HSS8", "two or three sizes"),
+        ("HSS8x8x1/0", "two or three sizes"),
+        ("HSS4x4x2", "sizes of HSS are in inches"),
+    ],
+)
+def test_names_that_are_no_american_section_say_how_they_are_written(name: str, message: str) -> None:
+    assert BuildingSections().canonical(name) is None
+    assert message in BuildingSections().near(name)
 
 
 def test_properties_are_those_of_the_european_table() -> None:
