@@ -14,7 +14,8 @@ from edesign.assess.spread import stored_dims
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
-from edesign.frame.sections.i_shape import i_section, is_i_section, rolled_i_section
+from edesign.frame.sections.i_shape import full_i_section, i_section
+from edesign.frame.sections.own_section import section_of
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.notation.names import column_name, member_kind, storey_of
@@ -168,9 +169,10 @@ def _building_members(building: Building) -> dict[str, FrameMember]:
     building, layout = with_steel_by_thickness(building), building.layout
     for name, run in building.layout.members.items():
         kind, steel = member_kind(name), building.materials[run.material]
-        if kind == "brace" or steel.law == "elastic" or not is_i_section(run.section):
+        shape = section_of(building, run.section)
+        if kind == "brace" or steel.law == "elastic" or shape.kind != "I":
             continue
-        section = rolled_i_section(run.section, steel.E, steel.fy)
+        section = full_i_section(shape, steel.E, steel.fy)
         length = math.dist(*(layout.nodes[end] for end in layout.ends[name]))
         strength = lower_bound_axial_strength(section, length, length) if kind == "column" else math.inf
         found[name] = FrameMember(name, kind, storey_of(name), length, section, strength, "y")

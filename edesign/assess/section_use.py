@@ -9,8 +9,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.codes.ec3.cross_section import plastic_interaction
 from edesign.codes.ec3.member import Member, Stability, Strength
+from edesign.codes.ec3.section import SteelSection
+from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_class import section_class
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.criteria.criteria import QuantityCriterion
@@ -32,8 +33,8 @@ def section_use(group: Group, asked: QuantityCriterion, project: AnalysisFile) -
         project: whose sections and steels the members have.
 
     Returns:
-        (recorded members,), 1: the resistance is used up; infinite of a section of class 4, minus infinity of braces;
-        None: there are no forces of a building over time.
+        (recorded members,), 1: the resistance is used up; infinite of a section of class 4, minus infinity of braces
+        and of sections without class; None: there are no forces of a building over time.
 
     Source: EN 1993-1-1:2005, 6.2.9.1(2), Eq. 6.31, and (6), Eq. 6.41, or 6.2.1(7), Eq. 6.2, of class 1 and 2; 6.2.9.2,
         Eq. 6.42, of class 3.
@@ -51,11 +52,15 @@ def section_use(group: Group, asked: QuantityCriterion, project: AnalysisFile) -
             found.append(-math.inf)
             continue
         run = building.layout.members[name]
-        found.append(_largest(run.section, building.materials[run.material].fy, N[:, at].ravel(), M[:, at]))
+        section = section_of(building, run.section)
+        if not section.has_class:
+            found.append(-math.inf)
+            continue
+        found.append(_largest(section, building.materials[run.material].fy, N[:, at].ravel(), M[:, at]))
     return np.array(found)
 
 
-def _largest(name: str, fy: float, compression: np.ndarray, moments: np.ndarray) -> float:
+def _largest(section: SteelSection, fy: float, compression: np.ndarray, moments: np.ndarray) -> float:
     """The largest use over all instants and ends.
 
     The linear sum is never less than what the clause asks for. So instants are looked at from its largest value down,
@@ -65,7 +70,6 @@ def _largest(name: str, fy: float, compression: np.ndarray, moments: np.ndarray)
         compression: (n,) N.
         moments: of the same instants and ends, magnitudes about y and z, N m; its last axis.
     """
-    section = steel_section(name)
     number = section_class(section, fy, -max(float(compression.max()), 0.0), about_y=True, about_z=True).number
     if number > _HIGHEST_ELASTIC:
         return math.inf

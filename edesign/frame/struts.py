@@ -95,17 +95,18 @@ def strut(project: Project, section: str, material: str, length: float) -> Strut
     return _strut(area, axes, steel, length) if axes else None
 
 
-def catalogue_strut(section: str, steel: Material, length: float) -> Strut:
-    """Return a member of a rolled or hollow section as a strut; source and rules as of `strut`.
+def section_strut(section: SteelSection, steel: Material, length: float) -> Strut | None:
+    """Return a member of a steel section as a strut; None if its section has no second moments of area.
+
+    Source and rules are those of `strut`.
 
     Args:
+        section: its properties.
         steel: its law.
         length: L_cr about both axes, m.
-
-    Raises:
-        InputError: there is no such section.
     """
-    return _strut(*_of_catalogue(section, steel), steel, length)
+    area, axes = _of_section(section, steel)
+    return _strut(area, axes, steel, length) if min(section.I_y, section.I_z) > 0.0 else None
 
 
 def _strut(area: float, axes: list[AxisData], steel: Material, length: float) -> Strut:
@@ -174,21 +175,24 @@ def _section(project: Project, name: str, steel: Material) -> tuple[float, list[
     if not isinstance(shape, CrossSection):
         return shape.area, [] if shape.inertia is None else [(shape.inertia, solid_curve())]
     if own is None:
-        return _of_catalogue(name, steel)
+        return _of_section(steel_section(name), steel)
     weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)
     if isinstance(own, PlateSection):
         return shape.area, [(shape.inertia, welded_i_curve(own.flange, "y")), (weak, welded_i_curve(own.flange, "z"))]
     return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
 
 
-def _of_catalogue(name: str, steel: Material) -> tuple[float, list[AxisData]]:
-    shape = steel_section(name)
-    curves = _catalogue_curves(shape, 0.0 if isinstance(steel, ElasticMaterial) else steel.fy)
+def _of_section(shape: SteelSection, steel: Material) -> tuple[float, list[AxisData]]:
+    curves = _curves(shape, 0.0 if isinstance(steel, ElasticMaterial) else steel.fy)
     return shape.A, list(zip((shape.I_y, shape.I_z), curves, strict=True))
 
 
-def _catalogue_curves(section: SteelSection, fy: float) -> list[Curve]:
+def _curves(section: SteelSection, fy: float) -> list[Curve]:
     """Buckling curves about the strong and the weak axis."""
+    if section.kind == "other":
+        return [solid_curve()] * 2
+    if section.kind == "I" and section.welded:
+        return [welded_i_curve(section.tf, axis) for axis in ("y", "z")]
     if section.kind == "I":
         return [rolled_i_curve(section.h, section.b, section.tf, axis, fy) for axis in ("y", "z")]
     return [hollow_curve(fy, section.cold_formed)] * 2

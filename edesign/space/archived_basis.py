@@ -56,7 +56,7 @@ def add_restraints(group: Group, design: ElasticDesign) -> None:
         values = np.array([float(getattr(member, name)) for member in checks.members])
         group.add(name, ("member",), values[kinds], unit, text)
     used, found = np.array([member.section_class for member in checks.members])[kinds], _classes(design)
-    text = "class of the section in the checks, under the largest axial force of all combinations"
+    text = "class of the section in the checks, under the largest axial force of all combinations; 0: it has none"
     group.add("class", ("member",), np.where((found < 3) == (used < 3), found, used), "1", text)
     at = np.array(["y at start", "z at start", "y at end", "z at end"])
     group.coords["end_axis"] = Variable(("end_axis",), at, "", "axis of the section and end of the member")
@@ -75,6 +75,8 @@ def _classes(design: ElasticDesign) -> np.ndarray:
     return np.array(
         [
             section_class(of.section, of.fy, 0.0 if member.kind == "beam" else -N_Ed, member.kind != "brace").number
+            if of.section.has_class
+            else 0
             for member, of, N_Ed in zip(design.frame.members, checked, force.tolist(), strict=True)
         ]
     )

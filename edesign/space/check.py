@@ -9,8 +9,8 @@ from typing import TypeVar
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.frame.sections.own_section import section_of
 from edesign.frame.sections.section_lists import family_of, sections_of
-from edesign.frame.sections.steel_section import steel_section
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import DEFAULT_PRICE, KINDS
@@ -155,7 +155,7 @@ def building_warnings(building: Building) -> list[str]:
         column_name(line, storey)
         for (line, storey), run in at.items()
         if (below := at.get((line, storey - 1))) is not None
-        and steel_section(run.section).A > steel_section(below.section).A
+        and section_of(building, run.section).A > section_of(building, below.section).A
     ]
     if larger:
         found.append(f"columns are larger than those below them: {listed(larger)}")

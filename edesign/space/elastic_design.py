@@ -15,12 +15,12 @@ from edesign.codes.rule_check import ROUNDING, RuleCheck
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
-from edesign.frame.sections.steel_section import steel_section
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.plausible import unusual
 from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.reading.problems import listed
 from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals
@@ -233,6 +233,14 @@ class ElasticAnalysis:
                 what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
                 where = self.building.where("design", "systems", axis, "type")
                 raise InputError(f"{where}: design.systems.{axis}.type: `{kind}`, but no {what} [E-SPACE-03]")
+            without = np.intersect1d(self.dissipative[axis], self.frame.unclassified)
+            if without.size:
+                member = self.frame.members[without[0]]
+                place = self.building.where(*keys_of_member(self.building, member.name), "section")
+                raise InputError(
+                    f"{place}: {member.name} dissipates energy along {axis}, and its section {member.section} has no "
+                    "class and no plastic resistance; give it plates or a profile, or leave `design` out [E-SPACE-10]"
+                )
 
     def _behaviour_factors(self, regular: Regular) -> tuple[dict[Axis, float], dict[Axis, float]]:
         """Return q of both directions, and their upper limits."""
@@ -243,7 +251,7 @@ class ElasticAnalysis:
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""
         pairs, of_members = self.frame.sections
-        metre = [steel_section(name).A * self._made.materials[steel].density for name, steel in pairs]
+        metre = [self.frame.section(name).A * self._made.materials[steel].density for name, steel in pairs]
         return float(np.array(metre)[of_members] @ self.frame.length)
 
     def steel_of(self, group: str, section: str) -> tuple[str, Steel]:
@@ -423,6 +431,13 @@ class ElasticAnalysis:
     def _limits(self, frame: SpaceFrame) -> list[str]:
         """Return what the analysis adds to this building or leaves out of it, a sentence each."""
         found = [text for _, text in unusual(self.building)]
+        if frame.unclassified.size:
+            names = listed([frame.members[number].name for number in frame.unclassified], 3)
+            sections = listed(dict.fromkeys(frame.members[number].section for number in frame.unclassified))
+            found.append(
+                f"{names} are not checked by EN 1993-1-1 and EN 1998-1: sections {sections} have no class; their "
+                "forces are in the archive"
+            )
         found += [self._vertical.note] if self._vertical else []
         found += [LIVE_LOADS_REDUCED] if self._reduction is not None else []
         weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY

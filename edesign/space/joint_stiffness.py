@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.codes.ec3.joints import PINNED, RIGID, classified
-from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.sections.own_section import section_of
 from edesign.project.building.building import Building
 
 
@@ -14,7 +14,7 @@ def unusual_ends(building: Building) -> list[str]:
     found: dict[tuple[int, str], str] = {}
     for place, run in layout.beam_at.items():
         length = building.widths(place.along)[place.bay - 1]
-        beam = building.materials[run.material].E * steel_section(run.section).I_y / length
+        beam = building.materials[run.material].E * section_of(building, run.section).I_y / length
         for end in ("start", "end"):
             stiffness = getattr(run.ends, end)
             if not isinstance(stiffness, float):

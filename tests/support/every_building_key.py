@@ -34,6 +34,11 @@ missing:
 materials:
   S355: {E: 210 GPa, fy: 355 MPa, nu: 0.3, density: 7850 kg/m^3}
   S235: {fy: 235 MPa}
+sections:
+  plates: {height: 300 mm, width: 200 mm, flange: 15 mm, web: 9 mm}
+  stack: {rectangles: [{width: 200 mm, depth: 20 mm, centre: 0 mm}, {width: 12 mm, depth: 200 mm, centre: 110 mm}]}
+  properties: {area: 50 cm^2, inertia: 8000 cm^4, weak_inertia: 600 cm^4, torsion_constant: 20 cm^4,
+    shear_area: 20 cm^2, weak_shear_area: 25 cm^2}
 loads:
   areas:
     - {floors: 1-2, bays: {x: 1-2, y: all}, G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x, secondary_beams: 0}

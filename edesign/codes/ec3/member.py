@@ -328,7 +328,10 @@ class Strength:
 
     def _buckling_curve(self, axis: str) -> str:
         s = self.section
-        if s.kind == "I":
+        if s.kind == "I" and s.welded:
+            curve = buckling.welded_i_curve(s.tf, "y" if axis == "y" else "z")
+            expression = f"welded, t_f = {1e3 * s.tf:.3g} mm, about {axis}"
+        elif s.kind == "I":
             curve = buckling.rolled_i_curve(s.h, s.b, s.tf, "y" if axis == "y" else "z", self.member.fy)
             expression = f"h/b = {s.h / s.b:.3g}, t_f = {1e3 * s.tf:.3g} mm, about {axis}"
         else:
@@ -387,13 +390,13 @@ class Strength:
     def _chi_LT(self, slenderness: float, C1: float) -> tuple[float, str]:
         """Return chi_LT or chi_LT,mod, and its symbol."""
         s, trace = self.section, self.trace
-        expression = f"h/b = {s.h / s.b:.3g}"
+        expression = f"{'welded, ' if s.welded else ''}h/b = {s.h / s.b:.3g}"
         if self.member.stability.general:
-            curve = trace.word("curve LT", lateral_torsional.general_curve(s.h, s.b), expression)
+            curve = trace.word("curve LT", lateral_torsional.general_curve(s.h, s.b, not s.welded), expression)
             chi = lateral_torsional.reduction_factor_general(slenderness, curve)
             formula = _reduction_formula("lambda_LT", slenderness, curve, 0.2, 1.0)
             return trace.add("chi_LT", chi, "1", formula, "6.3.2.2(1), Eq. 6.56"), "chi_LT"
-        curve = trace.word("curve LT", lateral_torsional.rolled_curve(s.h, s.b), expression, "Table 6.5")
+        curve = trace.word("curve LT", lateral_torsional.rolled_curve(s.h, s.b, not s.welded), expression, "Table 6.5")
         chi = lateral_torsional.reduction_factor(slenderness, curve)
         plateau, beta = lateral_torsional.LAMBDA_LT_0, lateral_torsional.BETA
         formula = _reduction_formula("lambda_LT", slenderness, curve, plateau, beta)

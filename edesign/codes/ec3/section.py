@@ -1,4 +1,4 @@
-"""A doubly symmetric section of steel, with the properties that the clauses ask for."""
+"""A section of steel, with the properties that the clauses ask for."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Literal
 
 DENSITY = 7850.0  # of steel, kg/m3; EN 1991-1-1, Table A.4, and EN 10365
 
-Shape = Literal["I", "RHS", "CHS"]
+Shape = Literal["I", "RHS", "CHS", "other"]
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,8 @@ class SteelSection:
 
     Attributes:
         name: as the catalogue has it: `IPE330`, `SHS200x10`.
-        kind: I; RHS: hollow, square or rectangular; CHS: hollow, circular.
+        kind: I; RHS: hollow, square or rectangular; CHS: hollow, circular; other: of a shape that no clause knows. Its
+            section moduli and its shear areas of the clauses are nan.
         cold_formed: a hollow section by EN 10219; otherwise hot rolled or hot finished.
         h, b: height and width, of a CHS its diameter, m.
         tw, tf: thickness of web and flanges; of hollow sections both the wall, m.
@@ -31,6 +32,7 @@ class SteelSection:
         W_el_y, W_el_z, W_pl_y, W_pl_z: elastic and plastic section moduli, m3.
         i_y, i_z: radii of gyration, m.
         mass: kg/m.
+        welded: of plates; otherwise rolled or hollow.
     """
 
     name: str
@@ -54,11 +56,17 @@ class SteelSection:
     W_el_z: float
     W_pl_y: float
     W_pl_z: float
+    welded: bool = False
+
+    @property
+    def has_class(self) -> bool:
+        """Whether EN 1993-1-1 classifies it, and can check members of it."""
+        return self.kind != "other"
 
     @property
     def webs(self) -> int:
         """Number of plane webs that carry shear along z."""
-        return {"I": 1, "RHS": 2, "CHS": 0}[self.kind]
+        return {"I": 1, "RHS": 2, "CHS": 0, "other": 0}[self.kind]
 
     @property
     def h_w(self) -> float:

@@ -23,7 +23,6 @@ from edesign.exchange.sap2000.model import (
     local_axes,
 )
 from edesign.exchange.sap2000.spectra import spectrum_functions
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.frame import NO_DIAPHRAGM, Member, SpaceFrame
@@ -54,7 +53,7 @@ def from_building(building: Building) -> tuple[Sap2000Model, list[str]]:
         weight = steel.density * STANDARD_GRAVITY
         model.materials[name] = Material(name, "Steel", steel.E, steel.nu, weight, steel.density, steel.fy)
     for member in space.members:
-        section = _section(model, member)
+        section = _section(model, space, member)
         released, springs = _ends(member)
         start, end = names[member.start], names[member.end]
         angle = _angle(member, model.joints[start], model.joints[end])
@@ -103,9 +102,9 @@ def _flags(values: np.ndarray) -> SixFlags:
     return a, b, c, d, e, f
 
 
-def _section(model: Sap2000Model, member: Member) -> str:
+def _section(model: Sap2000Model, space: SpaceFrame, member: Member) -> str:
     """The name of a member's section in the model; of diagonals that do not count in compression, half of it."""
-    of = steel_section(member.section)
+    of = space.section(member.section)
     used = {section.material for section in model.sections.values() if section.catalogue == of.name}
     called = of.name if used | {member.material} == {member.material} else f"{of.name} {member.material}"
     called = called if member.compression else f"{called} half"

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from edesign.codes.ec3.section import SteelSection
 from edesign.codes.fema356.sections import ISection
 from edesign.frame.sections.named_section import cross_section
 from edesign.frame.sections.profiles import profile, profile_names
 from edesign.frame.sections.section import CrossSection
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.members import BeamRun, ColumnRun
 from edesign.project.frame.sections import PlateSection
@@ -66,27 +66,21 @@ def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
     )
 
 
-def is_i_section(name: str) -> bool:
-    """Return whether a section is a rolled I section of the catalogue."""
-    return profile_names().canonical(name) is not None
-
-
-def rolled_i_section(name: str, E: float, fy: float) -> ISection:
-    """Return the properties of a rolled I section, fillets included.
+def full_i_section(section: SteelSection, E: float, fy: float) -> ISection:
+    """Return the properties of an I section with what fillets it has.
 
     Args:
-        name: of the catalogue.
+        section: rolled, or welded of plates.
         E: modulus of elasticity, Pa.
         fy: yield strength, Pa.
     """
-    plates, shape = profile(name), steel_section(name)
     return ISection(
-        flange_slenderness=plates.b / (2.0 * plates.tf),
-        web_slenderness=(plates.h - 2.0 * plates.tf - 2.0 * plates.r) / plates.tw,
-        area=shape.A,
-        inertia=shape.I_y,
-        weak_inertia=shape.I_z,
-        plastic_modulus=shape.W_pl_y,
+        flange_slenderness=section.b / (2.0 * section.tf),
+        web_slenderness=(section.h - 2.0 * section.tf - 2.0 * section.r) / section.tw,
+        area=section.A,
+        inertia=section.I_y,
+        weak_inertia=section.I_z,
+        plastic_modulus=section.W_pl_y,
         E=E,
         expected_yield=fy,
         lower_bound_yield=fy,

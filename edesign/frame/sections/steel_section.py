@@ -1,4 +1,4 @@
-"""Steel sections with all their properties: rolled I sections of the catalogue, and hollow sections by their names."""
+"""Steel sections with all their properties: rolled I sections, I sections of plates, and hollow sections."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
 from edesign.frame.sections.hollow_section import hollow_section
-from edesign.frame.sections.profiles import Profile, profile, profile_names
+from edesign.frame.sections.profiles import profile, profile_names
 from edesign.frame.sections.section import fillets
 
 
@@ -25,7 +25,8 @@ def steel_section(name: str) -> SteelSection:
     hollow = hollow_section(name)
     if hollow is None:
         known = profile_names().canonical(name)
-        return _rolled(profile(known or name))
+        of = profile(known or name)
+        return i_steel_section(of.name, of.h, of.b, of.tw, of.tf, of.r)
     return SteelSection(
         name=hollow.name,
         kind="CHS" if hollow.round else "RHS",
@@ -51,26 +52,35 @@ def steel_section(name: str) -> SteelSection:
     )
 
 
-def _rolled(shape: Profile) -> SteelSection:
-    """Return a rolled I section: areas and their moments exact for three rectangles and four fillets.
+def i_steel_section(
+    name: str, h: float, b: float, tw: float, tf: float, r: float = 0.0, welded: bool = False
+) -> SteelSection:
+    """Return an I section: areas and their moments exact for three rectangles and four fillets.
 
-    Source: A_vz EN 1993-1-1, 6.2.6(3)a with eta = 1, its safe value. A_vy: the flanges; (3)e for welded sections gives
-        the same. A_z = h t_w and A_y = 5/6 of the flanges: exact to 5 % and, without the fillets, 10 % (finite
-        elements). I_w, of the flanges: the formula of the mills' tables (ArcelorMittal, Sections and merchant bars,
-        notations and formulae).
+    Args:
+        h: height, m.
+        b: width of the flanges, m.
+        tw: thickness of the web, m.
+        tf: thickness of the flanges, m.
+        r: radius of the fillets, m; 0 of plates.
+        welded: of plates; the width of its welds is not known, and the flat parts reach up to the plates.
+
+    Source: A_vz EN 1993-1-1, 6.2.6(3)a, of welded sections (3)d, with eta = 1, its safe value. A_vy: the flanges; (3)e
+        for welded sections gives the same. A_z = h t_w and A_y = 5/6 of the flanges: exact to 5 % and, without the
+        fillets, 10 % (finite elements). I_w, of the flanges: the formula of the mills' tables (ArcelorMittal, Sections
+        and merchant bars, notations and formulae).
     """
-    h, b, tw, tf, r = shape.h, shape.b, shape.tw, shape.tf, shape.r
     clear, arm = h - 2.0 * tf, 0.5 * (h - tf)
     flange, web = b * tf, clear * tw
-    pairs = fillets(0.5 * clear, r)  # below and above
-    beside = fillets(-0.5 * tw, r)  # the same about the other axis: left and right of the web
+    pairs = fillets(0.5 * clear, r) if r > 0.0 else ()  # below and above
+    beside = fillets(-0.5 * tw, r) if r > 0.0 else ()  # the same about the other axis: left and right of the web
     area = 2.0 * flange + web + sum(pair.area for pair in pairs)
     I_y = 2.0 * flange * (arm**2 + tf**2 / 12.0) + web * clear**2 / 12.0
     I_y += sum(pair.inertia + pair.area * pair.centre**2 for pair in pairs)
     I_z = (2.0 * flange * b**2 + web * tw**2) / 12.0
     I_z += sum(pair.inertia + pair.area * pair.centre**2 for pair in beside)
     return SteelSection(
-        name=shape.name,
+        name=name,
         kind="I",
         cold_formed=False,
         h=h,
@@ -80,7 +90,7 @@ def _rolled(shape: Profile) -> SteelSection:
         r=r,
         A=area,
         A_vy=2.0 * flange,
-        A_vz=max(area - 2.0 * flange + (tw + 2.0 * r) * tf, web),
+        A_vz=web if welded else max(area - 2.0 * flange + (tw + 2.0 * r) * tf, web),
         A_y=2.0 * flange * 5.0 / 6.0,
         A_z=h * tw,
         I_y=I_y,
@@ -91,6 +101,7 @@ def _rolled(shape: Profile) -> SteelSection:
         W_el_z=2.0 * I_z / b,
         W_pl_y=2.0 * flange * arm + web * clear / 4.0 + sum(pair.area * abs(pair.centre) for pair in pairs),
         W_pl_z=flange * b / 2.0 + web * tw / 4.0 + sum(pair.area * abs(pair.centre) for pair in beside),
+        welded=welded,
     )
 
 

@@ -32,7 +32,7 @@ from edesign.project.document import Document
 from edesign.project.frame import spacing
 from edesign.project.frame.elements import Elements
 from edesign.project.frame.materials import Material
-from edesign.project.frame.sections import SpaceFibres
+from edesign.project.frame.sections import SpaceFibres, SpaceSection
 from edesign.project.notation.grid import Grid
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.notation.units import PositiveLength
@@ -108,6 +108,7 @@ class Building(spacing.Storeys, AnalysisFile):
         braces: runs of pin-ended braces.
         missing: members that the regular grid has and this building has not.
         materials: steels by name, to which members refer.
+        sections: own cross-sections by name; a name of the catalogue cannot be used again.
         fibres: how many fibres a section is cut into in analyses.
         loads: permanent loads G and variable loads Q, downwards.
         masses: masses of the nodes, from the loads or given.
@@ -144,6 +145,7 @@ class Building(spacing.Storeys, AnalysisFile):
     braces: tuple[BraceRun, ...] = ()
     missing: Missing = Missing()
     materials: dict[Identifier, Steel]
+    sections: dict[Identifier, SpaceSection] = {}
     fibres: SpaceFibres = SpaceFibres()
     loads: Loads = Loads()
     masses: Masses | None = None

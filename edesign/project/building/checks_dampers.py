@@ -28,9 +28,11 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
         if isinstance(device, DamperBetween):
             _apart(building, problems, ("dampers", "devices", i, "nodes"), device)
         brace = device.brace
-        if isinstance(brace, BraceSection) and profiles is not None and profiles.canonical(brace.section) is None:
+        if not isinstance(brace, BraceSection) or profiles is None or brace.section in building.sections:
+            continue
+        if profiles.canonical(brace.section) is None:
             keys: Keys = ("dampers", "devices", i, "brace", "section")
-            problems.at_value(keys, no_section(brace.section, (), profiles))
+            problems.at_value(keys, no_section(brace.section, building.sections, profiles))
     for i, attachment in enumerate(building.dampers.attachments):
         _attachment(building, problems, ("dampers", "attachments", i), attachment)
 

@@ -12,7 +12,8 @@ from edesign.project.building.layout import DIRECTIONS, Panel, met_beam, ways
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
 from edesign.project.building.places import parse_column_lines
-from edesign.project.frame.sections import Catalogue, no_section
+from edesign.project.checks.sections import check_own_sections
+from edesign.project.frame.sections import Catalogue, SpaceElasticSection, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 MOST_COLUMNS = 50_000
@@ -36,8 +37,9 @@ def check_layout(building: Building, problems: Problems, profiles: Catalogue | N
             f"plan and storeys have {columns} places of columns; at most {MOST_COLUMNS} are read [E-VALUE-02]",
         )
         return
+    check_own_sections(building.sections, problems, profiles)
     for keys, run in _runs(building):
-        _section_of(problems, keys, run, profiles)
+        _section_of(building, problems, keys, run, profiles)
         if run.material not in building.materials:
             problems.at_value((*keys, "material"), unknown_name("material", run.material, building.materials))
     _groups(building, problems)
@@ -210,9 +212,13 @@ def _groups(building: Building, problems: Problems) -> None:
             problems.at_value((*keys, "group"), message)
 
 
-def _section_of(problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
-    if profiles is not None and run.section not in profiles and profiles.canonical(run.section) is None:
-        problems.at_value((*keys, "section"), no_section(run.section, (), profiles))
+def _section_of(building: Building, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
+    own = building.sections.get(run.section)
+    if own is None and profiles is not None and profiles.canonical(run.section) is None:
+        problems.at_value((*keys, "section"), no_section(run.section, building.sections, profiles))
+    if isinstance(own, SpaceElasticSection) and own.missing and not isinstance(run, BraceRun):
+        message = f"the section `{run.section}` has no {listed(own.missing)}; only a brace can do without [E-FRAME-02]"
+        problems.at_value((*keys, "section"), message)
 
 
 def _runs(building: Building) -> Iterable[tuple[Keys, Run]]:

@@ -84,10 +84,11 @@ def parse_building(
 
 
 def _completed(building: Building, profiles: Catalogue | None) -> Building:
-    """The building with the catalogue's names of sections, if there is a catalogue, and with all groups named."""
+    """The building with the catalogue's names of sections, beside its own ones, and with all groups named."""
 
     def section(written: str) -> str:
-        return (None if profiles is None else profiles.canonical(written)) or written
+        known = None if profiles is None or written in building.sections else profiles.canonical(written)
+        return known or written
 
     def named(run: R, group: str) -> R:
         return run.model_copy(update={"section": section(run.section), "group": run.group or group})

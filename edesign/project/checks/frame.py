@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from edesign.project.checks.sections import check_own_sections
 from edesign.project.checks.selections import Selections
 from edesign.project.dampers.isolation import BaseBeams
 from edesign.project.frame.frame import Frame
@@ -46,7 +47,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
         _met_beams(frame, problems)
     _releases(frame, problems, check)
     _leaning_column(project, problems)
-    _sections(project, problems, profiles)
+    check_own_sections(project.sections, problems, profiles)
     for keys, run in _runs(frame):
         _section_of(project, problems, keys, run, profiles)
     for keys, run in _runs(frame):
@@ -164,25 +165,6 @@ def _leaning_column(project: Project, problems: Problems) -> None:
         problems.at_key(
             (*keys, "mass"), "the frame itself has no `masses`, which analyses with masses need [E-MODAL-02]"
         )
-
-
-def _sections(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
-    for name, section in project.sections.items():
-        if profiles is not None and name in profiles:
-            problems.at_key(
-                ("sections", name), "this is the name of a catalogue profile; choose another name [E-NAME-03]"
-            )
-        if isinstance(section, PlateSection):
-            if 2 * section.flange >= section.height:
-                message = (
-                    f"two flanges of {section.flange:g} m leave no web in a height of {section.height:g} m [E-FRAME-01]"
-                )
-                problems.at_value(("sections", name, "flange"), message)
-            if section.web > section.width:
-                message = (
-                    f"the web ({section.web:g} m) is thicker than the flange is wide ({section.width:g} m) [E-FRAME-01]"
-                )
-                problems.at_value(("sections", name, "web"), message)
 
 
 def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:

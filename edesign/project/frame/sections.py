@@ -68,10 +68,41 @@ class ElasticSection(Model):
     inertia: PositiveInertia | None = None
 
 
+class SpaceElasticSection(Model):
+    """A section of a building that stays elastic, by its properties; its shape is not known.
+
+    Attributes:
+        area: area of the section.
+        inertia: second moment of area about the strong axis; only braces can do without.
+        weak_inertia: second moment of area about the weak axis; only braces can do without.
+        torsion_constant: St Venant torsion constant; only braces can do without.
+        shear_area: shear area along the web; without the key the section does not deform in shear along it.
+        weak_shear_area: shear area across the web; without the key the section does not deform in shear across it.
+    """
+
+    area: PositiveArea
+    inertia: PositiveInertia | None = None
+    weak_inertia: PositiveInertia | None = None
+    torsion_constant: PositiveInertia | None = None
+    shear_area: PositiveArea | None = None
+    weak_shear_area: PositiveArea | None = None
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """The keys that columns and beams need and that are not given."""
+        return tuple(key for key in ("inertia", "weak_inertia", "torsion_constant") if getattr(self, key) is None)
+
+
 Section = Annotated[
     PlateSection | RectangleSection | ElasticSection,
     OneOf(otherwise=PlateSection, rectangles=RectangleSection, area=ElasticSection, inertia=ElasticSection),
 ]
+
+SpaceSection = Annotated[
+    PlateSection | RectangleSection | SpaceElasticSection,
+    OneOf(otherwise=PlateSection, rectangles=RectangleSection, area=SpaceElasticSection, inertia=SpaceElasticSection),
+]
+"""Of a building, whose members bend about both axes."""
 
 
 class Fibres(Model):
@@ -129,7 +160,7 @@ def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
     """Return the message on a name that is neither a section of the project nor one of the catalogue.
 
     Args:
-        own: names of the project's own sections; a building has none.
+        own: names of the file's own sections.
         catalogue: of sections, for names that are alike.
     """
     hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"

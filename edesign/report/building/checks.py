@@ -12,7 +12,6 @@ from edesign.codes.ec3.utilisation import ForcesAlong, FreeBeam, utilisation
 from edesign.codes.rule_check import first_of_largest
 from edesign.codes.trace import Step, Trace
 from edesign.errors import InputError
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults
 from edesign.report.building.tables import Worst, worst_of_groups
@@ -265,7 +264,7 @@ def _member(results: BuildingResults, member: int) -> Member:
     flags = {name: bool(of(name)) for name in ("twists", "general")}
     lengths = {part.name: of(part.name) for part in fields(Stability) if part.name not in flags}
     return Member(
-        section=steel_section(str(results.values("members", "section")[member])),
+        section=results.section(str(results.values("members", "section")[member])),
         fy=of("fy"),
         stability=Stability(**lengths, **flags),  # type: ignore[arg-type]
         section_class=min(int(of("class")), 3),

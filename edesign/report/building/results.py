@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import Archive
+from edesign.codes.ec3.section import SteelSection
 from edesign.errors import ArchiveError, InputError
+from edesign.frame.sections.own_section import section_of
+from edesign.frame.sections.steel_section import steel_section
+from edesign.project.building.building import Building
+from edesign.report.archived import archived_building
 from edesign.report.tables.cell import Verdict
 from edesign.report.tables.unit import CM2, CM3, CM4, CM6, KN, MPA, ONE, Unit
 from edesign.space.archived import PLACE
@@ -79,6 +85,18 @@ class BuildingResults:
     def __init__(self, archive: Archive) -> None:
         self.archive = archive
         self._groups: dict[str, Group] = {}
+
+    @cached_property
+    def _building(self) -> Building | None:
+        return archived_building(self.archive)
+
+    def section(self, name: str) -> SteelSection:
+        """Return a section of a member by its name in the archive.
+
+        Args:
+            name: own section of the building, or one of the catalogue.
+        """
+        return steel_section(name) if self._building is None else section_of(self._building, name)
 
     def has(self, name: str) -> bool:
         """Return whether a readable group is there."""

@@ -14,8 +14,8 @@ from functools import cache
 import numpy as np
 
 from edesign.codes.ec3.member import Member, Stability, Strength
+from edesign.codes.ec3.section import SteelSection
 from edesign.codes.en1990.combinations import Combination
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building, Steel
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.effects import Effects
@@ -58,7 +58,9 @@ def with_buckled_diagonals(
         number = int(bracing.braces[column])
         member, length = frame.members[number], float(frame.length[number])
         steel = building.materials[member.material]
-        N_b[column] = _buckling_resistance(member.section, steel, factor.y * length, factor.z * length, gamma_M1)
+        N_b[column] = _buckling_resistance(
+            frame.section(member.section), steel, factor.y * length, factor.z * length, gamma_M1
+        )
     found = np.zeros((len(CASES), *effects.static.shape[1:]))
     for case, in_tension in enumerate(bracing.in_tension):
         pushed = bracing.to_columns @ np.where(in_tension, 0.0, -N_b)
@@ -81,10 +83,8 @@ def buckling_combinations(rows: Sequence[Combination]) -> tuple[Combination, ...
 
 
 @cache
-def _buckling_resistance(section: str, steel: Steel, L_cr_y: float, L_cr_z: float, gamma_M1: float) -> float:
+def _buckling_resistance(section: SteelSection, steel: Steel, L_cr_y: float, L_cr_z: float, gamma_M1: float) -> float:
     shear_modulus = steel.E / (2.0 * (1.0 + steel.nu))
     stability = Stability(L_cr_y=L_cr_y, L_cr_z=L_cr_z, L_LT=0.0)
-    member = Member(
-        steel_section(section), steel.fy, stability, WITHOUT_EFFECT, E=steel.E, G=shear_modulus, gamma_M1=gamma_M1
-    )
+    member = Member(section, steel.fy, stability, WITHOUT_EFFECT, E=steel.E, G=shear_modulus, gamma_M1=gamma_M1)
     return min(Strength(member).flexural(axis).N_b_Rd for axis in ("y", "z"))

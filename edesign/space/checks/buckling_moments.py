@@ -17,7 +17,6 @@ import numpy as np
 
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, quarter_moments, rolled_curve
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.effects import Effects
@@ -61,7 +60,7 @@ class FreeBeams:
 
     def __init__(self, frame: SpaceFrame, materials: Mapping[str, Steel], gamma_M1: float, bracing: Bracing) -> None:
         self.members = np.array([k for k, member in enumerate(frame.members) if member.kind == "beam"], dtype=int)
-        self._materials, self._gamma_M1 = materials, gamma_M1
+        self._section, self._materials, self._gamma_M1 = frame.section, materials, gamma_M1
         self._place = np.full(len(frame.members), -1)
         self._place[self.members] = np.arange(self.members.size)
         self._length = bracing.span[self.members]
@@ -112,10 +111,10 @@ class FreeBeams:
 
     def _properties(self, name: str, material: str) -> list[float]:
         """pi2 E I_z; I_w / I_z; G I_t / (pi2 E I_z); z_g; alpha_LT; whether the section is hollow."""
-        s, steel = steel_section(name), self._materials[material]
+        s, steel = self._section(name), self._materials[material]
         bending = math.pi**2 * steel.E * s.I_z
         torsion = steel.E / (2.0 * (1.0 + steel.nu)) * s.I_t
-        imperfection = IMPERFECTION[rolled_curve(s.h, s.b)]
+        imperfection = IMPERFECTION[rolled_curve(s.h, s.b, not s.welded)] if s.kind == "I" else 0.0
         return [bending, s.I_w / s.I_z, torsion / bending, 0.5 * s.h, imperfection, float(s.kind != "I")]
 
     def _loads(self, frame: SpaceFrame, effects: Effects) -> np.ndarray:

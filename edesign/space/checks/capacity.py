@@ -21,7 +21,7 @@ from edesign.codes.ec3.cross_section import (
 from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
 from edesign.codes.rule_check import first_of_largest
-from edesign.frame.sections.steel_section import SteelSection, steel_section
+from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Steel
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
@@ -82,7 +82,7 @@ def by_section(
         frame: of the building.
     """
     pairs, of_members = frame.sections
-    return np.array([value(steel_section(name), materials[steel]) for name, steel in pairs])[of_members]
+    return np.array([value(frame.section(name), materials[steel]) for name, steel in pairs])[of_members]
 
 
 def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarray:
@@ -156,6 +156,8 @@ def joints(
 ) -> list[Joint]:
     """Return the joints of moment frames along one direction with sum M_Rc and sum M_Rb.
 
+    Joints with a column whose section has no class are left out: M_Rc is not known.
+
     The resistance of a column is the least within the axial forces of the seismic design situation (4.4.2.3(4)).
 
     Args:
@@ -183,7 +185,7 @@ def joints(
         np.add.at(beams_at, nodes[beams], rigid[:, side])
     found = []
     ratio = strength_ratio(M_Rc[:, None], M_Rb[:, None])
-    for node in np.flatnonzero((columns_at > 0.0) & (beams_at > 0.0)):
+    for node in np.flatnonzero((columns_at > 0.0) & (beams_at > 0.0) & ~np.isnan(M_Rc)):
         exempt = is_exempt(int(frame.level_of_nodes[node]), frame.n_floors)
         sums = float(M_Rc[node]), float(M_Rb[node])
         found.append(Joint(frame.node_names[node], axis, *sums, float(ratio[node]), exempt))
@@ -231,8 +233,11 @@ def column_moments(
     kinds, found = 2 * of_members[columns] + bend_about_y(frame, columns, axis), np.zeros(columns.size)
     for kind in np.unique(kinds):
         (name, material), about_y = pairs[kind // 2], bool(kind % 2)
-        section, steel = steel_section(name), materials[material]
+        section, steel = frame.section(name), materials[material]
         which = kinds == kind
+        if not section.has_class:
+            found[which] = np.nan
+            continue
         n = np.minimum(force[columns[which]] / axial_resistance(section.A, steel.fy, gamma_M0), 1.0).tolist()
         M_Rd = moment_resistance(section.W_pl_y if about_y else section.W_pl_z, steel.fy, gamma_M0)
         if section.kind == "CHS":

@@ -11,7 +11,6 @@ from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.codes.rule_check import RuleCheck, at_most, first_of_largest
 from edesign.frame.sections.section_class import section_class
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
 from edesign.space.analysis.effects import Effects, largest
 from edesign.space.checks.capacity import bend_about_y, by_section
@@ -48,6 +47,8 @@ def base_criteria(
 ) -> Iterator[RuleCheck]:
     """Yield the rules for hinges at the column bases: class of the section, and shear with M_pl,Rd at the column base.
 
+    Columns whose section has no class do not count.
+
     The moment at the column base is M_pl,Rd, that at the head what the amplified combinations give; V_Ed is their sum
     over the length. N_Ed, which the class depends on, is that of the amplified combinations.
 
@@ -63,6 +64,7 @@ def base_criteria(
 
     Source: EN 1998-1:2004, 6.5.3(2); 6.6.3(2) and (4), Eq. 6.7.
     """
+    bases = np.setdiff1d(bases, frame.unclassified)
     if not bases.size:
         return
     of_bases = Effects(effects.cases, effects.static[:, bases], effects.seismic[:, bases])
@@ -72,7 +74,7 @@ def base_criteria(
     for kind in np.unique(of_members[bases]):
         name, material = pairs[kind]
         force = float(acting[of_members[bases] == kind, 0, N].max())
-        of = section_class(steel_section(name), materials[material].fy, -force, about_y=True).number
+        of = section_class(frame.section(name), materials[material].fy, -force, about_y=True).number
         if of > worst:
             worst, where = of, name
     yield at_most("6.5.3(2)", f"class of columns at hinges at their bases, direction {axis}", highest, worst, where)

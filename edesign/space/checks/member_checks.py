@@ -34,7 +34,7 @@ from edesign.core.member_checks import (
     member_checks,
 )
 from edesign.frame.sections.section_class import section_class
-from edesign.frame.sections.steel_section import SteelSection, steel_section
+from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.space.analysis.bracing import Bracing
@@ -115,6 +115,7 @@ class MemberChecker:
         self._building = building
         self._design = design_of(building)
         self._masks = _masks(frame, self._design, dissipative, bracing.halves, vertical)
+        self._section = frame.section
         compressed = _compressed(frame, bracing).tolist()
         roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), compressed, strict=True)]
         self._roles = list(dict.fromkeys(roles))
@@ -214,11 +215,19 @@ class MemberChecker:
             combination_set=np.repeat(np.arange(len(counts)), counts),
             gravity=np.ones(len(effects.cases), dtype=int),
             members=of_members,
-            masks=self._masks,
+            masks=self._masks_of(frame),
             M_b=M_b,
         )
         found.utilisation[slender] = np.where(found.combination[slender] >= 0, np.inf, found.utilisation[slender])
         return found, of_beams
+
+    def _masks_of(self, frame: SpaceFrame) -> np.ndarray:
+        """Return the checks of each member with the sections that it has: none without a class."""
+        if not frame.unclassified.size:
+            return self._masks
+        found = self._masks.copy()
+        found[frame.unclassified] = 0
+        return found
 
     def _members(
         self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination]
@@ -233,7 +242,9 @@ class MemberChecker:
         for number, kind in enumerate(distinct):
             (name, material), role = pairs[kind // len(self._roles)], int(kind) % len(self._roles)
             of = self._roles[role]
-            least, highest = _classes(name, self._building.materials[material].fy, of.kind != "brace", of.compressed)
+            least, highest = _classes(
+                self._section(name), self._building.materials[material].fy, of.kind != "brace", of.compressed
+            )
             if least > LARGEST_CLASS:
                 too_slender.append(number)
             elif highest > LARGEST_PLASTIC_CLASS and least != highest:  # the force decides
@@ -261,13 +272,13 @@ class MemberChecker:
 
     def _class_of(self, member: Member, compression: float) -> int:
         fy, bent = self._building.materials[member.material].fy, member.kind != "brace"
-        return section_class(steel_section(member.section), fy, -compression, about_y=bent).number
+        return section_class(self._section(member.section), fy, -compression, about_y=bent).number
 
     def _of(self, name: str, material: str, of_class: int, role: int) -> SteelMember:
         key = (name, material, of_class <= LARGEST_PLASTIC_CLASS, role)
         if key not in self._known:
             steel = self._building.materials[material]
-            self._known[key] = _member(self._design, steel_section(name), steel, key[2], self._roles[role])
+            self._known[key] = _member(self._design, self._section(name), steel, key[2], self._roles[role])
         return self._known[key]
 
 
@@ -384,9 +395,10 @@ def _role(design: Design, member: Member, length: float, compressed: bool) -> _R
 
 
 @cache
-def _classes(name: str, fy: float, bent: bool, compressed: bool) -> tuple[int, int]:
+def _classes(section: SteelSection, fy: float, bent: bool, compressed: bool) -> tuple[int, int]:
     """Return the least and the highest class of a section, with which it rises, up to its whole area in compression."""
-    section = steel_section(name)
+    if not section.has_class:
+        return 1, 1  # none of its checks is asked for
     forces = (0.0, -section.A * fy if compressed else 0.0)
     least, highest = (section_class(section, fy, N, about_y=bent, about_z=False).number for N in forces)
     return least, highest
@@ -403,7 +415,10 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
     restrained = (role.kind == "beam" and checks.lateral_restraint.beams == "slab") or (
         role.kind == "column" and checks.lateral_restraint.columns == "all_along"
     )
-    M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
+    V_M = 0.0
+    if role.hinges and section.has_class:
+        M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
+        V_M = 0.5 * role.hinges * float(hinge_shear(M_pl, M_pl, role.length))
     annex_a = checks.interaction == "annex_a"
     uniform, slope = linear_moment_factor_a(1.0, 0.0, 1.0), linear_moment_factor_a(1.0, 1.0, 1.0)
     return SteelMember(
@@ -421,7 +436,7 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
             twists=not (role.kind == "beam" and restrained),
         ),
         LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
-        V_M=0.5 * role.hinges * float(hinge_shear(M_pl, M_pl, role.length)),
+        V_M=V_M,
         E=steel.E,
         G=steel.E / (2.0 * (1.0 + steel.nu)),
         gamma_M0=factors.M0,

@@ -19,7 +19,7 @@ from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.codes.rule_check import RuleCheck, at_least, at_most
 from edesign.core.space_modes import SpaceModes
 from edesign.frame.sections.section_class import SectionClass, section_class
-from edesign.frame.sections.steel_section import SteelSection, steel_section
+from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.analysis.storeys import Storeys
@@ -89,7 +89,7 @@ def behaviour_criteria(
     pairs, of_members = frame.sections
     worst, where = 0, ""
     for name, material in sorted(pairs[k] for k in np.unique(of_members[dissipative])):
-        of = dissipative_class(name, building.materials[material].fy, bent)
+        of = dissipative_class(frame.section(name), building.materials[material].fy, bent)
         if of.number > worst:
             worst, where = of.number, name
     if worst:
@@ -114,14 +114,15 @@ def allowed_class(design: Design, q: float, limit: float, regular: Regular) -> i
 
 
 @cache
-def dissipative_class(section: str, fy: float, bent: bool) -> SectionClass:
+def dissipative_class(section: SteelSection, fy: float, bent: bool) -> SectionClass:
     """Return the class of a dissipative section.
 
     Args:
+        section: its properties.
         fy: yield strength, Pa.
         bent: it bends without axial force (beams); otherwise it is compressed (diagonals).
     """
-    return section_class(steel_section(section), fy, 0.0 if bent else -1.0, about_y=bent)
+    return section_class(section, fy, 0.0 if bent else -1.0, about_y=bent)
 
 
 def storey_criteria(storeys: Storeys) -> Iterator[RuleCheck]:

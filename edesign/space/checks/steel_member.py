@@ -10,6 +10,9 @@ from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.member import Member, Strength
 from edesign.core.member_checks import MemberConstants
 
+UNCHECKED = MemberConstants(1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 1.0)
+"""Constants of members whose section has no class. No check of them is asked for."""
+
 
 @dataclass(frozen=True)
 class SteelMember(Member):
@@ -18,7 +21,10 @@ class SteelMember(Member):
     @cached_property
     def constants(self) -> MemberConstants:
         """Resistances, slendernesses and factors, SI."""
-        s, stability, strength = self.section, self.stability, Strength(self)
+        s, stability = self.section, self.stability
+        if s.kind == "other":
+            return UNCHECKED
+        strength = Strength(self)
         y, z = strength.flexural("y"), strength.flexural("z")
         return MemberConstants(
             N_Rd=strength.N_pl_Rd(),

@@ -106,7 +106,7 @@ def web_panels(
         "t_w": by_section(frame, materials, lambda of, steel: of.tw),
         "f_y": by_section(frame, materials, lambda of, steel: steel.fy),
     }
-    nodes = np.flatnonzero((below >= 0) & (M_b > 0.0))
+    nodes = np.flatnonzero((below >= 0) & (M_b > 0.0) & ~np.isnan(M_c))  # without columns that have no class
     nodes = nodes[sections["A"][below[nodes]] > 0.0]
     if not nodes.size:
         return []
@@ -140,5 +140,7 @@ def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_pla
         detail += f"; {'with' if doubler_plates else 'without'} doubler plates up to {1e3 * max(plates):.3g} mm"
         detail += f" at {len(plates)} of {joints} joints"
     if len(panels) < joints:
-        detail += f"; {joints - len(panels)} joints to weak axes or hollow columns are not checked"
+        detail += (
+            f"; {joints - len(panels)} joints to weak axes, hollow columns or sections without class are not checked"
+        )
     return [at_most("6.6.3(6)", text, 1.0, worst.utilisation(doubler_plates), detail)]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.layout import ways
-from edesign.project.building.members import BraceRun
+from edesign.project.building.members import BraceRun, ColumnRun
 from edesign.project.building.names import BracePlace
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial
+from edesign.project.frame.sections import PlateSection, RectangleSection
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.ends_text import ends_text
@@ -20,6 +20,7 @@ from edesign.space.extract.study_text import StudyNames, study_blocks
 from edesign.space.structure.load_cases import PERMANENT, SELF_WEIGHT
 from edesign.space.structure.masses import gravity_factor
 
+_WEAK = "_weak"
 LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame, and its elastic material."""
 
@@ -126,10 +127,7 @@ class _ProjectText:
 
     def members(self) -> list[str]:
         row = self.row
-        columns = {
-            place: (run.section, run.material, "" if run.strong == row.along else ", axis: weak")
-            for place, run in row.merged(lambda frame: frame.columns).items()
-        }
+        columns = {place: self._column(run) for place, run in row.merged(lambda frame: frame.columns).items()}
         columns |= {(self.leaning_line, s): (LEANING, self.leaning_steel, "") for s in range(1, self.leaning_top + 1)}
         beams = {place: (run.section, run.material) for place, run in self.beams.items()}
         braces = row.merged(
@@ -149,6 +147,15 @@ class _ProjectText:
             more = "" if counts else ", compression: false"
             text.append(f"    - {{bays: {at}, storeys: {storeys}, kind: {kind}, {_section(name, steel)}{more}}}")
         return [*text, *self._missing(columns, beams), *self._releases(), ""]
+
+    def _column(self, run: ColumnRun) -> tuple[str, str, str]:
+        """Section, material and axis of a column; about the weak axis an own section by properties has another name."""
+        if run.strong == self.row.along:
+            return run.section, run.material, ""
+        own = self.building.sections.get(run.section)
+        if own is None or isinstance(own, PlateSection):
+            return run.section, run.material, ", axis: weak"
+        return f"{run.section}{_WEAK}", run.material, ""
 
     def _missing(self, columns: Mapping[tuple[int, int], object], beams: Mapping[tuple[int, int], object]) -> list[str]:
         """Places of the grid that this frame does not fill."""
@@ -179,13 +186,35 @@ class _ProjectText:
         return text
 
     def sections(self) -> list[str]:
-        """The section of what leans on the frame; all others are known by their names."""
+        """Own sections of the building, and that of what leans on the frame; all others are known by their names."""
+        used: dict[str, str] = {}
+        columns = [run for frame in self.row.frames for run in frame.columns.values()]
+        others = [run.section for frame in self.row.frames for run in frame.braces.values()]
+        others += [run.section for run in self.beams.values()]
+        for name in [*(self._column(run)[0] for run in columns), *others]:
+            of = name.removesuffix(_WEAK) if name not in self.building.sections else name
+            if of in self.building.sections:
+                used[name] = self._own_section(of, weak=of != name)
+        used |= {LEANING: self._leaning_section()} if self.leans else {}
         return [
-            *(["sections:", f"  {LEANING}: {self._leaning_section()}", ""] if self.leans else []),
+            *(["sections:", *(f"  {name}: {of}" for name, of in used.items()), ""] if used else []),
             "fibres: {fillets: true}                # areas and moments of inertia of the catalogue",
             "",
             *ends_text(self.row),
         ]
+
+    def _own_section(self, name: str, weak: bool) -> str:
+        own, shape = self.building.sections[name], self.row.space.section(name)
+        if isinstance(own, PlateSection):
+            sizes = {key: getattr(own, key) for key in ("height", "width", "flange", "web")}
+            return "{" + ", ".join(f"{key}: {value(1e3 * size, 'mm')}" for key, size in sizes.items()) + "}"
+        if isinstance(own, RectangleSection) and not weak:
+            keys = ("width", "depth", "centre")
+            of = (", ".join(f"{key}: {value(1e3 * getattr(r, key), 'mm')}" for key in keys) for r in own.rectangles)
+            return "{rectangles: [" + ", ".join(f"{{{rectangle}}}" for rectangle in of) + "]}"
+        inertia = shape.I_z if weak else shape.I_y
+        bending = f", inertia: {value(1e8 * inertia, 'cm^4')}" if inertia > 0.0 else ""
+        return f"{{area: {value(1e4 * shape.A, 'cm^2')}{bending}}}"
 
     def _leaning_section(self) -> str:
         """The share of the columns of the first storey; pin-ended, they do not bend."""
@@ -194,7 +223,7 @@ class _ProjectText:
         for number, share in next(iter(self.shares.values())).items():
             for (_, storey), run in others[number].columns.items():
                 if storey == 1:
-                    shape = steel_section(run.section)
+                    shape = self.row.space.section(run.section)
                     area += share * shape.A
                     inertia += share * (shape.I_y if run.strong == self.row.along else shape.I_z)
         return f"{{area: {value(1e4 * area, 'cm^2')}, inertia: {value(1e8 * inertia, 'cm^4')}}}"

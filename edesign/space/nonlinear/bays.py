@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.frame.device_places import Bay, DamperSites
-from edesign.frame.sections.steel_section import steel_section
-from edesign.frame.struts import Strut, catalogue_strut
+from edesign.frame.sections.own_section import section_of
+from edesign.frame.struts import Strut, section_strut
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import BeamPlace, bay_lines, frame_name, node_name
@@ -34,7 +34,7 @@ def building_sites(building: Building) -> DamperSites:
 
     def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:
         steel = steel_by_thickness(building, brace.section, brace.material)[1].material
-        axial = steel.E * steel_section(brace.section).A / length
-        return axial, catalogue_strut(brace.section, steel, length)
+        section = section_of(building, brace.section)
+        return steel.E * section.A / length, section_strut(section, steel, length)
 
     return DamperSites(UP, bay, bar)

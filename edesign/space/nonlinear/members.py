@@ -16,12 +16,12 @@ from edesign.frame.loads import MemberLoads, Stretches
 from edesign.frame.panel_zones import BuiltPanel
 from edesign.frame.sections.core_sections import core_law
 from edesign.frame.sections.space_section import space_section
-from edesign.frame.sections.steel_section import steel_section
-from edesign.frame.struts import Bar, catalogue_strut
+from edesign.frame.struts import Bar, section_strut
 from edesign.project.actions.beam_loads import points_of_member
 from edesign.project.building.building import Building
 from edesign.project.building.names import Direction
 from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.sections import SpaceElasticSection
 from edesign.project.notation.names import MemberKind
 from edesign.space.nonlinear.gravity import GravityLoads, Point
 from edesign.space.nonlinear.member_ends import member_ends
@@ -136,7 +136,7 @@ class BuildingMembers:
         for number, member in enumerate(self._frame.members):
             if member.axial_only or self.by_name[member.name].fibres is not None:
                 continue
-            shape, E = steel_section(member.section), self._laws[member.material].E
+            shape, E = self._frame.section(member.section), self._laws[member.material].E
             for axis, inertia in ((1, shape.I_z), (2, shape.I_y)):
                 points = [(position, float(force[axis])) for position, force in self._gravity.points.get(number, ())]
                 loads = MemberLoads(float(self._gravity.uniform[number, axis]), points)
@@ -148,7 +148,7 @@ class BuildingMembers:
     def _add(self, number: int, placed: Placed) -> Member:
         nodes = placed.start, placed.end
         if placed.axial_only:
-            area = steel_section(placed.section).A * (1.0 if placed.compression else TENSION_ONLY_SHARE)
+            area = self._frame.section(placed.section).A * (1.0 if placed.compression else TENSION_ONLY_SHARE)
             material = self._materials[self._of_members[number]]
             element = self._model.truss(placed.name, *nodes, material, area, self._geometry[placed.kind])
             stretches = Stretches((0.0, 0.0), (float(self._frame.length[number]),))
@@ -220,18 +220,21 @@ class BuildingMembers:
         if placed.kind == "beam":
             return None
         steel = self._laws[placed.material]
-        strut = catalogue_strut(placed.section, steel, length) if placed.compression else None
+        section = self._frame.section(placed.section)
+        strut = section_strut(section, steel, length) if placed.compression else None
         return Bar(placed.name, placed.kind, placed.section, strut, placed.compression)
 
     def _stiffness(self, placed: Placed) -> tuple[float, float, float]:
         """E I about local z and y, and G J, N m2."""
-        shape, steel = steel_section(placed.section), self._building.materials[placed.material]
+        shape, steel = self._frame.section(placed.section), self._building.materials[placed.material]
         E = self._laws[placed.material].E
         return E * shape.I_z, E * shape.I_y, steel.E / (2.0 * (1.0 + steel.nu)) * shape.I_t
 
     def _section(self, number: int, placed: Placed, hinged: bool) -> _Section:
         of = int(self._of_members[number])
+        own = self._building.sections.get(placed.section)
         elastic = hinged or isinstance(self._laws[placed.material], ElasticMaterial)
+        elastic = elastic or isinstance(own, SpaceElasticSection)
         if (of, elastic) not in self._sections:
             self._sections[of, elastic] = self._make(placed.section, placed.material, self._materials[of], elastic)
         return self._sections[of, elastic]
@@ -239,10 +242,11 @@ class BuildingMembers:
     def _make(self, name: str, material: str, number: int, elastic: bool) -> _Section:
         steel, law = self._building.materials[material], self._laws[material]
         G = steel.E / (2.0 * (1.0 + steel.nu))
+        own = self._building.sections.get(name)
         if elastic:
-            shape = steel_section(name)
+            shape = self._frame.section(name)
             stiffness = (law.E * shape.A, law.E * shape.I_z, law.E * shape.I_y, G * shape.I_t)
             return _Section(self._model.elastic_section(*stiffness))
-        fibres = space_section(name, self._building.fibres.half_flange)
+        fibres = space_section(own or name, self._building.fibres.half_flange)
         section = self._model.fibre_section(fibres.y, fibres.area, number, fibres.z, G * fibres.I_t)
         return _Section(section, np.unique(np.stack([fibres.y, fibres.z], axis=1), axis=0))

@@ -137,7 +137,7 @@ def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highe
         _, steel = analysis.steel_of(group, section)
     except InputError:
         return False
-    return dissipative_class(section, steel.fy, bent).number <= highest
+    return dissipative_class(steel_section(section), steel.fy, bent).number <= highest
 
 
 def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> Callable[[SteelSection], bool]:

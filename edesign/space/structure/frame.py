@@ -8,11 +8,14 @@ strong axis of an I section, as in EN 1993-1-1, 1.7.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
+
+from edesign.codes.ec3.section import SteelSection
+from edesign.frame.sections.steel_section import steel_section
 
 Kind = Literal["column", "beam", "brace"]
 RIGID = float("inf")
@@ -98,6 +101,7 @@ class SpaceFrame:
         members: columns, beams, braces.
         cases: load cases by name.
         node_mass: (n_nodes,) kg, acts horizontally at the node.
+        own_sections: of the file, by name.
     """
 
     node_names: tuple[str, ...]
@@ -109,6 +113,23 @@ class SpaceFrame:
     members: tuple[Member, ...]
     cases: dict[str, LoadCase]
     node_mass: np.ndarray
+    own_sections: Mapping[str, SteelSection] = field(default_factory=dict)
+
+    def section(self, name: str) -> SteelSection:
+        """Return a section that a member names: one of the file, or one of the catalogue.
+
+        Raises:
+            InputError: there is no such section.
+        """
+        own = self.own_sections.get(name)
+        return steel_section(name) if own is None else own
+
+    @cached_property
+    def unclassified(self) -> np.ndarray:
+        """Numbers of the members whose section has no class, so that no clause checks them."""
+        pairs, of_members = self.sections
+        without = np.array([not self.section(name).has_class for name, _ in pairs], dtype=bool)
+        return np.flatnonzero(without[of_members])
 
     @property
     def n_floors(self) -> int:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from edesign.frame.sections.own_section import own_section
 from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, End
@@ -49,6 +50,7 @@ def space_frame(building: Building) -> SpaceFrame:
         members=members,
         cases={},
         node_mass=np.zeros(len(nodes)),
+        own_sections={name: own_section(name, own) for name, own in building.sections.items()},
     )
     loaded = replace(bare, cases=load_cases(building, bare))
     return replace(loaded, node_mass=node_masses(building, loaded))

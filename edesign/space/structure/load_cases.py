@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
@@ -189,7 +188,7 @@ def self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
         frame: of the building.
     """
     pairs, of_members = frame.sections
-    weight = [steel_section(name).A * building.materials[steel].density * STANDARD_GRAVITY for name, steel in pairs]
+    weight = [frame.section(name).A * building.materials[steel].density * STANDARD_GRAVITY for name, steel in pairs]
     uniform = np.zeros((len(frame.members), 3))
     uniform[:, 2] = -np.array(weight)[of_members]
     none = np.zeros(0)

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.core.space import PROPERTIES, SpaceMembers, SpaceModel
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Steel
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 
@@ -70,7 +69,7 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
     pairs, of_members = frame.sections
     table = []
     for name, of in pairs:
-        section, steel = steel_section(name), materials[of]
+        section, steel = frame.section(name), materials[of]
         G = steel.E / (2.0 * (1.0 + steel.nu))
         table.append([steel.E, G, *(getattr(section, key) for key in PROPERTIES[2:])])
     found = np.array(table)[of_members]

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from edesign.codes.ec3.materials import Standard, thickness_step, yield_stress
 from edesign.errors import InputError
-from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.sections.own_section import section_of
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 
@@ -49,7 +49,7 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
             f"{standard} has {nominal / 1e6:g} MPa for thin parts; leave yield_by_thickness out for other steels"
             " [E-SPACE-09]"
         )
-    of = steel_section(section)
+    of = section_of(building, section)
     thickness = max(of.tw, of.tf)
     try:
         fy = yield_stress(match[1], thickness, standard)

@@ -1,0 +1,127 @@
+"""Own sections of a building with their properties, and the sections of a building by their names."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cache
+
+from edesign.codes.ec3.section import SteelSection
+from edesign.frame.sections.section import rectangle_section
+from edesign.frame.sections.space_section import space_section
+from edesign.frame.sections.steel_section import i_steel_section, steel_section
+from edesign.project.building.building import Building
+from edesign.project.frame.sections import Fibres, PlateSection, RectangleSection, SpaceElasticSection
+
+_NODES, _WEIGHTS = (-math.sqrt(0.6), 0.0, math.sqrt(0.6)), (5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0)  # Gauss-Legendre
+
+
+def section_of(building: Building, name: str) -> SteelSection:
+    """Return a section of a building by its name: an own one of the file, one of the catalogue, or a hollow one.
+
+    Args:
+        building: from `load_building`.
+
+    Raises:
+        InputError: there is no such section.
+    """
+    own = building.sections.get(name)
+    return steel_section(name) if own is None else own_section(name, own)
+
+
+@cache
+def own_section(name: str, own: PlateSection | RectangleSection | SpaceElasticSection) -> SteelSection:
+    """Return an own section with its properties: three plates are a welded I section, others of a shape without class.
+
+    The shear centre of a stack of rectangles that is not symmetric is taken at its centroid.
+
+    Args:
+        own: as the file describes it.
+
+    Raises:
+        InputError: its plates do not fit together.
+    """
+    if isinstance(own, PlateSection):
+        return i_steel_section(name, own.height, own.width, own.web, own.flange, welded=True)
+    if isinstance(own, RectangleSection):
+        return _stack(name, own)
+    return _other(
+        name,
+        A=own.area,
+        A_y=own.weak_shear_area or 0.0,
+        A_z=own.shear_area or 0.0,
+        I_t=own.torsion_constant or 0.0,
+        I_y=own.inertia or 0.0,
+        I_z=own.weak_inertia or 0.0,
+    )
+
+
+def _other(
+    name: str, A: float, A_y: float, A_z: float, I_t: float, I_y: float, I_z: float, h: float = 0.0, b: float = 0.0
+) -> SteelSection:
+    """Return a section of a shape that no clause knows."""
+    return SteelSection(
+        name=name,
+        kind="other",
+        cold_formed=False,
+        h=h,
+        b=b,
+        tw=0.0,
+        tf=0.0,
+        r=0.0,
+        A=A,
+        A_vy=math.nan,
+        A_vz=math.nan,
+        A_y=A_y,
+        A_z=A_z,
+        I_y=I_y,
+        I_z=I_z,
+        I_t=I_t,
+        I_w=0.0,
+        W_el_y=math.nan,
+        W_el_z=math.nan,
+        W_pl_y=math.nan,
+        W_pl_z=math.nan,
+    )
+
+
+def _stack(name: str, own: RectangleSection) -> SteelSection:
+    shape = rectangle_section(own, Fibres())
+    upwards = [(s.centre - 0.5 * s.depth, s.centre + 0.5 * s.depth, s.width) for s in shape.strips]
+    across = [(-0.5 * s.width, 0.5 * s.width, s.depth) for s in shape.strips]
+    return _other(
+        name,
+        h=shape.depth,
+        b=max(strip.width for strip in shape.strips),
+        A=shape.area,
+        A_y=_shear_area(across),
+        A_z=_shear_area(upwards),
+        I_t=space_section(own).I_t,
+        I_y=shape.inertia,
+        I_z=math.fsum(s.depth * s.width**3 / 12.0 for s in shape.strips),
+    )
+
+
+def _shear_area(parts: Sequence[tuple[float, float, float]]) -> float:
+    """Return the shear area along a coordinate, I2 / integral of S2/b: of one rectangle 5/6 of its area.
+
+    Args:
+        parts: lower and upper coordinate of rectangles, and their breadth across it, m.
+    """
+    edges = sorted({edge for low, high, _ in parts for edge in (low, high)})
+    layers = [
+        (low, high, math.fsum(of for start, end, of in parts if start < 0.5 * (low + high) < end))
+        for low, high in zip(edges, edges[1:], strict=False)
+    ]
+    area = math.fsum((high - low) * of for low, high, of in layers)
+    centre = math.fsum(0.5 * (high**2 - low**2) * of for low, high, of in layers) / area
+    inertia = math.fsum(((high - centre) ** 3 - (low - centre) ** 3) / 3.0 * of for low, high, of in layers)
+    above, integral = 0.0, 0.0  # static moment of what lies below the point, with its sign
+    for low, high, of in layers:
+        half = 0.5 * (high - low)
+        for node, weight in zip(_NODES, _WEIGHTS, strict=True):  # exact: S2 is of the fourth degree
+            at = low + half * (1.0 + node)
+            static = above + 0.5 * of * ((at - centre) ** 2 - (low - centre) ** 2)
+            integral += weight * half * static**2 / of
+        above += 0.5 * of * ((high - centre) ** 2 - (low - centre) ** 2)
+    return inertia**2 / integral

@@ -1,0 +1,34 @@
+"""Checks of the own sections of a project or building."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from edesign.project.frame.sections import Catalogue, PlateSection
+from edesign.project.reading.problems import Problems
+
+
+def check_own_sections(sections: Mapping[str, object], problems: Problems, profiles: Catalogue | None) -> None:
+    """Check that own sections have names of their own, and that their plates fit together.
+
+    Args:
+        sections: of the file, by name.
+        problems: collects what is wrong.
+        profiles: names of the catalogue; None leaves names unchecked.
+    """
+    for name, section in sections.items():
+        if profiles is not None and name in profiles:
+            problems.at_key(
+                ("sections", name), "this is the name of a catalogue profile; choose another name [E-NAME-03]"
+            )
+        if isinstance(section, PlateSection):
+            if 2 * section.flange >= section.height:
+                message = (
+                    f"two flanges of {section.flange:g} m leave no web in a height of {section.height:g} m [E-FRAME-01]"
+                )
+                problems.at_value(("sections", name, "flange"), message)
+            if section.web > section.width:
+                message = (
+                    f"the web ({section.web:g} m) is thicker than the flange is wide ({section.width:g} m) [E-FRAME-01]"
+                )
+                problems.at_value(("sections", name, "web"), message)
