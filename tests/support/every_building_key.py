@@ -46,12 +46,14 @@ loads:
   perimeter: [{floors: 1-2, G: 1.2 kN/m, Q: 0.1 kN/m, category: B}]
   beams:
     - {along: y, frames: A, bays: 1, floors: 1, G: 2 kN/m, Q: 1 kN/m, category: B,
-       points: [{at: [1/3, 2 m], G: 10 kN, Q: 4 kN}]}
+       points: [{at: [1/3, 2 m], G: 10 kN, Q: 4 kN}],
+       partial: [{start: 1/4, end: 3 m, G: [2 kN/m, 4 kN/m], Q: 1 kN/m}]}
   nodes: [{at: A1-B1, floors: 3, G: 5 kN, Q: 2 kN, category: snow}]
   self_weight: true
   live_load_reduction: true
 masses:
   from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}
+  added: [{at: A1, floors: 2, mass: 4 t}]
   phi: 0.8
 hinges:
   - {beams: {along: x, frames: 1, bays: all, floors: 1}, ends: both, parameters: lignos_krawinkler_2011,

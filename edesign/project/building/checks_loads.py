@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.actions.loads import PartialLoad
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.layout import edges
@@ -67,6 +68,23 @@ def _points(building: Building, problems: Problems, keys: Keys, load: BeamLoad) 
             if not 0.0 < at.share(shortest) < 1.0:
                 problems.at_item((*at_point, "at"), i, f"{at} is not inside a beam of {shortest:g} m [E-LOAD-02]")
         _variable(problems, keys, point.Q, load.category, at_point)
+    for k, part in enumerate(load.partial):
+        _partial(problems, (*keys, "partial", k), part, widths, load)
+        for Q in part.Q:
+            _variable(problems, keys, Q, load.category, (*keys, "partial", k))
+
+
+def _partial(problems: Problems, keys: Keys, part: PartialLoad, widths: tuple[float, ...], load: BeamLoad) -> None:
+    """A load on a part of beams begins and ends inside all of them, and ends behind its beginning."""
+    of_beams = [widths[bay - 1] for bay in load.bays.numbers(1, len(widths))]
+    shortest = min(of_beams)
+    wrong = {key: at for key, at in (("start", part.start), ("end", part.end)) if at.share(shortest) > 1.0}
+    for key, at in wrong.items():
+        problems.at_value((*keys, key), f"{at} is beyond the end of a beam of {shortest:g} m [E-LOAD-02]")
+    ends_early = [width for width in of_beams if part.start.share(width) >= part.end.share(width)]
+    if not wrong and ends_early:
+        message = f"on a beam of {ends_early[0]:g} m the load ends at {part.end}, not after its `start` at {part.start}"
+        problems.at_value((*keys, "end"), f"{message} [E-VALUE-04]")
 
 
 def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> None:
@@ -125,16 +143,18 @@ def _perimeter(building: Building, problems: Problems, keys: Keys, load: Perimet
         )
 
 
-def has_variable_points(load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> bool:
-    """Whether a load has variable forces at places along beams."""
-    return isinstance(load, BeamLoad) and any(point.Q != 0.0 for point in load.points)
+def _varies_along(load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> bool:
+    """Whether a load has variable forces at places or on parts of beams."""
+    return isinstance(load, BeamLoad) and (
+        any(point.Q != 0.0 for point in load.points) or any(any(part.Q) for part in load.partial)
+    )
 
 
 def _categories(building: Building, problems: Problems, keys: Keys, factors: Combination) -> None:
     """Factors by category are there for each that the loads have."""
     if not isinstance(factors.Q, dict):
         return
-    used = {item.category for item in building.loads.items if item.Q != 0.0 or has_variable_points(item)}
+    used = {item.category for item in building.loads.items if item.Q != 0.0 or _varies_along(item)}
     absent = sorted(category for category in used if category and category not in factors.Q)
     if absent:
         problems.at_value((*keys, "Q"), f"no factor for the category {listed(absent)} of the loads [E-KEY-02]")
@@ -150,6 +170,10 @@ def _masses(building: Building, problems: Problems, check: Selections) -> None:
         problems.at_key(("masses", "phi"), "phi reduces variable loads, which given masses do not come from [E-KEY-03]")
     if masses.from_loads is not None:
         _categories(building, problems, ("masses", "from_loads"), masses.from_loads)
+    elif masses.added:
+        problems.at_key(("masses", "added"), "added masses are beside those of `from_loads` [E-KEY-03]")
+    for i, added in enumerate(masses.added):
+        check.nodes(("masses", "added", i), added.at, added.floors)
     seen: dict[str, int] = {}
     for i, given in enumerate(masses.given or ()):
         keys: Keys = ("masses", "given", i)

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from edesign.project.actions.loads import PointLoad
+from edesign.project.actions.loads import PartialLoad, PointLoad
 from edesign.project.building.members import BeamPlaces
 from edesign.project.building.places import ALL_BAYS, ALL_COLUMN_LINES, Bays, ColumnLines
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
@@ -62,18 +62,20 @@ class PerimeterLoad(Model):
 
 
 class BeamLoad(BeamPlaces):
-    """Loads on beams, uniform and at points.
+    """Loads on beams: uniform, at points and on parts.
 
     Attributes:
         G: permanent load on the whole beam, positive downwards.
         Q: variable load on the whole beam, positive downwards.
         points: forces at places along each beam, from its end with the smaller coordinate.
+        partial: loads on a part of each beam, from its end with the smaller coordinate.
         category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
     """
 
     G: LineLoad = 0.0
     Q: LineLoad = 0.0
     points: tuple[PointLoad, ...] = ()
+    partial: tuple[PartialLoad, ...] = ()
     category: Category | None = None
 
 
@@ -117,7 +119,7 @@ class Loads(Model):
     Attributes:
         areas: loads on bays of floors.
         perimeter: loads along the edge of floors.
-        beams: uniform loads on beams.
+        beams: loads on beams: uniform, at points and on parts.
         nodes: forces on nodes.
         self_weight: whether members weigh, by their area and density.
         gravity: factors of the combination that acts before and during histories and pushovers.
@@ -152,17 +154,33 @@ class GivenMass(Model):
     mass: PositiveMass
 
 
+class AddedMass(Model):
+    """A mass at each of some nodes beside what the loads bring; those at one node add up.
+
+    Attributes:
+        at: column lines of the nodes.
+        floors: floors of the nodes.
+        mass: added to each of the nodes.
+    """
+
+    at: ColumnLines
+    floors: Numbers
+    mass: PositiveMass
+
+
 class Masses(Model):
     """Masses of the nodes, from the loads or given.
 
     Attributes:
         from_loads: factors of the loads that are masses; this key or `given`.
         given: masses node by node; this key or `from_loads`.
+        added: masses at nodes beside those of the loads, such as machines; with `from_loads`.
         phi: factor phi by which psi_2 is multiplied to psi_E (EN 1998-1, 4.2.4(2)P, Eq. 4.2).
         directions: whether a mass resists horizontal motion only, or in analyses vertical motion too.
     """
 
     from_loads: Combination | None = None
     given: tuple[GivenMass, ...] | None = None
+    added: tuple[AddedMass, ...] = ()
     phi: PositiveRatio = 1.0
     directions: Literal["horizontal", "both"] = "horizontal"

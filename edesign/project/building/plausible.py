@@ -151,6 +151,17 @@ def check_given_masses(building: Building, problems: Problems) -> None:
             )
             problems.at_value(("masses", "given", _entry_of(building, floor)), message)
 
+    added: dict[int, float] = {}
+    for i, item in enumerate(building.masses.added if building.masses is not None else ()):
+        for floor in item.floors.numbers(1, building.n_storeys):
+            there = set(building.lines_of(item.at)) & set(building.layout.node_lines[floor])
+            added[floor] = added.get(floor, 0.0) + item.mass * len(there)
+            by_area = added[floor] / _area(building, building.layout.floors[floor])
+            if by_area > FLOOR_MASS.possible[1]:
+                message = f"floor {floor} has {by_area:.4g} kg/m^2 of added masses, which no floor has [E-UNIT-03]"
+                problems.at_value(("masses", "added", i, "mass"), message)
+                return
+
 
 def unusual(building: Building) -> list[tuple[Keys, str]]:
     """Return place and sentence of each value that is possible but unusual."""
@@ -197,12 +208,16 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
 
 
 def _points(building: Building) -> Iterator[tuple[Keys, float, Range]]:
-    """Forces at places along beams."""
+    """Forces at places along beams, and loads on parts of them."""
     for i, load in enumerate(building.loads.beams):
         for k, point in enumerate(load.points):
             for key, value in (("G", point.G), ("Q", point.Q)):
                 if value:
                     yield ("loads", "beams", i, "points", k, key), abs(value), POINT
+        for k, part in enumerate(load.partial):
+            for key, values in (("G", part.G), ("Q", part.Q)):
+                if any(values):
+                    yield ("loads", "beams", i, "partial", k, key), max(map(abs, values)), LINE
 
 
 def _factors(building: Building) -> Iterator[tuple[Keys, float, Range]]:

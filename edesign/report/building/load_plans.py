@@ -149,11 +149,14 @@ def _others(building: Building, floor: int) -> Iterator[Entry]:
             yield Entry(f"beams at the edge: {values} kN/m")
         elif isinstance(load, BeamLoad):
             places = f"beams along {load.along}, frames {load.frames}, bays {load.bays}"
-            if load.G or load.Q or not load.points:
+            if load.G or load.Q or not (load.points or load.partial):
                 yield Entry(f"{places}: {values} kN/m")
             for point in load.points:
                 forces = _case_values(point.G, point.Q, load.category, 1e3)
                 yield Entry(f"{places}, at {', '.join(map(str, point.at))}: {forces} kN")
+            for part in load.partial:
+                ends = (_case_values(G, Q, load.category, 1e3) for G, Q in zip(part.G, part.Q, strict=True))
+                yield Entry(f"{places}, from {part.start} to {part.end}: {' to '.join(dict.fromkeys(ends))} kN/m")
         elif isinstance(load, NodeLoad):
             yield Entry(f"nodes of column lines {load.at}: {values} kN")
     if building.loads.self_weight:

@@ -10,6 +10,7 @@ the loads of edge beams.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -68,6 +69,31 @@ def bay_shares(load: float, width_x: float, width_y: float, spans: Span, seconda
     edge = BeamShare(0.5 * strip)
     girder = BeamShare(points=tuple((k / parts, 0.5 * strip * across) for k in range(1, parts)))
     return BayShares(girder, edge) if spans == "x" else BayShares(edge, girder)
+
+
+_PLACES = ((0.5 - 0.5 * math.sqrt(0.6), 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + 0.5 * math.sqrt(0.6), 5.0 / 18.0))
+"""Places and weights of Gauss-Legendre between 0 and 1, exact up to the fifth degree."""
+
+
+def part_share(start: float, end: float, length: float, load: tuple[float, float]) -> BeamShare:
+    """Return the three forces that stand for a load on a part of a beam, linear from its start to its end.
+
+    The end forces of a beam under a unit force are polynomials of the third degree in its place, with and without
+    shear deformation. Under the linear load their integral is that of three points of Gauss-Legendre. So reactions, end
+    moments, and moments outside the part are exact. Within a uniform part w of length c the moment is
+    between 0.007 w c2 too small and 0.018 w c2 too large.
+
+    Args:
+        start: of the part, as a fraction of the length.
+        end: of the part, as a fraction of the length.
+        length: of the beam, m.
+        load: at the start and at the end, N/m.
+    """
+    width = (end - start) * length
+    points = tuple(
+        (start + at * (end - start), weight * width * (load[0] + at * (load[1] - load[0]))) for at, weight in _PLACES
+    )
+    return BeamShare(points=points)
 
 
 def trapezoid(peak: float, length: float, ramp: float) -> BeamShare:

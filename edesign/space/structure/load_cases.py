@@ -13,7 +13,7 @@ from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterL
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.places import panels_in
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.space.structure.area_loads import BeamShare, bay_shares
+from edesign.space.structure.area_loads import BeamShare, bay_shares, part_share
 from edesign.space.structure.frame import LoadCase, SpaceFrame
 
 PERMANENT, SELF_WEIGHT = "G", "self_weight"
@@ -56,6 +56,7 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
             _add(building, case, load, load.Q)
         if isinstance(load, BeamLoad):
             _add_points(building, sums, load)
+            _add_parts(building, sums, load)
     cases = {name: _case(name, found, frame) for name, found in sums.items()}
     if building.loads.self_weight:
         cases[SELF_WEIGHT] = self_weight(building, frame)
@@ -121,6 +122,25 @@ def _add_points(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> No
             for place in places:
                 width = building.widths(place.along)[place.bay - 1]
                 case.add(place, BeamShare(0.0, tuple((at.share(width), value) for at in point.at)))
+
+
+def _add_parts(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> None:
+    """Add the loads on parts of beams; of a beam in two halves each half has its own part."""
+    layout = building.layout
+    for part in load.partial:
+        for place in layout.beam_places(load):
+            if place not in layout.beam_at:
+                continue
+            width = building.widths(place.along)[place.bay - 1]
+            start, end = part.start.share(width), part.end.share(width)
+            ends = [start, 0.5, end] if place in layout.halved_beams and start < 0.5 < end else [start, end]
+            for values, category in ((part.G, "permanent"), (part.Q, load.category)):
+                if not any(values) or category is None:
+                    continue
+                case = sums.setdefault(PERMANENT if category == "permanent" else _live_case(category), _Sum(category))
+                at_ends = np.interp(ends, [start, end], values)
+                for low, high, *loads in zip(ends, ends[1:], at_ends, at_ends[1:], strict=False):
+                    case.add(place, part_share(float(low), float(high), width, (float(loads[0]), float(loads[1]))))
 
 
 def _add_area(building: Building, case: _Sum, load: Areas, value: float) -> None:

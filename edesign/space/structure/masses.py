@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,7 @@ from edesign.codes.ec8.torsion import accidental_eccentricity
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building
+from edesign.project.building.loads import AddedMass, GivenMass
 from edesign.project.building.names import node_name
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.frame import SpaceFrame
@@ -109,7 +111,7 @@ def mass_shift(frame: SpaceFrame, eccentricity: tuple[float, float]) -> np.ndarr
 
 
 def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
-    """Return the mass at each node, (n_nodes,) kg; none without `masses`, and none at the base.
+    """Return the mass at each node, (n_nodes,) kg; none without `masses`, and of loads none at the base.
 
     Masses from loads are G times the permanent loads and phi psi_2 times the variable ones, over the acceleration of
     gravity; a load on a member counts at its ends as if it were simply supported.
@@ -127,13 +129,11 @@ def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
     masses = building.masses
     if masses is None:
         return found
+    nodes = {name: i for i, name in enumerate(frame.node_names)}
     if masses.from_loads is None:
-        nodes = {name: i for i, name in enumerate(frame.node_names)}
         for given in masses.given or ():
-            for floor in given.floors.numbers(1, building.n_storeys):
-                for line in building.lines_of(given.at):
-                    if line in building.layout.node_lines[floor]:
-                        found[nodes[node_name(line, floor)]] = given.mass
+            for name in _names(building, given):
+                found[nodes[name]] = given.mass
         return found
     for case in frame.cases.values():
         permanent = case.category == "permanent"
@@ -147,4 +147,15 @@ def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
             f"{where}: masses.from_loads: node {frame.node_names[worst]} would get the mass of a load upwards, "
             f"{found[worst] * STANDARD_GRAVITY:.6g} N [E-MASS-01]"
         )
+    for added in masses.added:
+        for name in _names(building, added):
+            found[nodes[name]] += added.mass
     return found
+
+
+def _names(building: Building, of: GivenMass | AddedMass) -> Iterator[str]:
+    """Yield the names of the nodes that have a mass."""
+    for floor in of.floors.numbers(1, building.n_storeys):
+        for line in building.lines_of(of.at):
+            if line in building.layout.node_lines[floor]:
+                yield node_name(line, floor)
