@@ -440,6 +440,11 @@ class ElasticAnalysis:
             )
         found += [self._vertical.note] if self._vertical else []
         found += [LIVE_LOADS_REDUCED] if self._reduction is not None else []
+        if stiffer := [member.name for member in frame.members if member.stiffness_factor != 1.0]:
+            found.append(
+                f"E I of {listed(stiffer, 3)} is multiplied by their `stiffness_factor`; their resistance is that of "
+                "the steel section alone"
+            )
         weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY
         loads = float(gravity_above(frame, self.seismic[0].static)[0])
         if weight > loads * (1.0 + ROUNDING):  # masses from loads weigh at most as much as these

@@ -15,6 +15,7 @@ def unusual_ends(building: Building) -> list[str]:
     for place, run in layout.beam_at.items():
         length = building.widths(place.along)[place.bay - 1]
         beam = building.materials[run.material].E * section_of(building, run.section).I_y / length
+        beam *= run.stiffness_factor
         for end in ("start", "end"):
             stiffness = getattr(run.ends, end)
             if not isinstance(stiffness, float):

@@ -19,7 +19,8 @@ columns:
   - {at: all, storeys: 1, section: HEB300, material: S355, strong: x, group: C1}
   - {at: all, storeys: 2-3, section: HEB260, material: S355, strong: x, group: C2}
 beams:
-  - {along: x, frames: all, bays: all, floors: all, section: IPE330, material: S355, ends: rigid, group: BX}
+  - {along: x, frames: all, bays: all, floors: all, section: IPE330, material: S355, ends: rigid, group: BX,
+     stiffness_factor: 1.5}
   - {along: x, frames: 2, bays: 2, floors: 1, section: IPE330, material: S355,
      ends: {start: 60 MN*m/rad, end: rigid}, group: BS}
   - {along: y, section: IPE270, material: S355, ends: pinned, group: BY}

@@ -108,10 +108,11 @@ def _section(model: Sap2000Model, space: SpaceFrame, member: Member) -> str:
     used = {section.material for section in model.sections.values() if section.catalogue == of.name}
     called = of.name if used | {member.material} == {member.material} else f"{of.name} {member.material}"
     called = called if member.compression else f"{called} half"
+    called = called if member.stiffness_factor == 1.0 else f"{called} x{member.stiffness_factor:g}"
     model.sections.setdefault(
         called,
         Section(
-            *(called, member.material, of.A, of.I_t, of.I_y, of.I_z, of.A_z, of.A_y),
+            *(called, member.material, of.A, of.I_t, of.I_y * member.stiffness_factor, of.I_z, of.A_z, of.A_y),
             catalogue=of.name,
             depth=of.h,
             width=of.b,

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
+from pydantic import Field
+
 from edesign.project.building.places import ALL_COLUMN_LINES, ColumnLines
 from edesign.project.notation.frames import ALL_FRAMES, Direction, Frames
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS
@@ -96,6 +98,7 @@ class BeamRun(BeamPlaces):
         section: name of a profile of the catalogue, or of a hollow section.
         material: one of `materials`.
         ends: how the ends are joined: `rigid`, `pinned`, a rotational stiffness, or a mapping of both.
+        stiffness_factor: by which E I about the strong axis is multiplied, as for a slab that acts with the beam.
         group: beams of one group are designed as one; without the key the run is a group of its own.
     """
 
@@ -104,6 +107,7 @@ class BeamRun(BeamPlaces):
     ends: Annotated[
         Ends, Written(_ends, either(as_kept, words_or(quantity(ROTATIONAL_STIFFNESS, "positive"), "rigid", "pinned")))
     ] = Ends()
+    stiffness_factor: Annotated[float, Field(ge=0.1, le=10.0)] = 1.0
     group: ShortName | None = None
 
 

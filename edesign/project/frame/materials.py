@@ -62,3 +62,12 @@ class MenegottoPintoMaterial(Model):
 
 
 Material = Annotated[ElasticMaterial | BilinearMaterial | MenegottoPintoMaterial, OneOf("law")]
+
+
+def with_stiffness(material: Material, factor: float) -> Material:
+    """Return a steel with another modulus and the strength that it has.
+
+    Args:
+        factor: by which E is multiplied.
+    """
+    return material if factor == 1.0 else material.model_copy(update={"E": factor * material.E})

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from edesign.project.building.layout import ways
-from edesign.project.building.members import BraceRun, ColumnRun
+from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BracePlace
-from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial
+from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial, with_stiffness
 from edesign.project.frame.sections import PlateSection, RectangleSection
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
@@ -129,7 +129,7 @@ class _ProjectText:
         row = self.row
         columns = {place: self._column(run) for place, run in row.merged(lambda frame: frame.columns).items()}
         columns |= {(self.leaning_line, s): (LEANING, self.leaning_steel, "") for s in range(1, self.leaning_top + 1)}
-        beams = {place: (run.section, run.material) for place, run in self.beams.items()}
+        beams = {place: (run.section, _steel_name(run)) for place, run in self.beams.items()}
         braces = row.merged(
             lambda frame: {
                 (p.bay, p.storey): (_kind(p, run), run.section, run.material, run.in_compression)
@@ -229,15 +229,15 @@ class _ProjectText:
         return f"{{area: {value(1e4 * area, 'cm^2')}, inertia: {value(1e8 * inertia, 'cm^4')}}}"
 
     def materials(self) -> list[str]:
-        used = [run.material for frame in self.row.frames for run in frame.columns.values()]
-        used += [run.material for run in self.beams.values()]
-        used += [run.material for frame in self.row.frames for run in frame.braces.values()]
-        text = ["materials:"]
-        for name in dict.fromkeys(used):
-            steel = self.building.materials[name]
-            text.append(f"  {yaml_text(name)}: {_law(steel.material)}")
+        columns = [run.material for frame in self.row.frames for run in frame.columns.values()]
+        used = {name: self.building.steels[name] for name in columns}
+        for run in self.beams.values():
+            used[_steel_name(run)] = with_stiffness(self.building.steels[run.material], run.stiffness_factor)
+        others = [run.material for frame in self.row.frames for run in frame.braces.values()]
+        used |= {name: self.building.steels[name] for name in others}
+        text = ["materials:", *(f"  {yaml_text(name)}: {_law(of)}" for name, of in used.items())]
         if self.leans:
-            modulus = self.building.materials[used[0]].E
+            modulus = next(iter(used.values())).E
             text.append(f"  {self.leaning_steel}: {{law: elastic, E: {value(modulus / 1e9, 'GPa')}}}")
         return [*text, ""]
 
@@ -299,6 +299,11 @@ class _ProjectText:
             text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")
             text.append("  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}")
         return [*text, ""]
+
+
+def _steel_name(run: BeamRun) -> str:
+    """The steel of a beam; with a slab that acts with the beam it has a name and a modulus of its own."""
+    return run.material if run.stiffness_factor == 1.0 else f"{run.material}_x{run.stiffness_factor:g}"
 
 
 def _kind(place: BracePlace, run: BraceRun) -> str:

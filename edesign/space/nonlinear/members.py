@@ -20,7 +20,7 @@ from edesign.frame.struts import Bar, section_strut
 from edesign.project.actions.beam_loads import points_of_member
 from edesign.project.building.building import Building
 from edesign.project.building.names import Direction
-from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.materials import ElasticMaterial, with_stiffness
 from edesign.project.frame.sections import SpaceElasticSection
 from edesign.project.notation.names import MemberKind
 from edesign.space.nonlinear.gravity import GravityLoads, Point
@@ -76,12 +76,9 @@ class BuildingMembers:
         self._building, self._frame, self._model, self._gravity = building, frame, model, gravity
         self._laws, of_kind = building.steels, building.elements.geometry
         self._geometry = {"column": of_kind.columns, "beam": of_kind.beams, "brace": of_kind.braces}
-        pairs, self._of_members = frame.sections
-        materials = {
-            name: model.material(core_law(self._laws[name])) for name in dict.fromkeys(name for _, name in pairs)
-        }
-        self._materials = [materials[name] for _, name in pairs]
-        self._sections: dict[tuple[int, bool], _Section] = {}
+        steels = dict.fromkeys((member.material, member.stiffness_factor) for member in frame.members)
+        self._materials = {of: model.material(core_law(with_stiffness(self._laws[of[0]], of[1]))) for of in steels}
+        self._sections: dict[tuple[str, str, float, bool], _Section] = {}
         self._rigid, self._ends = rigid_ends(building), member_ends(building)
         places: dict[int, tuple[float, ...]] = dict(enumerate(map(tuple, frame.coordinates.tolist())))
         self._builder = MemberBuilder(model, places)
@@ -137,7 +134,7 @@ class BuildingMembers:
             if member.axial_only or self.by_name[member.name].fibres is not None:
                 continue
             shape, E = self._frame.section(member.section), self._laws[member.material].E
-            for axis, inertia in ((1, shape.I_z), (2, shape.I_y)):
+            for axis, inertia in ((1, shape.I_z), (2, shape.I_y * member.stiffness_factor)):
                 points = [(position, float(force[axis])) for position, force in self._gravity.points.get(number, ())]
                 loads = MemberLoads(float(self._gravity.uniform[number, axis]), points)
                 inside = self.by_name[member.name].bending_stretches
@@ -149,7 +146,7 @@ class BuildingMembers:
         nodes = placed.start, placed.end
         if placed.axial_only:
             area = self._frame.section(placed.section).A * (1.0 if placed.compression else TENSION_ONLY_SHARE)
-            material = self._materials[self._of_members[number]]
+            material = self._materials[placed.material, placed.stiffness_factor]
             element = self._model.truss(placed.name, *nodes, material, area, self._geometry[placed.kind])
             stretches = Stretches((0.0, 0.0), (float(self._frame.length[number]),))
             return self._member(
@@ -160,7 +157,7 @@ class BuildingMembers:
         arms = self._panels.arm(joints[0], along), self._panels.arm(joints[1], along)
         first, last = self._ends.get(placed.name, (MemberEnd(), MemberEnd()))
         ends = first.from_edge(arms[0]), last.from_edge(arms[1])
-        section = self._section(number, placed, any(end.hinge is not None for end in ends))
+        section = self._section(placed, any(end.hinge is not None for end in ends))
         stiffness, geometry = self._stiffness(placed), self._geometry[placed.kind]
         inside = dict.fromkeys(at for at, _ in self._gravity.points.get(number, ()) if 0.0 < at < 1.0)
         bent = Stretches(arms, (float(self._frame.length[number]) - sum(arms),))
@@ -209,7 +206,7 @@ class BuildingMembers:
             end=self._frame.node_names[placed.end],
             section=placed.section,
             material=placed.material,
-            steel=self._laws[placed.material],
+            steel=with_stiffness(self._laws[placed.material], placed.stiffness_factor),
             length=length,
             frames=placed.frame,
             bar=self._bar(placed, length),
@@ -225,28 +222,28 @@ class BuildingMembers:
         return Bar(placed.name, placed.kind, placed.section, strut, placed.compression)
 
     def _stiffness(self, placed: Placed) -> tuple[float, float, float]:
-        """E I about local z and y, and G J, N m2."""
+        """E I about local z and y, and G J, N m2; the stiffness factor is on E I_y alone."""
         shape, steel = self._frame.section(placed.section), self._building.materials[placed.material]
-        E = self._laws[placed.material].E
-        return E * shape.I_z, E * shape.I_y, steel.E / (2.0 * (1.0 + steel.nu)) * shape.I_t
+        E, G = self._laws[placed.material].E, steel.E / (2.0 * (1.0 + steel.nu))
+        return E * shape.I_z, placed.stiffness_factor * E * shape.I_y, G * shape.I_t
 
-    def _section(self, number: int, placed: Placed, hinged: bool) -> _Section:
-        of = int(self._of_members[number])
-        own = self._building.sections.get(placed.section)
-        elastic = hinged or isinstance(self._laws[placed.material], ElasticMaterial)
-        elastic = elastic or isinstance(own, SpaceElasticSection)
-        if (of, elastic) not in self._sections:
-            self._sections[of, elastic] = self._make(placed.section, placed.material, self._materials[of], elastic)
-        return self._sections[of, elastic]
+    def _section(self, placed: Placed, hinged: bool) -> _Section:
+        own = isinstance(self._building.sections.get(placed.section), SpaceElasticSection)
+        elastic = hinged or own or isinstance(self._laws[placed.material], ElasticMaterial)
+        key = placed.section, placed.material, placed.stiffness_factor, elastic
+        if key not in self._sections:
+            self._sections[key] = self._make(placed, elastic)
+        return self._sections[key]
 
-    def _make(self, name: str, material: str, number: int, elastic: bool) -> _Section:
-        steel, law = self._building.materials[material], self._laws[material]
-        G = steel.E / (2.0 * (1.0 + steel.nu))
-        own = self._building.sections.get(name)
+    def _make(self, placed: Placed, elastic: bool) -> _Section:
+        """Return a new section; E of the fibres, or E I_y alone, is multiplied by the stiffness factor."""
+        steel = self._building.materials[placed.material]
         if elastic:
-            shape = self._frame.section(name)
-            stiffness = (law.E * shape.A, law.E * shape.I_z, law.E * shape.I_y, G * shape.I_t)
-            return _Section(self._model.elastic_section(*stiffness))
-        fibres = space_section(own or name, self._building.fibres.half_flange)
-        section = self._model.fibre_section(fibres.y, fibres.area, number, fibres.z, G * fibres.I_t)
+            about_z, about_y, torsion = self._stiffness(placed)
+            axial = self._laws[placed.material].E * self._frame.section(placed.section).A
+            return _Section(self._model.elastic_section(axial, about_z, about_y, torsion))
+        own = self._building.sections.get(placed.section)
+        fibres = space_section(own or placed.section, self._building.fibres.half_flange)
+        number = self._materials[placed.material, placed.stiffness_factor]
+        section = self._model.fibre_section(fibres.y, fibres.area, number, fibres.z, steel.E / (2.0 * (1.0 + steel.nu)) * fibres.I_t)
         return _Section(section, np.unique(np.stack([fibres.y, fibres.z], axis=1), axis=0))

@@ -117,6 +117,7 @@ def _beam(place: BeamPlace, run: BeamRun, name: str, nodes: tuple[int, int], at_
         group=run.group or "",
         web=Z,
         ends=(*_stiffness(at_start), *_stiffness(at_end)),
+        stiffness_factor=run.stiffness_factor,
         storey=place.floor,
         frame=(frame_name(place.along, place.frame),),
         bay=place.bay,

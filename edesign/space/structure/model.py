@@ -74,6 +74,7 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
         table.append([steel.E, G, *(getattr(section, key) for key in PROPERTIES[2:])])
     found = np.array(table)[of_members]
     found[:, PROPERTIES.index("A")] *= np.where(frame.in_compression, 1.0, TENSION_ONLY_SHARE)
+    found[:, PROPERTIES.index("I_y")] *= [member.stiffness_factor for member in frame.members]
     if gravity:
         braces = [member.kind == "brace" for member in frame.members]
         found[braces, PROPERTIES.index("A")] *= GRAVITY_SHARE
