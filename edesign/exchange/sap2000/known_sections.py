@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cache
 
 from edesign.errors import InputError
 from edesign.exchange.sap2000.model import Section
+from edesign.exchange.sap2000.written import free_identifier, quantity
 from edesign.frame.sections.profiles import profile_names
 from edesign.frame.sections.steel_section import SteelSection, steel_section
 
@@ -61,6 +63,27 @@ def _named(name: str) -> SteelSection | None:
         return steel_section(name) if name else None
     except InputError:
         return None
+
+
+def own_name(section: Section, taken: Collection[str]) -> str:
+    """Return the name of a section that the catalogue has not, among the own sections of a file.
+
+    Args:
+        taken: names of those that are there.
+    """
+    name = f"{section.name}_own" if is_catalogue_name(section.name) else section.name
+    return free_identifier(name, set(taken))
+
+
+def plates_text(section: Section) -> str:
+    """Return an I section of three plates as a file of edesign has it; "": it is none."""
+    plates = (section.depth, section.width, section.flange, section.web)
+    area = 2.0 * section.width * section.flange + (section.depth - 2.0 * section.flange) * section.web
+    of_plates = section.shape == "I/Wide Flange" and section.equal_flanges and all(plates)
+    if not of_plates or abs(area / section.area - 1.0) >= 1e-3:
+        return ""
+    keys = ("height", "width", "flange", "web")
+    return "{" + ", ".join(f"{key}: {quantity(size, 'm')}" for key, size in zip(keys, plates, strict=True)) + "}"
 
 
 def is_catalogue_name(name: str) -> bool:

@@ -6,7 +6,7 @@ from collections import defaultdict
 
 from edesign.errors import InputError
 from edesign.exchange.sap2000.grid import Grid, Placed, Point
-from edesign.exchange.sap2000.known_sections import WORTH_TELLING, is_catalogue_name, known_section
+from edesign.exchange.sap2000.known_sections import WORTH_TELLING, known_section, own_name, plates_text
 from edesign.exchange.sap2000.model import Sap2000Model, Section
 from edesign.exchange.sap2000.written import free_identifier, quantity
 
@@ -161,19 +161,10 @@ class PlaneMembers:
             raise self.model.error(
                 "section", section.name, f"of the shape {section.shape} it has no area or no I33 [E-SAP-08]"
             )
-        name = f"{section.name}_own" if is_catalogue_name(section.name) else section.name
-        name = free_identifier(name, set(self.own_sections))
-        plates = (section.depth, section.width, section.flange, section.web)
-        area = 2.0 * section.width * section.flange + (section.depth - 2.0 * section.flange) * section.web
-        if (
-            section.shape == "I/Wide Flange"
-            and section.equal_flanges
-            and all(plates)
-            and abs(area / section.area - 1.0) < 1e-3
-        ):
-            keys = ("height", "width", "flange", "web")
-            sizes = ", ".join(f"{key}: {quantity(size, 'm')}" for key, size in zip(keys, plates, strict=True))
-            self.own_sections[name] = f"{{{sizes}}}"
+        name = own_name(section, self.own_sections)
+        plates = plates_text(section)
+        if plates:
+            self.own_sections[name] = plates
         else:
             self.left_out.append(f"section {section.name} is in no list of edesign: it stays elastic")
             self.own_sections[name] = (

@@ -6,7 +6,7 @@ from collections import defaultdict
 
 from edesign.errors import InputError
 from edesign.exchange.sap2000.grid import Grid, Placed, Point
-from edesign.exchange.sap2000.known_sections import WORTH_TELLING, known_section
+from edesign.exchange.sap2000.known_sections import WORTH_TELLING, known_section, own_name, plates_text
 from edesign.exchange.sap2000.model import Sap2000Model, Section
 from edesign.exchange.sap2000.space_loads import beam_place
 from edesign.exchange.sap2000.written import free_identifier, quantity
@@ -27,6 +27,7 @@ class SpaceMembers:
         columns: section, material and direction of the strong axis.
         beams: section, material and ends.
         braces: kind, section, material, and whether they count in compression.
+        own_sections: those that the catalogue does not have, as a building writes them.
         materials: names in the building by those of the model.
         floors: bays of the plan that each floor covers, both from 1.
         left_out: sentences on what differs from the model.
@@ -39,6 +40,7 @@ class SpaceMembers:
         self.model, self.grid, self.diaphragms = model, grid, diaphragms
         self.storeys = len(grid.z) - 1
         self.sections: dict[str, str] = {}
+        self.own_sections: dict[str, str] = {}
         self.materials: dict[str, str] = {}
         self.torsion_pins = 0
         self.left_out: list[str] = []
@@ -174,18 +176,40 @@ class SpaceMembers:
     def _known(self, section: Section) -> str:
         known = known_section(section)
         if known is None:
-            raise self.model.error(
-                "section",
-                section.name,
-                "it is in none of edesign's lists of sections by its name or its sizes, and "
-                "buildings have no own sections; give it a name such as IPE300, W14X90 or SHS200x10 [E-SAP-27]",
-            )
+            return self._new_section(section)
         if known.apart > WORTH_TELLING:
             self.left_out.append(
                 f"section {section.name} is taken as {known.name} of the catalogue, which differs by "
                 f"{100.0 * known.apart:.2g} % in area or second moment of area"
             )
         return known.name
+
+    def _new_section(self, section: Section) -> str:
+        """Add a section that the catalogue has not: of plates, or by its properties."""
+        name, plates = own_name(section, self.own_sections), plates_text(section)
+        if plates:
+            self.own_sections[name] = plates
+            return name
+        given = {
+            "area": (section.area, "m^2"),
+            "inertia": (section.I33, "m^4"),
+            "weak_inertia": (section.I22, "m^4"),
+            "torsion_constant": (section.J, "m^4"),
+        }
+        if any(value <= 0.0 for value, _ in given.values()):
+            raise self.model.error(
+                "section",
+                section.name,
+                "it is in none of edesign's lists of sections by its name or its sizes, and as an own section it needs "
+                "Area, I33, I22 and TorsConst [E-SAP-27]",
+            )
+        shear = {"shear_area": (section.AS2, "m^2"), "weak_shear_area": (section.AS3, "m^2")}
+        given |= {key: of for key, of in shear.items() if of[0] > 0.0}
+        self.left_out.append(
+            f"section {section.name} is in no list of edesign: it stays elastic, and members of it are not checked"
+        )
+        self.own_sections[name] = "{" + ", ".join(f"{key}: {quantity(*of)}" for key, of in given.items()) + "}"
+        return name
 
     def _covered(self) -> dict[int, set[tuple[int, int]]]:
         """Bays of the plan that each floor covers: those whose corners all have joints of the floor."""

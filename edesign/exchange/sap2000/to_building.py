@@ -62,6 +62,7 @@ class _BuildingText:
             self._beams_text(),
             self._braces_text(),
             self._missing(),
+            self._sections_text(),
             self._materials_text(),
             self._loads_text(),
             masses_text(self.model, self.grid, self.taken, self.left_out),
@@ -177,6 +178,10 @@ class _BuildingText:
             for along in ("x", "y"):
                 text += [f"  {line}" for line in self._runs(along, no_beams, lambda _: "", "floors")]
         return ["missing:", *text, ""] if text else [""]
+
+    def _sections_text(self) -> list[str]:
+        own = [f"  {name}: {of}" for name, of in self.members.own_sections.items()]
+        return ["sections:", *own, ""] if own else []
 
     def _materials_text(self) -> list[str]:
         text = ["materials:"]
