@@ -21,7 +21,7 @@ from edesign.report.model.elevation import Grid, draw_axes
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.supports import SIGNS
-from edesign.report.model.words import several_steels, short, steels_of
+from edesign.report.model.words import section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
 MOST = 4  # elevations in each direction
@@ -129,6 +129,8 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
     left_out = list(_sections(sheet, members, ends, k)) + devices.draw_sizes(sheet)
     entries += drawn
     entries += _steels(building, members)
+    own = dict.fromkeys(one.section for one in members if one.section in building.sections)
+    entries += [Entry(section_words(name, building.sections[name])) for name in own]
     if any(_is_weak(one, k) for one in members):
         entries.append(Entry("(weak): bends about its weak axis in this frame"))
     sheet.legend([*entries, *unwritten(left_out)], WIDTH)

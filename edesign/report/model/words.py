@@ -10,7 +10,7 @@ from edesign.damper.parameter_sets import PARAMETER_SETS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
 from edesign.project.dampers.isolation import BaseDevice
-from edesign.project.frame.sections import ElasticSection, PlateSection, Section
+from edesign.project.frame.sections import ElasticSection, PlateSection, Section, SpaceElasticSection, SpaceSection
 from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.report.drawing.style import VARIANTS
 from edesign.report.drawing.symbols import power_of_ten, with_indices_of_laws
@@ -167,11 +167,15 @@ def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
     return f"{what} {text}" if text.isalnum() else f"{what}s {text.strip('[]')}"
 
 
-def section_words(name: str, section: Section) -> str:
-    """Return the dimensions of a section that the project defines, in words."""
+def section_words(name: str, section: Section | SpaceSection) -> str:
+    """Return the dimensions of a section that the project or building defines, in words."""
     if isinstance(section, PlateSection):
         sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
         return f"{name}: welded I {sizes} mm, flanges {1e3 * section.flange:g} mm, web {1e3 * section.web:g} mm"
+    if isinstance(section, SpaceElasticSection):
+        given = {"I_y": section.inertia, "I_z": section.weak_inertia, "I_t": section.torsion_constant}
+        inertias = "".join(f", {key} = {short(of * 1e8)} cm⁴" for key, of in given.items() if of is not None)
+        return f"{name}: elastic, not checked, A = {short(section.area * 1e4)} cm²{inertias}"
     if isinstance(section, ElasticSection):
         inertia = f", I = {short(section.inertia * 1e8)} cm⁴" if section.inertia is not None else ""
         return f"{name}: elastic, A = {short(section.area * 1e4)} cm²{inertia}"
