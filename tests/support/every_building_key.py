@@ -143,7 +143,7 @@ OTHER_FORMS = (
     )
     .replace("storeys: [4 m, 3.5 m, 3 m]", "storeys: {count: 3, height: 3.5 m}")
     .replace(
-        "from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  phi: 0.8",
+        "from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  added: [{at: A1, floors: 2, mass: 4 t}]\n  phi: 0.8",
         "given: [{at: all, floors: 1-3, mass: 9 t}]\n  directions: both",
     )
     .replace("loads:\n  areas:", "loads:\n  gravity: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  areas:")
