@@ -91,6 +91,27 @@ SERIES = ("law: pad}\n    - {kind: storey", "law: oil, brace: {stiffness: 20 kN/
 DAMPERS = ("outputs:", FIRM + "outputs:")
 
 
+OWN = (
+    ("section: RHS250x150x10", "section: COL"),
+    (
+        "{along: x, section: IPE300, material: S275}",
+        "{along: x, section: IPE300, material: S275, stiffness_factor: 1.8}",
+    ),
+    ("{along: y, section: IPE270, material: S275}", "{along: y, section: EDGE, material: S275}"),
+    (
+        "secondary_beams: 2}]",
+        "secondary_beams: 2}], beams: [{along: x, bays: 2, partial: [{start: 1 m, end: 3 m, G: 8 kN/m}]}]",
+    ),
+    (
+        "materials:",
+        "sections:\n"
+        "  COL: {height: 240 mm, width: 200 mm, flange: 15 mm, web: 10 mm}\n"
+        "  EDGE: {area: 45 cm^2, inertia: 6000 cm^4, weak_inertia: 420 cm^4, torsion_constant: 16 cm^4}\n"
+        "materials:",
+    ),
+)
+
+
 @dataclass(frozen=True)
 class Case:
     """Changes of the file, and how near the results are.
@@ -115,6 +136,7 @@ CASES = {
     # N of columns is that in the middle of each: some 5e-4 of the yield strain beside it
     "self_weight_of_columns": Case(history=1e-3),
     "divided_beams": Case((WITHOUT_WEIGHT, DIVIDED, BY_MASS), history=1e-6),
+    "own_sections": Case((WITHOUT_WEIGHT, BY_MASS, *OWN), history=1e-6),
     # stiffness-proportional damping acts within divided beams too, once they yield
     "divided_beams_damped": Case((WITHOUT_WEIGHT, DIVIDED), history=2e-2),
     "elastic_without_a_rigid_floor": Case((ELASTIC, LOOSE)),
