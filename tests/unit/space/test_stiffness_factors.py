@@ -72,7 +72,7 @@ def test_the_strength_is_that_of_the_steel() -> None:
 
 
 def test_plane_frames_taken_out_are_as_stiff() -> None:
-    """All frames along x, elastic, without shear deformation. The building twists a little with its first mode (3e-5)."""
+    """All frames along x, elastic, without shear deformation. The building twists with its first mode, by 3e-5."""
     of = building(STIFF, ELASTIC)
     project = parse_project(project_text(frame_row(of, space_frame(of), "X")), "frame.yaml", BuildingSections())
     beam = project.frame.beams[0]
