@@ -49,6 +49,24 @@ STEEL_DENSITY = Range(
     (7700.0, 10000.0),
     "EN 1991-1-1, Table A.4, has 77 to 78.5 kN/m3",
 )
+OTHER_MODULUS = Range(
+    "modulus of elasticity",
+    STRESS,
+    "GPa",
+    (0.1e9, 2200e9),
+    "timber across the grain has 0.3 GPa (EN 338); ten times that of steel stands for rigid parts of a model",
+    (0.1e9, 2200e9),
+    "",
+)
+OTHER_DENSITY = Range(
+    "density",
+    DENSITY,
+    "kg/m^3",
+    (1.0, 10000.0),
+    "parts without weight have 1 kg/m^3, and steel with its joints is heaviest",
+    (1.0, 10000.0),
+    "",
+)
 AREA = Range(
     "load of a floor or roof",
     AREA_LOAD,
@@ -190,6 +208,10 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
     yield from _factors(building)
     yield from _lengths(("storeys",), building.storeys, "height", HEIGHT)
     for name, steel in building.materials.items():
+        if steel.law == "elastic" and building.design is None:  # no clause for steel looks at it
+            yield ("materials", name, "E"), steel.E, OTHER_MODULUS
+            yield ("materials", name, "density"), steel.density, OTHER_DENSITY
+            continue
         yield ("materials", name, "fy"), steel.fy, YIELD
         yield ("materials", name, "E"), steel.E, MODULUS
         yield ("materials", name, "density"), steel.density, STEEL_DENSITY

@@ -217,3 +217,22 @@ def test_frames_taken_out_have_the_own_sections(name: str) -> None:
         assert shape.area == pytest.approx(known.A, rel=1e-5)
         assert shape.inertia == pytest.approx(known.I_z if weak else known.I_y, rel=1e-5)
     assert make_structure(project).modes(1).period[0] > 0.0
+
+
+CONCRETE = (
+    ("materials: {S275", "materials: {C30: {fy: 30 MPa, E: 33 GPa, density: 2500 kg/m^3, law: elastic}, S275"),
+    ("{at: C, section: HEB240, material: S275, strong: y}", "{at: C, section: EDGE, material: C30, strong: y}"),
+)
+
+
+def test_elastic_parts_of_other_materials_are_in_analyses_alone() -> None:
+    bare = OWN.partition("hazard:")[0]
+    of = building(bare, *CONCRETE)
+    frame = space_frame(of)
+    moduli = member_properties(frame, of.materials)[:, PROPERTIES.index("E")]
+    modulus = {member.name: value for member, value in zip(frame.members, moduli.tolist(), strict=True)}
+    assert (modulus["C_C1_1"], modulus["C_A1_1"]) == pytest.approx((33e9, 210e9))
+    with pytest.raises(BuildingError, match="no modulus of elasticity of steel.*E-UNIT-03"):
+        building(OWN, *CONCRETE)
+    with pytest.raises(BuildingError, match="no modulus of elasticity of steel.*E-UNIT-03"):
+        building(bare, (CONCRETE[0][0], CONCRETE[0][1].replace(", law: elastic", "")))
