@@ -22,6 +22,7 @@ from edesign.codes.ec3.buckling import (
     rolled_i_curve,
     slenderness,
     solid_curve,
+    welded_box_curve,
     welded_i_curve,
 )
 from edesign.frame.sections.named_section import cross_section
@@ -193,6 +194,8 @@ def _curves(section: SteelSection, fy: float) -> list[Curve]:
         return [solid_curve()] * 2
     if section.kind == "I" and section.welded:
         return [welded_i_curve(section.tf, axis) for axis in ("y", "z")]
+    if section.welded:
+        return [welded_box_curve(section.h, section.b, section.tf, section.tw)] * 2
     if section.kind == "I":
         return [rolled_i_curve(section.h, section.b, section.tf, axis, fy) for axis in ("y", "z")]
     return [hollow_curve(fy, section.cold_formed)] * 2

@@ -37,6 +37,7 @@ materials:
   S235: {fy: 235 MPa}
 sections:
   plates: {height: 300 mm, width: 200 mm, flange: 15 mm, web: 9 mm}
+  box: {height: 300 mm, width: 250 mm, flange: 16 mm, web: 12 mm, webs: 2}
   stack: {rectangles: [{width: 200 mm, depth: 20 mm, centre: 0 mm}, {width: 12 mm, depth: 200 mm, centre: 110 mm}]}
   properties: {area: 50 cm^2, inertia: 8000 cm^4, weak_inertia: 600 cm^4, torsion_constant: 20 cm^4,
     shear_area: 20 cm^2, weak_shear_area: 25 cm^2}

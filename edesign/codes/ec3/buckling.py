@@ -82,6 +82,21 @@ def welded_i_curve(flange: float, axis: Axis) -> Curve:
     return "c" if axis == "y" else "d"
 
 
+def welded_box_curve(height: float, width: float, flange: float, web: float) -> Curve:
+    """Return the buckling curve of a welded box about any axis.
+
+    Args:
+        height: h, m.
+        width: b, m.
+        flange: t_f, m.
+        web: t_w, m.
+
+    Source: EN 1993-1-1:2005, Table 6.2. Boxes of thick plates, b/t_f and h/t_w below 30, have curve c if their welds
+        are thick. The size of the welds is not known here, and counts as thick.
+    """
+    return "c" if width / flange < 30.0 and height / web < 30.0 else "b"
+
+
 def hollow_curve(yield_stress: float, cold_formed: bool = False) -> Curve:
     """Return the buckling curve of a hollow section about any axis.
 

@@ -246,7 +246,7 @@ class Strength:
         s = self.section
         if s.kind == "CHS":
             return 0.0
-        return cross_section.web_share(s.A, 2.0 * (s.h if axis == "z" and s.kind == "RHS" else s.b) * s.tf)
+        return cross_section.web_share(s.A, 2.0 * (s.h * s.tw if axis == "z" and s.kind == "RHS" else s.b * s.tf))
 
     @property
     def N_web(self) -> float:
@@ -334,6 +334,9 @@ class Strength:
         elif s.kind == "I":
             curve = buckling.rolled_i_curve(s.h, s.b, s.tf, "y" if axis == "y" else "z", self.member.fy)
             expression = f"h/b = {s.h / s.b:.3g}, t_f = {1e3 * s.tf:.3g} mm, about {axis}"
+        elif s.welded:
+            curve = buckling.welded_box_curve(s.h, s.b, s.tf, s.tw)
+            expression = f"welded box, b/t_f = {s.b / s.tf:.3g}, h/t_w = {s.h / s.tw:.3g}"
         else:
             curve = buckling.hollow_curve(self.member.fy, s.cold_formed)
             expression = "cold formed" if s.cold_formed else "hot finished"

@@ -21,7 +21,7 @@ class SteelSection:
             section moduli and its shear areas of the clauses are nan.
         cold_formed: a hollow section by EN 10219; otherwise hot rolled or hot finished.
         h, b: height and width, of a CHS its diameter, m.
-        tw, tf: thickness of web and flanges; of hollow sections both the wall, m.
+        tw, tf: thickness of web and flanges; of hollow sections that are not welded both the wall, m.
         r: radius of the fillets of an I section; outer radius of the corners of an RHS; 0 of a CHS; m.
         A: area, m2.
         A_vy, A_vz: shear areas of EN 1993-1-1, 6.2.6(3), for forces along y and z, m2.

@@ -8,10 +8,10 @@ from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
 from edesign.frame.sections.section import rectangle_section
-from edesign.frame.sections.space_section import space_section
+from edesign.frame.sections.space_section import box_torsion_constant, space_section
 from edesign.frame.sections.steel_section import i_steel_section, steel_section
 from edesign.project.building.building import Building
-from edesign.project.frame.sections import Fibres, PlateSection, RectangleSection, SpaceElasticSection
+from edesign.project.frame.sections import BoxSection, Fibres, PlateSection, RectangleSection, SpaceElasticSection
 
 _NODES, _WEIGHTS = (-math.sqrt(0.6), 0.0, math.sqrt(0.6)), (5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0)  # Gauss-Legendre
 
@@ -30,8 +30,8 @@ def section_of(building: Building, name: str) -> SteelSection:
 
 
 @cache
-def own_section(name: str, own: PlateSection | RectangleSection | SpaceElasticSection) -> SteelSection:
-    """Return an own section with its properties: three plates are a welded I section, others of a shape without class.
+def own_section(name: str, own: PlateSection | BoxSection | RectangleSection | SpaceElasticSection) -> SteelSection:
+    """Return an own section with its properties: plates are a welded I section or box, others have no class.
 
     The shear centre of a stack of rectangles that is not symmetric is taken at its centroid.
 
@@ -43,6 +43,8 @@ def own_section(name: str, own: PlateSection | RectangleSection | SpaceElasticSe
     """
     if isinstance(own, PlateSection):
         return i_steel_section(name, own.height, own.width, own.web, own.flange, welded=True)
+    if isinstance(own, BoxSection):
+        return _box(name, own)
     if isinstance(own, RectangleSection):
         return _stack(name, own)
     return _other(
@@ -54,6 +56,54 @@ def own_section(name: str, own: PlateSection | RectangleSection | SpaceElasticSe
         I_y=own.inertia or 0.0,
         I_z=own.weak_inertia or 0.0,
     )
+
+
+def _box(name: str, box: BoxSection) -> SteelSection:
+    """Return a welded box.
+
+    Source: A_vy and A_vz: EN 1993-1-1, 6.2.6(3)d and e with eta = 1. A_y and A_z: I2 / integral (S/t)2 dA of the thin
+        walls, as of hollow sections.
+    """
+    h, b, tf, tw = box.height, box.width, box.flange, box.web
+    clear, inner = h - 2.0 * tf, b - 2.0 * tw
+    A, I_y, I_z = h * b - clear * inner, (b * h**3 - inner * clear**3) / 12.0, (h * b**3 - clear * inner**3) / 12.0
+    webs = 2.0 * clear * tw
+    return SteelSection(
+        name=name,
+        kind="RHS",
+        cold_formed=False,
+        h=h,
+        b=b,
+        tw=tw,
+        tf=tf,
+        r=0.0,
+        A=A,
+        A_vy=A - webs,
+        A_vz=webs,
+        A_y=_thin_shear_area(b - tw, h - tf, tf, tw),
+        A_z=_thin_shear_area(h - tf, b - tw, tw, tf),
+        I_y=I_y,
+        I_z=I_z,
+        I_t=box_torsion_constant(box),
+        I_w=0.0,
+        W_el_y=2.0 * I_y / h,
+        W_el_z=2.0 * I_z / b,
+        W_pl_y=(b * h**2 - inner * clear**2) / 4.0,
+        W_pl_z=(h * b**2 - clear * inner**2) / 4.0,
+        welded=True,
+    )
+
+
+def _thin_shear_area(H: float, B: float, t: float, across: float) -> float:
+    """Return the shear area of a thin-walled box along its walls of length H and thickness t.
+
+    Args:
+        B: length of the other walls, m.
+        across: their thickness, m.
+    """
+    inertia, ratio = t * H**3 / 6.0 + across * B * H**2 / 2.0, across / t
+    walls = 2.0 * t * H**3 * (ratio**2 * B**2 / 16.0 + ratio * B * H / 24.0 + H**2 / 120.0)
+    return inertia**2 / (across * H**2 * B**3 / 24.0 + walls)
 
 
 def _other(

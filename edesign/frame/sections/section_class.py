@@ -75,7 +75,8 @@ def section_class(
     """Return the class of a section in bending and compression.
 
     The flat parts are h - 2 t_f - 2 r and (b - t_w - 2 r)/2 of an I section, h - 3 t and b - 3 t of an RHS
-    (EN 1993-1-5, Table 4.1). Flanges, and both pairs of walls under biaxial bending, count as uniformly compressed.
+    (EN 1993-1-5, Table 4.1). Those of welded sections reach up to the other plates. Flanges, and both pairs of walls
+    under biaxial bending, count as uniformly compressed.
 
     Args:
         section: by `steel_section`.
@@ -110,12 +111,16 @@ def section_class(
             ),
         )
     walls = []
-    for part, side, bent, other in (("web", section.h, about_y, about_z), ("flange", section.b, about_z, about_y)):
-        c = side - 3.0 * section.tw
+    sides = (
+        ("web", section.h, section.tw, section.tf, about_y, about_z),
+        ("flange", section.b, section.tf, section.tw, about_z, about_y),
+    )
+    for part, side, t, across, bent, other in sides:
+        c = side - (2.0 * across if section.welded else 3.0 * t)
         limits = internal_part_limits(eps)
         if bent and not other:
-            limits = _web_limits(section, yield_stress, N_Ed, c, 2.0 * section.tw, bent=True)
-        walls.append(PartClass(part, c / section.tw, limits))
+            limits = _web_limits(section, yield_stress, N_Ed, c, 2.0 * t, bent=True)
+        walls.append(PartClass(part, c / t, limits))
     return SectionClass(section.name, tuple(walls))
 
 

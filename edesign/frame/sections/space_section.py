@@ -41,7 +41,7 @@ from edesign.frame.sections.profiles import profile
 from edesign.frame.sections.section import Spot, fillets, rectangle_section
 from edesign.frame.sections.steel_section import i_torsion_constant, steel_section
 from edesign.frame.sections.walls import Wall, hollow_walls, i_walls
-from edesign.project.frame.sections import FIBRES_OF_HALF_A_FLANGE, Fibres, PlateSection, RectangleSection
+from edesign.project.frame.sections import FIBRES_OF_HALF_A_FLANGE, BoxSection, Fibres, PlateSection, RectangleSection
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,12 +87,12 @@ class _Part:
 
 
 def space_section(
-    section: str | PlateSection | RectangleSection, half_flange: int = FIBRES_OF_HALF_A_FLANGE
+    section: str | PlateSection | BoxSection | RectangleSection, half_flange: int = FIBRES_OF_HALF_A_FLANGE
 ) -> SpaceSection:
     """Return the fibres of a section for bending about both axes.
 
     Args:
-        section: name of a rolled or hollow one, as `steel_section` takes it, or plates or rectangles of a project.
+        section: name of a rolled or hollow one, as `steel_section` takes it, or an own one of a file.
         half_flange: fibres of half a flange of an I section, at least 2. Its half web has as many, one less beside a
             fillet, which is one fibre. Half a wall of a rectangular hollow section has one less too, and a corner two;
             a quarter of a circular one has twice as many. A rectangle of a stack has `half_flange` by
@@ -108,12 +108,27 @@ def space_section(
     if isinstance(section, PlateSection):
         plates = (section.height, section.width, section.flange, section.web)
         return _mirrored(_i_section(*plates, 0.0, n), i_torsion_constant(*plates, 0.0))
+    if isinstance(section, BoxSection):
+        clear = section.height - 2.0 * section.flange
+        flange = Wall(section.width, section.flange, z=0.5 * (section.height - section.flange))
+        web = Wall(section.web, clear, y=0.5 * (section.width - section.web))
+        return _mirrored([_quarter(flange, n), _quarter(web, n)], box_torsion_constant(section))
     I_t = steel_section(section).I_t
     hollow = hollow_section(section)
     if hollow is None:
         rolled = profile(section)
         return _mirrored(_i_section(rolled.h, rolled.b, rolled.tf, rolled.tw, rolled.r, n), I_t)
     return _mirrored(_ring(hollow, 2 * n) if hollow.round else _tube(hollow, n - 1), I_t)
+
+
+def box_torsion_constant(box: BoxSection) -> float:
+    """Return I_t of a welded box, m4: Bredt's second formula, and the walls as open ones.
+
+    Source: Young and Budynas, Roark's Formulas for Stress and Strain, 7th ed., Table 10.1, case 16, of two thicknesses.
+    """
+    high, wide = box.height - box.flange, box.width - box.web
+    closed = 4.0 * (high * wide) ** 2 / (2.0 * wide / box.flange + 2.0 * high / box.web)
+    return closed + 2.0 / 3.0 * (wide * box.flange**3 + high * box.web**3)
 
 
 def _mirrored(parts: Iterable[_Part], I_t: float, upwards: bool = True) -> SpaceSection:

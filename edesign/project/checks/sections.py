@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from edesign.project.frame.sections import Catalogue, PlateSection
+from edesign.project.frame.sections import BoxSection, Catalogue, PlateSection
 from edesign.project.reading.problems import Problems
 
 
@@ -21,13 +21,16 @@ def check_own_sections(sections: Mapping[str, object], problems: Problems, profi
             problems.at_key(
                 ("sections", name), "this is the name of a catalogue profile; choose another name [E-NAME-03]"
             )
-        if isinstance(section, PlateSection):
+        if isinstance(section, BoxSection) and 2 * section.web >= section.width:
+            message = f"two webs of {section.web:g} m leave no room in a width of {section.width:g} m [E-FRAME-01]"
+            problems.at_value(("sections", name, "web"), message)
+        if isinstance(section, PlateSection | BoxSection):
             if 2 * section.flange >= section.height:
                 message = (
                     f"two flanges of {section.flange:g} m leave no web in a height of {section.height:g} m [E-FRAME-01]"
                 )
                 problems.at_value(("sections", name, "flange"), message)
-            if section.web > section.width:
+            if isinstance(section, PlateSection) and section.web > section.width:
                 message = (
                     f"the web ({section.web:g} m) is thicker than the flange is wide ({section.width:g} m) [E-FRAME-01]"
                 )

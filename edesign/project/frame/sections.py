@@ -68,6 +68,24 @@ class ElasticSection(Model):
     inertia: PositiveInertia | None = None
 
 
+class BoxSection(Model):
+    """A box of a building, welded from four plates: flanges over the whole width, two webs between them at the edges.
+
+    Attributes:
+        height: total height of the section, more than two flanges.
+        width: total width of the section, more than two webs.
+        flange: thickness of a flange.
+        web: thickness of a web.
+        webs: number of the webs, which tells a box from an I section.
+    """
+
+    height: PositiveLength
+    width: PositiveLength
+    flange: PositiveLength
+    web: PositiveLength
+    webs: Literal[2]
+
+
 class SpaceElasticSection(Model):
     """A section of a building that stays elastic, by its properties; its shape is not known.
 
@@ -99,8 +117,14 @@ Section = Annotated[
 ]
 
 SpaceSection = Annotated[
-    PlateSection | RectangleSection | SpaceElasticSection,
-    OneOf(otherwise=PlateSection, rectangles=RectangleSection, area=SpaceElasticSection, inertia=SpaceElasticSection),
+    PlateSection | BoxSection | RectangleSection | SpaceElasticSection,
+    OneOf(
+        otherwise=PlateSection,
+        webs=BoxSection,
+        rectangles=RectangleSection,
+        area=SpaceElasticSection,
+        inertia=SpaceElasticSection,
+    ),
 ]
 """Of a building, whose members bend about both axes."""
 

@@ -10,7 +10,14 @@ from edesign.damper.parameter_sets import PARAMETER_SETS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
 from edesign.project.dampers.isolation import BaseDevice
-from edesign.project.frame.sections import ElasticSection, PlateSection, Section, SpaceElasticSection, SpaceSection
+from edesign.project.frame.sections import (
+    BoxSection,
+    ElasticSection,
+    PlateSection,
+    Section,
+    SpaceElasticSection,
+    SpaceSection,
+)
 from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.report.drawing.style import VARIANTS
 from edesign.report.drawing.symbols import power_of_ten, with_indices_of_laws
@@ -172,6 +179,9 @@ def section_words(name: str, section: Section | SpaceSection) -> str:
     if isinstance(section, PlateSection):
         sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
         return f"{name}: welded I {sizes} mm, flanges {1e3 * section.flange:g} mm, web {1e3 * section.web:g} mm"
+    if isinstance(section, BoxSection):
+        sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
+        return f"{name}: welded box {sizes} mm, flanges {1e3 * section.flange:g} mm, webs {1e3 * section.web:g} mm"
     if isinstance(section, SpaceElasticSection):
         given = {"I_y": section.inertia, "I_z": section.weak_inertia, "I_t": section.torsion_constant}
         inertias = "".join(f", {key} = {short(of * 1e8)} cm⁴" for key, of in given.items() if of is not None)

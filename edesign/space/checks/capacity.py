@@ -246,7 +246,8 @@ def column_moments(
             a = web_share(section.A, 2.0 * section.b * section.tf)
             reduced = [moment_resistance_with_axial_force_z(M_Rd, of, a) for of in n]
         else:
-            a = web_share(section.A, 2.0 * (section.b if about_y else section.h) * section.tf)
+            walls = section.b * section.tf if about_y else section.h * section.tw
+            a = web_share(section.A, 2.0 * walls)
             reduced = [moment_resistance_with_axial_force_y(M_Rd, of, a) for of in n]
         found[which] = reduced
     return found

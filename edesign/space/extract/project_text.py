@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BracePlace
 from edesign.project.frame.materials import ElasticMaterial, Material, MenegottoPintoMaterial, with_stiffness
-from edesign.project.frame.sections import PlateSection, RectangleSection
+from edesign.project.frame.sections import BoxSection, PlateSection, RectangleSection
 from edesign.project.notation.names import line_name
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.ends_text import ends_text
@@ -208,10 +208,16 @@ class _ProjectText:
         if isinstance(own, PlateSection):
             sizes = {key: getattr(own, key) for key in ("height", "width", "flange", "web")}
             return "{" + ", ".join(f"{key}: {value(1e3 * size, 'mm')}" for key, size in sizes.items()) + "}"
+        if isinstance(own, BoxSection):
+            clear = own.height - 2.0 * own.flange
+            far, between = (own.width, own.flange, own.height), (2.0 * own.web, clear)
+            if weak:
+                far, between = (clear, own.web, own.width), (2.0 * own.flange, own.width)
+            width, depth, whole = far
+            beside = 0.5 * (whole - depth)
+            return _rectangles([(width, depth, beside), (*between, 0.0), (width, depth, -beside)])
         if isinstance(own, RectangleSection) and not weak:
-            keys = ("width", "depth", "centre")
-            of = (", ".join(f"{key}: {value(1e3 * getattr(r, key), 'mm')}" for key in keys) for r in own.rectangles)
-            return "{rectangles: [" + ", ".join(f"{{{rectangle}}}" for rectangle in of) + "]}"
+            return _rectangles([(r.width, r.depth, r.centre) for r in own.rectangles])
         inertia = shape.I_z if weak else shape.I_y
         bending = f", inertia: {value(1e8 * inertia, 'cm^4')}" if inertia > 0.0 else ""
         return f"{{area: {value(1e4 * shape.A, 'cm^2')}{bending}}}"
@@ -299,6 +305,13 @@ class _ProjectText:
             text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")
             text.append("  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}")
         return [*text, ""]
+
+
+def _rectangles(parts: Sequence[tuple[float, float, float]]) -> str:
+    """A stack of rectangles by their widths, depths and centres, m."""
+    keys = ("width", "depth", "centre")
+    texts = (", ".join(f"{key}: {value(1e3 * of, 'mm')}" for key, of in zip(keys, r, strict=True)) for r in parts)
+    return "{rectangles: [" + ", ".join(f"{{{text}}}" for text in texts) + "]}"
 
 
 def _steel_name(run: BeamRun) -> str:

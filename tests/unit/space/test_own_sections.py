@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from building_examples import building, design_of
 
+from edesign.codes.ec3.buckling import welded_box_curve
 from edesign.codes.ec3.member import Member, Stability, Strength
 from edesign.codes.ec3.section import SteelSection
 from edesign.core import Analysis
@@ -16,13 +17,14 @@ from edesign.errors import InputError
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.named_section import cross_section
 from edesign.frame.sections.own_section import own_section, section_of
+from edesign.frame.sections.section_class import section_class
 from edesign.frame.sections.space_section import space_section
 from edesign.frame.sections.steel_section import steel_section
 from edesign.frame.struts import section_strut
 from edesign.project import parse_project
 from edesign.project.building import Building, BuildingError
 from edesign.project.frame.materials import BilinearMaterial
-from edesign.project.frame.sections import PlateSection, Rectangle, RectangleSection
+from edesign.project.frame.sections import BoxSection, PlateSection, Rectangle, RectangleSection
 from edesign.space.archived import groups
 from edesign.space.extract import frame_row, project_text
 from edesign.space.nonlinear import build_building
@@ -83,6 +85,53 @@ def test_plates_have_the_properties_of_three_rectangles() -> None:
     fibres = space_section(PLATES)
     assert fibres.area.sum() == pytest.approx(of.A) and fibres.I_t == pytest.approx(of.I_t)
     assert (fibres.area * fibres.z**2).sum() == pytest.approx(of.I_y)
+
+
+BOX = BoxSection.model_construct(height=0.4, width=0.3, flange=0.016, web=0.012, webs=2)
+
+
+def test_boxes_have_the_properties_of_their_rectangles() -> None:
+    """Outer less inner rectangle; Bredt's formula on the middle line; fibres with the same sums."""
+    of, fibres = own_section("B", BOX), space_section(BOX)
+    assert (of.kind, of.welded, of.webs) == ("RHS", True, 2)
+    assert pytest.approx(0.4 * 0.3 - 0.368 * 0.276) == of.A
+    assert pytest.approx((0.3 * 0.4**3 - 0.276 * 0.368**3) / 12) == of.I_y
+    assert pytest.approx((0.4 * 0.3**3 - 0.368 * 0.276**3) / 12) == of.I_z
+    assert pytest.approx((0.3 * 0.4**2 - 0.276 * 0.368**2) / 4) == of.W_pl_y
+    assert pytest.approx((0.4 * 0.3**2 - 0.368 * 0.276**2) / 4) == of.W_pl_z
+    bredt = 4 * (0.384 * 0.288) ** 2 / (2 * 0.384 / 0.012 + 2 * 0.288 / 0.016)
+    assert pytest.approx(bredt, rel=0.01) == of.I_t
+    sums = [fibres.area.sum(), (fibres.area * fibres.z**2).sum(), (fibres.area * fibres.y**2).sum(), fibres.I_t]
+    assert sums == pytest.approx([of.A, of.I_y, of.I_z, of.I_t])
+
+
+def test_a_box_of_one_thickness_is_a_hollow_section_with_sharp_corners() -> None:
+    """Shear areas are those of the thin wall; the corners of the hollow section are not in them."""
+    hollow = steel_section("RHS400x300x12")
+    of = own_section("B", BOX.model_copy(update={"flange": 0.012}))
+    assert (of.A_y, of.A_z) == pytest.approx((hollow.A_y, hollow.A_z), rel=1e-12)
+    assert (of.A, of.I_t) == pytest.approx((hollow.A, hollow.I_t), rel=0.03)
+
+
+@pytest.mark.parametrize(
+    ("flange", "web", "curve", "number"), [(0.016, 0.012, "c", 1), (0.008, 0.010, "b", 2), (0.008, 0.008, "b", 3)]
+)
+def test_boxes_have_their_own_curve_and_class(flange: float, web: float, curve: str, number: int) -> None:
+    """EN 1993-1-1, Table 6.2: c of thick plates; Table 5.2 on c = b - 2 t_w over t_f, in compression, S275."""
+    of = own_section("B", BOX.model_copy(update={"flange": flange, "web": web, "height": 0.3}))
+    assert welded_box_curve(of.h, of.b, of.tf, of.tw) == curve
+    found = section_class(of, 275e6, -1.0, about_y=False)
+    slender = max((0.3 - 2 * web) / flange, (0.3 - 2 * flange) / web)
+    limits = [factor * math.sqrt(235 / 275) for factor in (33, 38, 42)]
+    assert max(part.slenderness for part in found.parts) == pytest.approx(slender)
+    assert found.number == 1 + sum(slender > limit for limit in limits) == number
+    alpha, length = {"b": 0.34, "c": 0.49}[curve], 6.0
+    lam = math.sqrt(of.A * 275e6 / (math.pi**2 * 210e9 * of.I_z / length**2))
+    phi = 0.5 * (1.0 + alpha * (lam - 0.2) + lam**2)
+    member = Member(of, 275e6, Stability(length, length, 0.0), number)
+    assert Strength(member).flexural("z").N_b_Rd == pytest.approx(
+        of.A * 275e6 / (phi + math.sqrt(phi**2 - lam**2)), rel=1e-9
+    )
 
 
 def test_shear_areas_of_stacks() -> None:
@@ -203,9 +252,11 @@ def _elastic(of: Building, shear: bool = True) -> tuple[SpaceFrame, SpaceModel]:
 
 
 @pytest.mark.parametrize("name", ["X1", "Y", "YC"])
-def test_frames_taken_out_have_the_own_sections(name: str) -> None:
+@pytest.mark.parametrize(("column", "webs"), [("EDGE", ""), ("COL", ", webs: 2")])
+def test_frames_taken_out_have_the_own_sections(name: str, column: str, webs: str) -> None:
     """Areas and second moments are those of the building about the axis that bends; loads have six digits."""
-    of = building(OWN, ("  - {at: C, section: HEB240", "  - {at: C, section: EDGE"))
+    changes = ("at: C, section: HEB240", f"at: C, section: {column}"), ("web: 12 mm}", f"web: 12 mm{webs}}}")
+    of = building(OWN, *changes)
     project = parse_project(project_text(frame_row(of, space_frame(of), name)), "frame.yaml", BuildingSections())
     whole = {run.section for run in of.columns} | {run.section for run in of.beams}
     for run in (*project.frame.columns, *project.frame.beams):
