@@ -119,10 +119,6 @@ def plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
     Args:
         building: its members and loads are right.
     """
-    for name, support in building.supports.items() if isinstance(building.supports, dict) else ():
-        for direction, restraint in ({} if isinstance(support, str) else dict(support)).items():
-            if not isinstance(restraint, str):
-                yield ("supports", name, direction), "springs at supports are"
     dampers = building.dampers
     if dampers is not None and dampers.isolation is not None:
         yield ("dampers", "isolation"), "isolators are"

@@ -94,13 +94,23 @@ SUPPORTS = TableSpec[dict[str, Value]](
     notes=("Largest magnitudes; what no spring holds, and what does not move, is left out.",),
     keys=2,
 )
-_OF_SUPPORTS: tuple[tuple[str, str, Unit], ...] = (
+_OF_FRAMES: tuple[tuple[str, str, Unit], ...] = (
     ("support_displacement_x", "sway", MM),
     ("support_displacement_y", "vertical displacement", MM),
     ("support_rotation", "rotation", MRAD),
     ("support_reaction_x", "horizontal reaction", KN),
     ("support_reaction_y", "vertical reaction", KN),
     ("support_reaction_moment", "moment", KN_M),
+)
+_OF_BUILDINGS: tuple[tuple[str, str, Unit], ...] = tuple(
+    (f"{name}_{axis}", f"{label} {axis}", unit)
+    for name, label, unit in (
+        ("support_displacement", "displacement along", MM),
+        ("support_rotation", "rotation about", MRAD),
+        ("support_reaction", "reaction along", KN),
+        ("support_reaction_moment", "moment about", KN_M),
+    )
+    for axis in "xyz"
 )
 
 
@@ -150,10 +160,12 @@ def _weakest_hinges(groups: Mapping[str, Group]) -> dict[str, Place]:
 
 def _supports(groups: Mapping[str, Group]) -> Iterator[dict[str, Value]]:
     """The largest magnitude of each quantity of a support in any analysis."""
-    found = {name: {p.name: p for p in most_in_any(groups, "sprung_support", name)} for name, _, _ in _OF_SUPPORTS}
+    in_space = any("direction" in group.coords for group in groups.values())
+    quantities = _OF_BUILDINGS if in_space else _OF_FRAMES
+    found = {name: {p.name: p for p in most_in_any(groups, "sprung_support", name)} for name, _, _ in quantities}
     nodes = dict.fromkeys(place.name for place in places(groups, "sprung_support"))
     for node in nodes:
-        for name, label, unit in _OF_SUPPORTS:
+        for name, label, unit in quantities:
             place = found[name].get(node)
             value = place.largest(name) if place is not None else None
             if place is not None and value is not None and value >= _LEAST:

@@ -29,6 +29,16 @@ _SUPPORT = (
     ("support_reaction_y", "reaction", 1, "N", "vertical reaction of the spring, upwards"),
     ("support_reaction_moment", "reaction", 2, "N*m", "moment of the spring on the column base, anticlockwise"),
 )
+_SUPPORT_IN_SPACE = tuple(
+    (f"{name}_{axis}", what, first + at, unit, f"{label} {axis}")
+    for name, what, first, unit, label in (
+        ("support_displacement", "displacement", 0, "m", "displacement of the node from the ground below along"),
+        ("support_rotation", "displacement", 3, "rad", "rotation of the supported node about"),
+        ("support_reaction", "reaction", 0, "N", "reaction of the spring along"),
+        ("support_reaction_moment", "reaction", 3, "N*m", "moment of the spring on the column base about"),
+    )
+    for at, axis in enumerate("xyz")
+)
 
 
 def _end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
@@ -143,35 +153,13 @@ def _supports(frame: FrameModel, group: Group) -> list[Quantity]:
     if not frame.grounds:
         return []
     coordinate(group, "sprung_support", list(frame.grounds), "", "name of the node that springs support")
-    if frame.model.dimension == 3:
-        return _supports_in_space(frame, group)
     found = []
-    for name, what, degree, unit, label in _SUPPORT:
+    for name, what, degree, unit, label in _SUPPORT if frame.model.dimension == 2 else _SUPPORT_IN_SPACE:
         cells = tuple(_at_spring(frame, node, what, degree) for node in frame.grounds)
         if any(cells):
             shape = (len(cells),)
             found.append(Quantity(name, ("sprung_support",), shape, cells, unit, f"{label}; 0: no spring there"))
     return found
-
-
-def _supports_in_space(frame: FrameModel, group: Group) -> list[Quantity]:
-    degrees = frame.model.degrees
-    coordinate(group, "degree", list(degrees), "", "displacement along an axis or turn about it")
-    shape = (len(frame.grounds), len(degrees))
-    return [
-        Quantity(
-            f"support_{name}",
-            ("sprung_support", "degree"),
-            shape,
-            tuple(_at_spring(frame, node, name, degree) for node in frame.grounds for degree in range(len(degrees))),
-            "",
-            f"{label}; 0: no spring there",
-        )
-        for name, label in (
-            ("displacement", "displacement (m) or turn (rad) of the node from the ground below"),
-            ("reaction", "force (N) or moment (N m) of the spring on the column base"),
-        )
-    ]
 
 
 def _at_spring(frame: FrameModel, node: str, what: str, degree: int) -> Terms:

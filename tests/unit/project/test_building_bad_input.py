@@ -191,7 +191,6 @@ SHAKEN = "kind: history, record: far"
             "Q: 2 kN/m^2, category: B, spans: x}]\n  gravity: {Q: @{A: 0.3}}",
             "loads.gravity.Q `B` E-KEY-02",
         ),
-        ("columns: [{s", "supports: {default: {@rx: 5 MN*m/rad}}\ncolumns: [{s", "supports.default.rx E-BLDG-04"),
     ],
 )
 def test_mistakes_of_analyses_are_reported_with_their_place(old: str, new: str, said: str) -> None:
