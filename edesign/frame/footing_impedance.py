@@ -1,8 +1,9 @@
 """Stiffness and damping of rigid rectangular footings on a half-space of soil.
 
 Notation of NIST GCR 12-917-21, Chapter 2: the footing is 2L by 2B with L >= B; x runs along L, y along B, z is
-vertical; xx is rocking about x, yy about y. Static stiffness is that at the surface times a factor of embedment. At a
-frequency omega the stiffness is alpha K and the dashpot 2 alpha K (beta + beta_s) / omega, with a_0 = omega B / V_s.
+vertical; xx is rocking about x, yy about y, zz torsion. Static stiffness is that at the surface times a factor of
+embedment. At a frequency omega the stiffness is alpha K and the dashpot 2 alpha K (beta + beta_s) / omega, with
+a_0 = omega B / V_s.
 """
 
 from __future__ import annotations
@@ -12,8 +13,8 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Literal
 
-Way = Literal["x", "y", "z", "xx", "yy"]
-WAYS: tuple[Way, ...] = ("x", "y", "z", "xx", "yy")
+Way = Literal["x", "y", "z", "xx", "yy", "zz"]
+WAYS: tuple[Way, ...] = ("x", "y", "z", "xx", "yy", "zz")
 
 LARGEST_PSI = 2.5
 """Bound of V_p / V_s: waves under a footing on saturated clay do not run at V_p (Pais & Kausel 1988)."""
@@ -66,6 +67,7 @@ def surface_pais_kausel(block: Block) -> dict[Way, float]:
         "z": G * B / (1.0 - nu) * (3.1 * r**0.75 + 1.6),
         "xx": G * B**3 / (1.0 - nu) * (3.2 * r + 0.8),
         "yy": G * B**3 / (1.0 - nu) * (3.73 * r**2.4 + 0.27),
+        "zz": G * B**3 * (4.25 * r**2.45 + 4.06),
     }
 
 
@@ -87,6 +89,7 @@ def surface_gazetas(block: Block) -> dict[Way, float]:
         "z": 2.0 * G * L / (1.0 - nu) * (0.73 + 1.54 * r**-0.75),
         "xx": G / (1.0 - nu) * about_x**0.75 * r**0.25 * (2.4 + 0.5 / r),
         "yy": G / (1.0 - nu) * about_y**0.75 * 3.0 * r**0.15,
+        "zz": G * (about_x + about_y) ** 0.75 * (4.0 + 11.0 * (1.0 - 1.0 / r) ** 10),
     }
 
 
@@ -106,6 +109,7 @@ def embedment_pais_kausel(block: Block) -> dict[Way, float]:
         "z": 1.0 + (0.25 + 0.25 / r) * d**0.8,
         "xx": 1.0 + d + 1.6 / (0.35 + r) * d**2,
         "yy": 1.0 + d + 1.6 / (0.35 + r**4) * d**2,
+        "zz": 1.0 + (1.3 + 1.32 / r) * d**0.9,
     }
 
 
@@ -130,6 +134,7 @@ def embedment_gazetas(block: Block) -> dict[Way, float]:
         "z": (1.0 + D / (21.0 * B) * (1.0 + 1.3 * B / L)) * (1.0 + 0.2 * (walls / (4.0 * B * L)) ** (2.0 / 3.0)),
         "xx": rolling,
         "yy": pitching,
+        "zz": 1.0 + 1.4 * (1.0 + B / L) * (d / B) ** 0.9,
     }
 
 
@@ -167,6 +172,7 @@ def dynamic_modifiers(slenderness: float, a_0: float) -> dict[Way, float]:
         "z": 1.0 - (0.4 + 0.2 / r) * a / (10.0 / (1.0 + 3.0 * (r - 1.0)) + a),
         "xx": 1.0 - (0.55 + 0.01 * sqrt(r - 1.0)) * a / (2.4 - 0.4 / r**3 + a),
         "yy": 1.0 - 0.55 * a / (0.6 + 1.4 / r**3 + a),
+        "zz": 1.0 - (0.33 - 0.03 * sqrt(r - 1.0)) * a / (0.8 / (1.0 + 0.33 * (r - 1.0)) + a),
     }
 
 
@@ -176,7 +182,7 @@ def radiation_damping(block: Block, stiffness: Mapping[Way, float], a_0: float) 
     In rocking, waves of both halves of the underside cancel at low frequencies; those of walls that move horizontally
     do not. So the dashpot rises from what the latter radiate to plane waves from all faces, which is the limit of high
     frequencies. At the surface this is NIST GCR 12-917-21, Table 2-3a. Its Table 2-3b counts those walls in both
-    parts, beyond plane waves; here they count once.
+    parts, beyond plane waves; here they count once. In torsion waves of all faces cancel at low frequencies.
 
     Args:
         stiffness: the static stiffness, embedment included, N/m and N m/rad.
@@ -192,12 +198,17 @@ def radiation_damping(block: Block, stiffness: Mapping[Way, float], a_0: float) 
         "y": 4.0 * (r + d * (1.0 + psi * r)),
         "z": 4.0 * (psi * r + d * (1.0 + r)),
     }
-    walls = {"xx": 4.0 / 3.0 * (psi * r + 1.0) * d**3, "yy": 4.0 / 3.0 * (r + psi) * d**3}
+    walls = {"xx": 4.0 / 3.0 * (psi * r + 1.0) * d**3, "yy": 4.0 / 3.0 * (r + psi) * d**3, "zz": 0.0}
     others = {
         "xx": 4.0 / 3.0 * (psi * r + d + 3.0 * d * r),
         "yy": 4.0 / 3.0 * (psi * r**3 + d * r**3 + 3.0 * d * r**2),
+        "zz": 4.0 / 3.0 * (r**3 + r + d * (psi * (r**3 + 1.0) + 3.0 * r + 3.0 * r**2)),
     }
-    rise = {"xx": a / (2.2 - 0.4 / r**3 + a), "yy": a / (1.8 / (1.0 + 1.75 * (r - 1.0)) + a)}
+    rise = {
+        "xx": a / (2.2 - 0.4 / r**3 + a),
+        "yy": a / (1.8 / (1.0 + 1.75 * (r - 1.0)) + a),
+        "zz": a / (1.4 / (1.0 + 3.0 * (r - 1.0) ** 0.7) + a),
+    }
     alpha = dynamic_modifiers(r, a_0)
     found: dict[Way, float] = {}
     for way in WAYS:

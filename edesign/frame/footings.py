@@ -1,4 +1,4 @@
-"""The footings of a project as springs and dashpots at its column bases."""
+"""Footings as springs and dashpots at column bases."""
 
 from __future__ import annotations
 
@@ -16,13 +16,16 @@ from edesign.frame.footing_impedance import (
     radiation_damping,
     static_stiffness,
 )
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.frame.foundations import Asce7Strain, Eurocode8Strain, Footing, Formula, Soil
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.project.project import Project
 from edesign.project.reading.problems import keys_text
 
-DIRECTIONS = ("x", "y", "rotation")
-"""Horizontal, vertical, rocking in the plane of the frame."""
+DIRECTIONS = {2: ("x", "y", "rotation"), 3: ("x", "y", "z", "rx", "ry", "rz")}
+"""By the dimension of the model the motions of a footing, in the order of the degrees of the core."""
+_ALONG_THE_LONG_SIDE: Mapping[int, tuple[Way, ...]] = {2: ("x", "z", "yy"), 3: ("x", "y", "z", "xx", "yy", "zz")}
+"""The same in the notation of the impedance, of a footing whose length is not below its width."""
+_TURNED: Mapping[Way, Way] = {"x": "y", "y": "x", "z": "z", "xx": "yy", "yy": "xx", "zz": "zz"}
 
 _AGREEMENT = 1e-10  # of two periods that follow each other
 _MOST_ROUNDS = 50
@@ -47,38 +50,37 @@ class SoilUnderLoad:
 
 @dataclass(frozen=True)
 class FootingSprings:
-    """A footing at a period, in the plane of the frame; tuples are horizontal, vertical, rocking.
+    """A footing at a period; tuples are over the motions of `DIRECTIONS`.
 
     Attributes:
         period: s.
         a_0: omega B / V_s.
-        static, stiffness: N/m, N/m, N m/rad: without frequency, and at the period.
+        static, stiffness: N/m or N m/rad: without frequency, and at the period.
         radiation: damping ratios.
         soil: that it stands on.
-        dashpot: N s/m, N s/m, N m s/rad; none acts vertically at a footing that lifts off.
+        dashpot: N s/m or N m s/rad; none acts vertically at a footing that lifts off.
         formula: of the static stiffness.
         uplift, capacity: whether it lifts off, and the force (N) at which the soil gives way; infinite: it does not.
-        mass, inertia: of the block, kg, and kg m2 about the middle of its underside.
+        mass, inertia: of the block, kg, and for each rotation kg m2 about the middle of its underside.
     """
 
     period: float
     a_0: float
-    static: tuple[float, float, float]
-    stiffness: tuple[float, float, float]
-    radiation: tuple[float, float, float]
+    static: tuple[float, ...]
+    stiffness: tuple[float, ...]
+    radiation: tuple[float, ...]
     soil: SoilUnderLoad
-    dashpot: tuple[float, float, float]
+    dashpot: tuple[float, ...]
     formula: Formula
     uplift: bool = False
     capacity: float = inf
     mass: float = 0.0
-    inertia: float = 0.0
+    inertia: tuple[float, ...] = ()
 
     @property
-    def damping(self) -> tuple[float, float, float]:
+    def damping(self) -> tuple[float, ...]:
         """Damping ratios of radiation and soil together."""
-        x, y, rotation = (ratio + self.soil.damping for ratio in self.radiation)
-        return x, y, rotation
+        return tuple(ratio + self.soil.damping for ratio in self.radiation)
 
 
 def _soil_under_load(soil: Soil) -> SoilUnderLoad:
@@ -110,13 +112,14 @@ def _soil_under_load(soil: Soil) -> SoilUnderLoad:
     return SoilUnderLoad(modulus, ratio, damping or 0.0, sqrt(modulus / soil.density))
 
 
-def footing_springs(footing: Footing, soil: Soil, period: float) -> FootingSprings:
+def footing_springs(footing: Footing, soil: Soil, period: float, dimension: int = 2) -> FootingSprings:
     """Return a footing as springs and dashpots.
 
     Args:
         footing: as the project gives it.
         soil: below it, as the project gives it.
         period: at which stiffness and damping are taken, s; infinite: static, without dashpots.
+        dimension: 2: in the plane of a frame that its length is along; 3: in space, with its length along x.
 
     Returns:
         Springs and dashpots, by direction.
@@ -129,7 +132,9 @@ def footing_springs(footing: Footing, soil: Soil, period: float) -> FootingSprin
     block = Block(half_length, half_width, footing.embedment, footing.contact, loaded.shear_modulus, soil.poisson)
     omega = 2.0 * pi / period
     a_0 = omega * half_width / loaded.wave_velocity
-    along: tuple[Way, Way, Way] = ("x", "z", "yy") if footing.length >= footing.width else ("y", "z", "xx")
+    along = _ALONG_THE_LONG_SIDE[dimension]
+    if footing.length < footing.width:
+        along = tuple(_TURNED[way] for way in along)
     static, alpha = static_stiffness(block, footing.formula), dynamic_modifiers(block.slenderness, a_0)
     radiated = radiation_damping(block, static, a_0)
     stiffness = [alpha[way] * static[way] for way in along]
@@ -139,29 +144,31 @@ def footing_springs(footing: Footing, soil: Soil, period: float) -> FootingSprin
         for k, beta in zip(stiffness, ratios, strict=True)
     ]
     if footing.uplift:
-        dashpots[1] = 0.0
+        dashpots[along.index("z")] = 0.0
     area, thickness = footing.length * footing.width, footing.thickness or 0.0
     mass = footing.density * area * thickness
+    about_y, about_x = (mass * (side**2 / 12.0 + thickness**2 / 3.0) for side in (footing.length, footing.width))
+    about_z = mass * (footing.length**2 + footing.width**2) / 12.0
     return FootingSprings(
         period,
         a_0,
-        (static[along[0]], static[along[1]], static[along[2]]),
-        (stiffness[0], stiffness[1], stiffness[2]),
-        (ratios[0], ratios[1], ratios[2]),
+        tuple(static[way] for way in along),
+        tuple(stiffness),
+        tuple(ratios),
         loaded,
-        (dashpots[0], dashpots[1], dashpots[2]),
+        tuple(dashpots),
         footing.formula,
         footing.uplift,
         inf if footing.bearing_resistance is None else footing.bearing_resistance * area,
         mass,
-        mass * (footing.length**2 / 12.0 + thickness**2 / 3.0),
+        (about_y,) if dimension == 2 else (about_x, about_y, about_z),
     )
 
 
-def project_footings(
-    project: Project, first_period: Callable[[Mapping[str, FootingSprings]], float]
+def footings_of(
+    project: AnalysisFile, first_period: Callable[[Mapping[str, FootingSprings]], float], dimension: int = 2
 ) -> dict[str, FootingSprings]:
-    """Return the footings of a project by the lines of columns that stand on them.
+    """Return the footings of a frame or building by the lines of columns that stand on them.
 
     Those without a `period` are taken at the first one of the frame on its footings, which depends on them: both are
     found together. Footings that lift off are then on the ground.
@@ -173,11 +180,11 @@ def project_footings(
         InputError: the tables of a code do not have the case of a soil, or no period was found.
         CoreError: the frame is a mechanism or unstable.
     """
-    footings = project.frame.footings
+    footings = project.footings
 
     def at(period: float) -> dict[str, FootingSprings]:
         return {
-            line: _springs(project, line, footing, period if footing.period is None else footing.period)
+            line: springs_under(project, line, period if footing.period is None else footing.period, dimension)
             for line, footing in footings.items()
         }
 
@@ -190,17 +197,26 @@ def project_footings(
         period = first_period({line: replace(of, uplift=False, capacity=inf) for line, of in found.items()})
         if abs(period - before) <= _AGREEMENT * period:
             return found
-    where = project.where("frame", "supports")
+    where = project.where(*project.support_keys(next(iter(footings)))[:-1])
     raise InputError(
         f"{where}: the period at which footings are taken and the first period of the frame on them do not settle "
         f"(last {before:.6g} s and {period:.6g} s); give the `period` of the footings [E-FOOT-01]"
     )
 
 
-def _springs(project: Project, line: str, footing: Footing, period: float) -> FootingSprings:
+def springs_under(project: AnalysisFile, line: str, period: float, dimension: int) -> FootingSprings:
+    """Return the footing under a line of columns at a period.
+
+    Args:
+        line: whose support is a footing.
+
+    Raises:
+        InputError: the tables of a code do not have the case of its soil, or no stiffness follows from its sides.
+    """
+    footing = project.footings[line]
     try:
-        found = footing_springs(footing, project.soils[footing.soil], period)
-        values = (*found.static, *found.stiffness, *found.dashpot, *found.radiation, found.mass, found.inertia)
+        found = footing_springs(footing, project.soils[footing.soil], period, dimension)
+        values = (*found.static, *found.stiffness, *found.dashpot, *found.radiation, found.mass, *found.inertia)
         usable = all(map(isfinite, values)) and min(found.stiffness) > 0.0
     except InputError as error:
         where = project.where("soils", footing.soil, "strain")
@@ -208,8 +224,7 @@ def _springs(project: Project, line: str, footing: Footing, period: float) -> Fo
     except (OverflowError, ZeroDivisionError):
         usable = False
     if not usable:
-        named = project.frame.supports if isinstance(project.frame.supports, dict) else ()
-        keys = ("frame", "supports", line if line in named else "default", "footing")
+        keys = (*project.support_keys(line), "footing")
         message = "its sides or its soil are so large or small that no stiffness follows from them [E-FOOT-01]"
         raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
     return found

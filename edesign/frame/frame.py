@@ -8,7 +8,7 @@ from edesign.core import Analysis, Model
 from edesign.frame.bays import frame_sites
 from edesign.frame.devices import DeviceLaw, add_devices
 from edesign.frame.floors import ACROSS, UP, frame_floors, frame_storeys
-from edesign.frame.footings import FootingSprings, project_footings
+from edesign.frame.footings import FootingSprings, footings_of
 from edesign.frame.frame_members import add_members
 from edesign.frame.frame_model import FrameModel, Member, Sinking
 from edesign.frame.isolation import (
@@ -76,7 +76,7 @@ def build_frame(
         footings = {}
     elif footings is None:
         braces = {name: law for name, law in (laws or {}).items() if law.restrained is not None}
-        footings = project_footings(project, lambda found: _first_period(project, found, braces))
+        footings = footings_of(project, lambda found: _first_period(project, found, braces))
     fixed_base = weights is None
     supports, grounds, built_footings = _supports(frame, model, nodes, footings, isolation, fixed_base)
     rigid = frame.diaphragm_floors if isolation is None or fixed_base else (0, *frame.diaphragm_floors)

@@ -50,15 +50,15 @@ class BuiltFooting:
 
     Attributes:
         springs: what it is.
-        dashpots: ids of its dampers in the core: horizontal, vertical, rocking; None: none acts there.
+        dashpots: ids of its dampers in the core, over its motions; None: none acts there.
     """
 
     springs: FootingSprings
-    dashpots: tuple[int | None, int | None, int | None]
+    dashpots: tuple[int | None, ...]
 
 
 def add_footing(
-    model: Model, name: str, node: int, place: tuple[float, float], footing: FootingSprings, turns: bool
+    model: Model, name: str, node: int, place: Sequence[float], footing: FootingSprings, turns: bool = True
 ) -> tuple[Grounds, BuiltFooting]:
     """Add a footing under a node: springs, dashpots beside them, and its mass.
 
@@ -66,8 +66,8 @@ def add_footing(
 
     Args:
         name: of the supported node.
-        place: x and y of the node, m.
-        turns: whether anything but the footing restrains the rotation of the node; without, it is fixed.
+        place: of the node, m.
+        turns: whether anything but the footing restrains the rotation of the node; without, a plane frame has it fixed.
 
     Returns:
         The node of the ground for each degree, and the footing.
@@ -75,30 +75,35 @@ def add_footing(
     from edesign.core import ContactSpring, LawValues, MultilinearSpring
 
     ground = model.node(f"{name}.ground", *place)
-    model.fix(ground, True, True, True)
-    degrees = (0, 1, 2) if turns else (0, 1)
-    dashpots: list[int | None] = [None, None, None]
-    for degree in degrees:
-        lifts = degree == 1 and footing.uplift
+    model.fix(ground, **dict.fromkeys(model.degrees, True))
+    up = model.dimension - 1
+    held = [turns or degree <= up for degree in range(len(model.degrees))]
+    dashpots: list[int | None] = [None] * len(held)
+    for degree in (degree for degree, acts in enumerate(held) if acts):
+        lifts = degree == up and footing.uplift
         stiffness = footing.stiffness[degree]
         law = ContactSpring(stiffness, footing.capacity) if lifts else MultilinearSpring(stiffness)
         model.damping_factor(_spring(model, name, ground, node, degree, law), 0.0)
         if footing.dashpot[degree] > 0.0:
             terms = ((1.0, node, degree), (-1.0, ground, degree))
             dashpot = LawValues("viscous", (footing.dashpot[degree],))
-            dashpots[degree] = model.damper(f"{name}.{_WORDS[degree]}_dashpot", dashpot, terms)
+            dashpots[degree] = model.damper(f"{name}.{_word(model, degree)}_dashpot", dashpot, terms)
     if footing.mass > 0.0:
-        model.mass(node, footing.mass, footing.mass, footing.inertia if turns else 0.0)
-    grounds = (ground, ground, ground if turns else None)
-    return grounds, BuiltFooting(footing, (dashpots[0], dashpots[1], dashpots[2]))
+        turning = footing.inertia if turns else (0.0,) * len(footing.inertia)
+        masses = zip(model.degrees, (*(footing.mass,) * (up + 1), *turning), strict=True)
+        model.mass(node, **{f"m{degree.removeprefix('u')}": value for degree, value in masses})
+    return tuple(ground if acts else None for acts in held), BuiltFooting(footing, tuple(dashpots))
 
 
 def _spring(model: Model, name: str, ground: int, node: int, degree: int, law: SpringLaw) -> int:
     degrees = len(model.degrees)
     terms = [0.0] * (2 * degrees)
     terms[degree], terms[degrees + degree] = -1.0, 1.0
-    word = _WORDS[degree] if model.dimension == 2 else model.degrees[degree]
-    return model.spring(f"{name}.{word}", ground, node, terms, law)
+    return model.spring(f"{name}.{_word(model, degree)}", ground, node, terms, law)
+
+
+def _word(model: Model, degree: int) -> str:
+    return _WORDS[degree] if model.dimension == 2 else model.degrees[degree]
 
 
 def vertical_spring(name: str) -> str:

@@ -14,6 +14,7 @@ from edesign.project.dampers.isolation import Isolation
 from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import Model
 from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.problems import Keys
 from edesign.project.reading.values import KeyPath
 from edesign.project.records.record_files import RecordChoice, RecordFiles
 from edesign.project.records.records import level_of_fit
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from edesign.project.analysis.validity import Validity
     from edesign.project.document import Document
     from edesign.project.frame.elements import Elements
+    from edesign.project.frame.foundations import Footing, Soil
     from edesign.project.frame.hinges import AnyHinges, AnyJoints, AnyPanelZones
     from edesign.project.frame.materials import Material
     from edesign.project.records.pairs import AnyRecord
@@ -73,6 +75,8 @@ class AnalysisFile(RecordFiles, FileModel):
         analyses: tuple[AnyAnalysis, ...]
         outputs: Outputs
 
+        soils: Mapping[Identifier, Soil]
+
         @property
         def masses(self) -> AnyMasses | None:
             """Masses of the nodes; all analyses but `gravity` need them."""
@@ -89,6 +93,15 @@ class AnalysisFile(RecordFiles, FileModel):
     @abstractmethod
     def steels(self) -> Mapping[str, Material]:
         """The law of each material, by name."""
+
+    @property
+    @abstractmethod
+    def footings(self) -> Mapping[str, Footing]:
+        """The footings by the lines of columns that stand on them."""
+
+    @abstractmethod
+    def support_keys(self, line: str) -> Keys:
+        """Return the place of the support that a line of columns takes."""
 
     @abstractmethod
     def with_dampers(self, dampers: Dampers | None) -> Self:

@@ -82,7 +82,7 @@ def _cross_checks(
     return (
         lambda: check_frame(project, problems, profiles),
         lambda: check_hinges(project, problems),
-        lambda: check_foundations(project, problems),
+        lambda: check_foundations(project, problems, project.frame.supports, ("frame", "supports")),
         lambda: check_analyses(project, problems, files),
         lambda: check_dampers(project, problems),
         lambda: check_isolation(project, problems),

@@ -20,13 +20,14 @@ from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.document import Document
 from edesign.project.frame.elements import Elements
-from edesign.project.frame.foundations import Soil
+from edesign.project.frame.foundations import Footing, Soil
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
 from edesign.project.frame.materials import Material
 from edesign.project.frame.sections import Fibres, Section
 from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import FormatVersion
+from edesign.project.reading.problems import Keys
 from edesign.project.records.records import Record
 
 
@@ -115,6 +116,16 @@ class Project(AnalysisFile):
             return self.model_copy(update={"dampers": None})
         frame = self.frame.met_by_dampers(self._beams_met(dampers))
         return self.model_copy(update={"dampers": dampers, "frame": frame})
+
+    @property
+    def footings(self) -> Mapping[str, Footing]:
+        """The footings by the lines of columns that stand on them."""
+        return self.frame.footings
+
+    def support_keys(self, line: str) -> Keys:
+        """Return the place of the support that a line of columns takes."""
+        named = self.frame.supports if isinstance(self.frame.supports, dict) else ()
+        return ("frame", "supports", line if line in named else "default")
 
     @property
     def grid(self) -> Grid:

@@ -10,8 +10,7 @@ from edesign.core.errors import CoreError
 from edesign.errors import InputError
 from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
-from edesign.project.building.names import ColumnLine, column_name, node_name
-from edesign.project.building.places import parse_column_lines
+from edesign.project.building.names import column_name, node_name
 from edesign.project.reading.problems import Keys, keys_text
 
 _OF_THE_FILE = ("ED_E_MECHANISM", "ED_E_DISCONNECTED", "ED_E_NOT_FINITE", "ED_E_ARGUMENT", "ED_E_SINGULAR")
@@ -66,17 +65,6 @@ def keys_of_member(building: Building, name: str) -> Keys:
     return _members(building)[name]
 
 
-def keys_of_support(building: Building, line: ColumnLine) -> Keys:
-    """Return the entry of `supports` that a column line takes."""
-    found: Keys = ("supports",)
-    if isinstance(building.supports, dict):
-        found = ("supports", "default") if "default" in building.supports else found
-        for name in building.supports:
-            if name != "default" and line in parse_column_lines(name):
-                found = ("supports", name)
-    return found
-
-
 def _members(building: Building) -> dict[str, Keys]:
     layout = building.layout
     numbers: dict[int, Keys] = {
@@ -102,5 +90,5 @@ def _nodes(building: Building, members: dict[str, Keys]) -> dict[str, Keys]:
         for line, storey in layout.column_at:
             found[node_name(line, storey - storeys)] = members[column_name(line, storey)]
     if building.root.child("supports") is not None:
-        found |= {node_name(line, 0): keys_of_support(building, line) for line in layout.node_lines[0]}
+        found |= {node_name(line, 0): building.support_keys(str(line)) for line in layout.node_lines[0]}
     return found

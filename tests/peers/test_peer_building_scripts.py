@@ -72,6 +72,15 @@ DIVIDED = ("points: 4}", "points: 5}")
 RIGID_ENDS = ("points: 4}", "points: 4, rigid_ends: {columns: 0.15 m, beams: 1}}")
 BY_MASS = ("rayleigh, ratio: 2 %, modes: [1, 3], stiffness: initial", "mass_proportional, ratio: 2 %")
 
+GROUND = (
+    "supports: {default: fixed, C3: pinned}",
+    "soils: {sand: {density: 1900 kg/m^3, shear_wave_velocity: 150 m/s, poisson: 0.3, damping: 5 %}}\n"
+    "supports:\n"
+    "  default: {footing: {soil: sand, length: 2 m, width: 1.4 m, embedment: 0.5 m, thickness: 0.5 m}}\n"
+    "  A: {footing: {soil: sand, length: 1.5 m, width: 1.8 m, thickness: 0.5 m, uplift: true}}\n"
+    "  C3: {uz: 200 MN/m, rx: 20 MN*m/rad, ry: 10 MN*m/rad}",
+)
+
 
 FIRM = """\
 dampers:
@@ -145,6 +154,7 @@ CASES = {
     # stiff bars carry the apex of a chevron; a history whose masses stand beside the tuned mass is left out
     "dampers": Case((ELASTIC, DAMPERS), history=1e-5, period=1e-6, lacks=1),
     "springs_in_series": Case((ELASTIC, DAMPERS, SERIES), history=1e-3, period=1e-6, lacks=1),
+    "springs_and_footings": Case((WITHOUT_WEIGHT, GROUND), history=1e-6),
     "modal_damping": Case((ELASTIC, MODAL)),
     # Steel02 forgets; corotational members of one piece differ by h^2 of their formulation, as in test_peer_buildings
     "curved_steel_and_large_turns": Case((CURVED, FAR), history=5e-2, period=5e-4, static=1e-3),

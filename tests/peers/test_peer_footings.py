@@ -69,7 +69,7 @@ def of_opensees(footing: object) -> np.ndarray:
     for tag, (base, soil) in enumerate(((1, 5), (2, 6)), start=11):
         ops.fix(soil, 1, 1, 1)
         ops.element("zeroLength", tag, soil, base, "-mat", 21, 22, 23, "-dir", 1, 2, 6, "-doRayleigh", 0)
-        ops.mass(base, footing.mass, footing.mass, footing.inertia)
+        ops.mass(base, footing.mass, footing.mass, *footing.inertia)
         ops.mass(base + 2, MASS, MASS, 0.0)
     ops.geomTransf("Linear", 1)
     ops.element("elasticBeamColumn", 1, 1, 3, A, E, I_C, 1)

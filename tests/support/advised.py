@@ -1156,7 +1156,7 @@ LEFT = {
         "name members by ranges such as `storeys: 1-10`", "has no list of sizes; name the sections one by one",
         "which feeds in energy", "is of a damper that is set in under the gravity loads", "do not settle (last ",
         "has no I section; give the `distance`", "leave the `scale` out, or say `weight: law`",
-        "has area and inertia but no depth", "without `masses` the frame has no first period",
+        "has area and inertia but no depth", "without `masses` there is no first period",
         "write `design: ", "give plates or `rectangles`", "see `integration: time_step` and `outputs: every`",
         "`statistic: maximum` is on the safe side", "and the project has no `hazard`; give it one with such a level",
     ),

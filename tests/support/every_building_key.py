@@ -14,6 +14,13 @@ supports:
   default: fixed
   C: pinned
   A1: {ux: fixed, uy: fixed, uz: 900 MN/m, rx: 80 MN*m/rad, ry: 80 MN*m/rad, rz: fixed}
+  B3: {footing: {soil: sand, length: 2.4 m, width: 2 m, embedment: 1 m, wall_contact: 0.8 m, formula: gazetas,
+    radiation: true, period: 0.8 s, thickness: 0.6 m, density: 2500 kg/m^3, uplift: true, bearing_resistance: 400 kPa}}
+soils:
+  sand: {density: 1900 kg/m^3, shear_wave_velocity: 200 m/s, poisson: 0.3, damping: 5 %,
+    strain: {code: asce7, site_class: D, acceleration: 0.2 g}}
+  clay: {density: 1800 kg/m^3, shear_modulus: 60 MPa, poisson: 0.45, damping: 5 %,
+    strain: {code: given, modulus_ratio: 0.7}}
 diaphragms: 1-3
 columns:
   - {at: all, storeys: 1, section: HEB300, material: S355, strong: x, group: C1}

@@ -346,6 +346,7 @@ def responses(
     loaded = analysis.state()
     pushed = completed(analysis.pushover(lateral, frame.control, frame.model.degrees[degree], 0.25, 60, channels))
     analysis.restore(loaded)
+    analysis.install_dampers()
     analysis.rayleigh(0.3, 0.002, "initial")
     shaken = motion(1, 1.5)
     x, y = (shaken, None) if degree == 0 else (np.zeros_like(shaken), shaken)

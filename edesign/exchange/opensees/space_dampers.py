@@ -34,6 +34,9 @@ class SpaceDampers(DamperBuilder):
             (end, ahead), (start, behind) = of.items()
             if np.allclose(ahead, -behind, atol=CLOSE) and not ahead[3:].any():
                 return start, end, _along(ahead[:3])
+            turns = np.flatnonzero(ahead)
+            if np.allclose(ahead, -behind, atol=CLOSE) and turns.size == 1 and ahead[turns[0]] == 1.0:
+                return start, end, Direction(int(turns[0]) + 1)  # of a footing that rocks or twists
         ends = [(node, int(np.argmax(np.abs(of[node][:UP])))) for node in of]
         top, low = ([node for node, at in ends if way * of[node][at] > 0.0] for way in (1.0, -1.0))
         if len(top) != 2 or len(low) != 2 or any(values[3:].any() for values in of.values()):

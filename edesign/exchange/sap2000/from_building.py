@@ -83,6 +83,8 @@ def _left_out(building: Building, space: SpaceFrame) -> Iterator[str]:
         yield "gravity without braces (EN 1998-1, 6.7.2(1)P): the braces of the model carry gravity loads too"
     if building.dampers is not None and not building.dampers.none:
         yield "its dampers and tuned masses"
+    if building.footings:
+        yield "dashpots, masses and uplift of footings: springs have their static stiffness"
     if building.loads.live_load_reduction:
         yield "the reduction of variable loads (EN 1991-1-1, 6.3.1.2)"
 

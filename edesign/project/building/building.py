@@ -31,6 +31,7 @@ from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.document import Document
 from edesign.project.frame import spacing
 from edesign.project.frame.elements import Elements
+from edesign.project.frame.foundations import Footing, FootingSupport, Soil
 from edesign.project.frame.materials import Material
 from edesign.project.frame.sections import SpaceFibres, SpaceSection
 from edesign.project.notation.grid import Grid
@@ -38,6 +39,7 @@ from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrN
 from edesign.project.notation.units import PositiveLength
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.one_of import OneOf
+from edesign.project.reading.problems import Keys
 from edesign.project.records.pairs import BuildingRecord
 
 MOST_BAYS = 100
@@ -102,6 +104,7 @@ class Building(spacing.Storeys, AnalysisFile):
         setbacks: floors that cover some bays of the plan only; a later one overrides an earlier one.
         supports: support of all columns, or a mapping by column line; lines that it does not name take its `default`,
             else `fixed`.
+        soils: soils by name, on which footings stand.
         diaphragms: floors that are rigid in their plane.
         columns: runs of columns; a later one overrides an earlier one.
         beams: runs of beams; a later one overrides an earlier one.
@@ -139,6 +142,7 @@ class Building(spacing.Storeys, AnalysisFile):
     storeys: Annotated[Heights | EqualStoreys, OneOf()]
     setbacks: tuple[Setback, ...] = ()
     supports: Annotated[Literal["fixed", "pinned"] | dict[str, Support], OneOf()] = "fixed"
+    soils: dict[Identifier, Soil] = {}
     diaphragms: NumbersOrNone = ALL_NUMBERS
     columns: Annotated[tuple[ColumnRun, ...], Field(min_length=1)]
     beams: Annotated[tuple[BeamRun, ...], Field(min_length=1)]
@@ -246,15 +250,33 @@ class Building(spacing.Storeys, AnalysisFile):
         """Return the coordinates of the grid lines, m; the first is at 0."""
         return tuple(accumulate(self.widths(along), initial=0.0))
 
-    def support(self, line: ColumnLine) -> Springs:
+    def support(self, line: ColumnLine) -> Springs | FootingSupport:
         """Return the support of a column line, by its name, by `default`, or fixed."""
         if not isinstance(self.supports, dict):
             return springs_of(self.supports)
-        found = self.supports.get("default", "fixed")
-        for name, support in self.supports.items():
+        name = self._support_entry(line)
+        return springs_of(self.supports[name] if name else "fixed")
+
+    def _support_entry(self, line: ColumnLine) -> str:
+        """The key of `supports` that a column line takes, the last one that names it; "": none of them."""
+        names = self.supports if isinstance(self.supports, dict) else {}
+        found = "default" if "default" in names else ""
+        for name in names:
             if name != "default" and line in parse_column_lines(name):
-                found = support
-        return springs_of(found)
+                found = name
+        return found
+
+    def support_keys(self, line: str) -> Keys:
+        """Return the entry of `supports` that a column line takes."""
+        (of,) = self.lines_of(parse_column_lines(line))
+        name = self._support_entry(of)
+        return ("supports", name) if name else ("supports",)
+
+    @property
+    def footings(self) -> Mapping[str, Footing]:
+        """The footings by the lines of columns that stand on them."""
+        supports = {str(line): self.support(line) for line in self.layout.node_lines[0]}
+        return {line: on.footing for line, on in supports.items() if isinstance(on, FootingSupport)}
 
     def lines_of(self, chosen: ColumnLineSelection) -> tuple[ColumnLine, ...]:
         """Return the column lines of a selection."""

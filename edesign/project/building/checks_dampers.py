@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.names import BeamPlace, node_name
+from edesign.project.building.supports import Springs
 from edesign.project.checks.dampers import check_devices
 from edesign.project.dampers.dampers import Attachment, BraceSection, DamperBetween, DamperRun
 from edesign.project.dampers.designs import SizedDesign
@@ -106,7 +109,8 @@ def _apart(building: Building, problems: Problems, keys: Keys, device: DamperBet
         what = f"both are on floor {floors.pop()}, which is rigid in its plane"
     elif floors == {0}:
         bases = {node_name(line, 0): building.support(line) for line in layout.node_lines[0]}
-        if all({bases[name].ux, bases[name].uy, bases[name].uz} == {"fixed"} for name in device.nodes):
+        held = [support.all()[:3] for name in device.nodes if isinstance(support := bases[name], Springs)]
+        if len(held) == 2 and set(chain.from_iterable(held)) == {"fixed"}:
             what = "both are fixed to the ground"
     if what:
         problems.at_value(keys, f"{listed(device.nodes)} never move apart: {what} [E-DAMPER-05]")

@@ -182,7 +182,7 @@ def _resisting(building: Building, problems: Problems) -> None:
     for along in DIRECTIONS:
         turning = "rx" if along == "y" else "ry"
         resisting = {place.storey for place in layout.brace_at if place.along == along}
-        if any(getattr(building.support(line), turning) != "free" for line in layout.node_lines[0]):
+        if any(getattr(building.support(line), turning, "footing") != "free" for line in layout.node_lines[0]):
             resisting.add(1)
         for beam, run in layout.beam_at.items():
             if beam.along == along and (run.ends.start != "pinned" or run.ends.end != "pinned"):

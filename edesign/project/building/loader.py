@@ -14,6 +14,7 @@ from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.plausible import check_given_masses, check_plausible
+from edesign.project.checks.foundations import check_foundations
 from edesign.project.frame.sections import Catalogue
 from edesign.project.reading.file_model import Reader
 from edesign.project.reading.problems import FileProblems
@@ -71,6 +72,7 @@ def parse_building(
         # cross checks need a whole building, those of loads and design one whose members stand
         check_plausible(building, problems)
         check_layout(building, problems, profiles)
+        check_foundations(building, problems, building.supports, ("supports",))
         if not problems.found:
             check_loads(building, problems)
             check_given_masses(building, problems)

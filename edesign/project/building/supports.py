@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
+from edesign.project.frame.foundations import FootingSupport
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
 from edesign.project.notation.units import restraint
 from edesign.project.reading.base import Model
@@ -46,11 +47,13 @@ FIXED = Springs()
 PINNED = Springs(rx="free", ry="free")
 """A pin about both horizontal axes; the turn about the vertical axis is fixed."""
 
-Support = Annotated[Literal["fixed", "pinned"] | Springs, OneOf()]
+Support = Annotated[
+    Literal["fixed", "pinned"] | Springs | FootingSupport, OneOf(otherwise=Springs, footing=FootingSupport)
+]
 
 
-def springs_of(support: Literal["fixed", "pinned"] | Springs) -> Springs:
-    """Return a support by directions."""
-    if isinstance(support, Springs):
+def springs_of(support: Literal["fixed", "pinned"] | Springs | FootingSupport) -> Springs | FootingSupport:
+    """Return a support by directions; a footing as it is."""
+    if not isinstance(support, str):
         return support
     return FIXED if support == "fixed" else PINNED

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.frame.foundations import Footing, FootingSupport, GivenStrain, Soil
-from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
 
-def check_foundations(project: Project, problems: Problems) -> None:
+def check_foundations(project: AnalysisFile, problems: Problems, supports: object, place: Keys) -> None:
     """Check that soils are complete, that footings stand on one, and that their keys fit together.
 
     Args:
         project: read without schema problems.
         problems: collects what is wrong.
+        supports: of the frame or building: a mapping by lines, or one for all.
+        place: of the supports in the file.
     """
     for name, soil in project.soils.items():
         _soil(problems, ("soils", name), soil)
-    supports = project.frame.supports
     for line, support in supports.items() if isinstance(supports, dict) else ():
         if isinstance(support, FootingSupport):
-            _footing(project, problems, ("frame", "supports", line, "footing"), support.footing)
+            _footing(project, problems, (*place, line, "footing"), support.footing)
 
 
 def _soil(problems: Problems, keys: Keys, soil: Soil) -> None:
@@ -37,7 +38,7 @@ def _soil(problems: Problems, keys: Keys, soil: Soil) -> None:
         )
 
 
-def _footing(project: Project, problems: Problems, keys: Keys, footing: Footing) -> None:
+def _footing(project: AnalysisFile, problems: Problems, keys: Keys, footing: Footing) -> None:
     if footing.soil not in project.soils:
         problems.at_value((*keys, "soil"), unknown_name("soil", footing.soil, project.soils))
     if footing.wall_contact is not None and footing.wall_contact > footing.embedment:
@@ -53,5 +54,5 @@ def _footing(project: Project, problems: Problems, keys: Keys, footing: Footing)
     if "density" in footing.model_fields_set and footing.thickness is None:
         problems.at_key((*keys, "density"), "without `thickness` the footing has no mass [E-MODAL-02]")
     if footing.period is None and project.masses is None:
-        message = "without `masses` the frame has no first period; give the `period` of the footing [E-MODAL-02]"
+        message = "without `masses` there is no first period; give the `period` of the footing [E-MODAL-02]"
         problems.at_key(keys, message)

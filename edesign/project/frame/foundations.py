@@ -88,8 +88,8 @@ class Footing(Model):
 
     Attributes:
         soil: name of the soil that the footing stands on.
-        length: length along the frame.
-        width: width across the frame.
+        length: length along the frame, or along x of a building.
+        width: width across the frame, or along y of a building.
         embedment: depth of the underside below ground.
         wall_contact: height of the walls that the soil touches; without the key all of the embedment.
         formula: formulas of the static stiffness.

@@ -67,7 +67,8 @@ def _ends(building: Building) -> str:
 def _ground(building: Building) -> str:
     if building.supports in ("fixed", "pinned"):
         return f"Supports are {building.supports} on ground that does not deform."
-    return "Supports are as given; neighbouring foundations do not move each other."
+    on_footings = "Footings are springs of their static stiffness. " if building.footings else ""
+    return f"{on_footings}Supports are as given; neighbouring foundations do not move each other."
 
 
 def _analysis(design: Design) -> str:

@@ -12,7 +12,9 @@ import numpy as np
 from edesign.project.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import Direction, frame_name, line_label
+from edesign.project.building.supports import DIRECTIONS as DEGREES
 from edesign.project.building.supports import FIXED, PINNED, Springs
+from edesign.project.frame.foundations import FootingSupport
 from edesign.report.drawing.building_drawing import BuildingElevation
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.boxes import Spot
@@ -20,7 +22,7 @@ from edesign.report.model.devices import DevicesOnSheet
 from edesign.report.model.elevation import Grid, draw_axes
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
-from edesign.report.model.supports import SIGNS
+from edesign.report.model.supports import SIGNS, footing_words
 from edesign.report.model.words import section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
@@ -102,7 +104,7 @@ def _devices(building: Building, along: Direction, number: int) -> DevicesOnShee
     return DevicesOnSheet(building, _grid(building, along), elevation.damper, elevation.name)
 
 
-def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
+def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs | FootingSupport]]:
     """Places along a frame of its column bases, m, with their supports."""
     lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
     return [(building.place(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
@@ -149,24 +151,28 @@ def _is_weak(member: Member, k: int) -> bool:
 
 def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> list[Entry]:
     entries = []
-    by_kind: dict[str, tuple[Springs, list[float]]] = {}
+    by_kind: dict[str, tuple[Springs | FootingSupport, list[float]]] = {}
     for x, support in _bases(building, along, number):
         by_kind.setdefault(repr(support), (support, []))[1].append(x)
     for support, places in by_kind.values():
-        kind = "fixed" if support == FIXED else "pinned" if support == PINNED else "springs"
+        if isinstance(support, FootingSupport):
+            kind, words = "footing", footing_words(support.footing)
+        else:
+            kind = "fixed" if support == FIXED else "pinned" if support == PINNED else "springs"
+            words = f"{kind} support" if kind != "springs" else _springs(support)
         for x in places:
             SIGNS[kind](sheet, grid.across * x, 0.0)
-        parts = [
-            f"{key} {_restraint(key, value)}"
-            for key, value in zip(type(support).model_fields, support.all(), strict=True)
-        ]
-        words = f"{kind} support" if kind != "springs" else f"support: {', '.join(parts)}"
         up = 0.025 if kind == "fixed" else 0.075
         sign = SIGNS[kind]
         entries.append(
             Entry(words, lambda on, x, y, s=sign, up=up: s(on, x + 0.14, y + up), 0.1 if kind == "fixed" else 0.26)  # type: ignore[misc]
         )
     return entries
+
+
+def _springs(support: Springs) -> str:
+    parts = [f"{key} {_restraint(key, value)}" for key, value in zip(DEGREES, support.all(), strict=True)]
+    return f"support: {', '.join(parts)}"
 
 
 def _restraint(key: str, value: str | float) -> str:

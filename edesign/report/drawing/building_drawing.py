@@ -116,9 +116,8 @@ class BuildingElevation:
             drawing = self.damper(name)
             for (x0, y0), (x1, y1) in drawing.braces if drawing is not None else ():
                 axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
-        for x, fixed in self._bases():
-            marker = SUPPORTS["fixed" if fixed else "pinned"]
-            axes.plot(x, 0.0, marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
+        for x, kind in self._bases():
+            axes.plot(x, 0.0, marker=SUPPORTS[kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
         margin = 0.04 * max(self.width, self.height)
         axes.set_aspect("equal")
         axes.set_xlim(-margin, self.width + margin)
@@ -151,13 +150,14 @@ class BuildingElevation:
         place = self.building.grid.nodes[node]
         return place["xy".index(self._along)], place[-1]
 
-    def _bases(self) -> list[tuple[float, bool]]:
-        """Places of the column bases of the frame, and whether each is fixed against turns in it."""
+    def _bases(self) -> list[tuple[float, str]]:
+        """Places of the column bases of the frame, and whether each is fixed, pinned or on springs in it."""
         found = []
         for line, storey in self.building.layout.column_at:
             frame = frame_name(self._along, line.j if self._along == "x" else line.i)
             if storey == 1 and frame == self.name:
                 support = self.building.support(line)
-                turn = support.ry if self._along == "x" else support.rx
-                found.append((self.building.place(line)["xy".index(self._along)], turn == "fixed"))
+                turn = getattr(support, "ry" if self._along == "x" else "rx", "footing")
+                kind = {"fixed": "fixed", "free": "pinned"}.get(turn, "springs")
+                found.append((self.building.place(line)["xy".index(self._along)], kind))
         return found

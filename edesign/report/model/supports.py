@@ -64,7 +64,7 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
 def words(support: Support) -> str:
     """Return the kind of a support in words."""
     if isinstance(support, FootingSupport):
-        return _footing(support.footing)
+        return footing_words(support.footing)
     if isinstance(support, SupportSprings):
         parts = (
             f"horizontal {_translation(support.horizontal)}",
@@ -86,7 +86,8 @@ def axes(lines: list[str] | tuple[str, ...], every: tuple[str, ...]) -> str:
     return ", ".join(every[run[0]] if len(run) == 1 else f"{every[run[0]]}-{every[run[-1]]}" for run in runs)
 
 
-def _footing(footing: Footing) -> str:
+def footing_words(footing: Footing) -> str:
+    """Return a footing in words."""
     parts = [f"footing {footing.length:g} m × {footing.width:g} m on {footing.soil}"]
     parts += [f"embedded {footing.embedment:g} m"] if footing.embedment else []
     parts += [f"walls in contact {footing.contact:g} m"] if footing.embedment else []

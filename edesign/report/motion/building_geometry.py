@@ -18,6 +18,7 @@ from edesign.project.building.names import (
     node_name,
 )
 from edesign.project.building.supports import FIXED, PINNED, Springs
+from edesign.project.frame.foundations import FootingSupport
 from edesign.report.drawing.building_drawing import damper_bay
 from edesign.report.motion.geometry import SAME, Geometry, Hung, MovingDamper, MovingMass, Place, Support
 
@@ -77,7 +78,9 @@ def _grid(building: Building) -> tuple[tuple[str, Place, Place], ...]:
     return tuple(across + [(line_label("x", j), (x[0], at, 0.0), (x[-1], at, 0.0)) for j, at in enumerate(y)])
 
 
-def _support_name(support: Springs) -> str:
+def _support_name(support: Springs | FootingSupport) -> str:
+    if isinstance(support, FootingSupport):
+        return "footing"
     if support in (FIXED, PINNED):
         return "fixed" if support == FIXED else "pinned"
     return "roller" if "free" in (support.ux, support.uy) else "springs"

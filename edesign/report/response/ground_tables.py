@@ -22,12 +22,16 @@ SHOWN = 40
 """Rows of the tables of column bases and histories at most: a page of them can be read."""
 WORK = "footing_work_final"
 """Variable that only histories with footings have."""
+_WORDS = {
+    2: ("horizontal", "vertical", "rocking"),
+    3: ("along x", "along y", "vertical", "rocking about x", "rocking about y", "torsion"),
+}
 MEGA = Unit("", 1e6)
 """Of stiffness in MN/m and in MN m/rad below each other."""
 
 
 class _Motion(NamedTuple):
-    """One of the three motions of a footing: its word, its name in the archive."""
+    """One of the motions of a footing: its word, its name in the archive."""
 
     footing: Place
     word: str
@@ -139,8 +143,9 @@ def _footings(groups: Mapping[str, Group]) -> list[Table]:
     for several in alike:
         of = f" ({some_names(several)})" if len(alike) > 1 else ""
         footings = list(places(dict([next(iter(several.items()))]), "footing"))
-        words = dict(zip(("horizontal", "vertical", "rocking"), DIRECTIONS, strict=True))
-        motions = [_Motion(one, word, direction) for one in footings for word, direction in words.items()]
+        dimension = 3 if "footing_stiffness_rz" in next(iter(several.values())).variables else 2
+        words = tuple(zip(_WORDS[dimension], DIRECTIONS[dimension], strict=True))
+        motions = [_Motion(one, word, direction) for one in footings for word, direction in words]
         tables += [FOOTINGS.of(footings, of=of), FOOTING_STIFFNESS.of(motions, of=of)]
     return [*tables, first_mode_table(on_footings), _work(on_footings)]
 

@@ -21,8 +21,9 @@ from edesign.project.building.names import (
     frame_name,
     node_name,
 )
+from edesign.project.building.supports import Springs
 from edesign.project.reading.problems import listed
-from edesign.space.file_places import keys_of_member, keys_of_support
+from edesign.space.file_places import keys_of_member
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.load_cases import on_members, on_nodes
 
@@ -150,16 +151,17 @@ class PlaneFrame:
             i: index of the line.
 
         Raises:
-            InputError: it is a spring, which project files do not have.
+            InputError: it is a spring or a footing.
         """
-        springs = self.building.support(self.lines[i])
-        restraints = (springs.ux, springs.ry) if self.along == "x" else (springs.uy, springs.rx)
-        kinds = {("fixed", "fixed"): "fixed", ("fixed", "free"): "pinned", ("free", "free"): "roller"}
-        kind = kinds.get((str(restraints[0]), str(restraints[1])))
-        if springs.uz != "fixed" or kind is None:
+        springs, kind = self.building.support(self.lines[i]), None
+        if isinstance(springs, Springs) and springs.uz == "fixed":
+            restraints = (springs.ux, springs.ry) if self.along == "x" else (springs.uy, springs.rx)
+            kinds = {("fixed", "fixed"): "fixed", ("fixed", "free"): "pinned", ("free", "free"): "roller"}
+            kind = kinds.get((str(restraints[0]), str(restraints[1])))
+        if kind is None:
             raise self._refuse(
                 f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller [E-SPACE-04]",
-                *keys_of_support(self.building, self.lines[i]),
+                *self.building.support_keys(str(self.lines[i])),
             )
         return kind
 

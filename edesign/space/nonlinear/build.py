@@ -6,8 +6,9 @@ from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 
-from edesign.core import Model
+from edesign.core import Analysis, Model
 from edesign.frame.devices import DeviceLaw, add_devices
+from edesign.frame.footings import FootingSprings, footings_of
 from edesign.frame.frame_model import FrameModel, Sinking
 from edesign.frame.tuned_masses import Attached, add_attachment
 from edesign.project.building.building import Building
@@ -19,7 +20,7 @@ from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, buil
 from edesign.space.nonlinear.gravity import gravity_loads
 from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, still_beams
 from edesign.space.nonlinear.members import BuildingMembers
-from edesign.space.nonlinear.supports import add_supports
+from edesign.space.nonlinear.supports import add_supports, weights_of
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
@@ -31,6 +32,7 @@ def build_building(
     attachments: Sequence[Attached] = (),
     outside: Collection[str] = (),
     eccentricity: tuple[float, float] = IN_PLACE,
+    footings: Mapping[str, FootingSprings] | None = None,
 ) -> FrameModel:
     """Build the model of a building with its masses and gravity loads.
 
@@ -46,6 +48,8 @@ def build_building(
         outside: names of dampers that stand elsewhere, in a laboratory.
         eccentricity: by what shares of the lengths of each rigid floor, along x and y, its masses stand beside their
             places; tuned masses stay where they are.
+        footings: by lines of columns; without one that is a footing in the file, the line is fixed. None: those of the
+            file.
 
     Returns:
         The model, with the numbers of its parts in the core.
@@ -56,7 +60,20 @@ def build_building(
     """
     whole = with_steel_by_thickness(building)
     with telling_member(building):
-        return _build(whole, model or Model(dimension=3), laws, attachments, outside, eccentricity)
+        if footings is None:
+            footings = _footings(whole, laws or {})
+        return _build(whole, model or Model(dimension=3), laws, attachments, outside, eccentricity, footings)
+
+
+def _footings(building: Building, laws: Mapping[str, DeviceLaw]) -> dict[str, FootingSprings]:
+    """The footings at the first period of the unloaded building; of its dampers it has buckling-restrained braces."""
+    braces = {name: law for name, law in laws.items() if law.restrained is not None}
+
+    def first_period(found: Mapping[str, FootingSprings]) -> float:
+        built = _build(building, Model(dimension=3), braces, (), (), IN_PLACE, found)
+        return float(Analysis(built.model).modes(1, built.brace_stiffness).period[0])
+
+    return footings_of(building, first_period, dimension=3)
 
 
 def _build(
@@ -66,6 +83,7 @@ def _build(
     attachments: Sequence[Attached],
     outside: Collection[str],
     eccentricity: tuple[float, float],
+    footings: Mapping[str, FootingSprings],
 ) -> FrameModel:
     frame = space_frame(building)
     loads = gravity_loads(building, frame)
@@ -73,11 +91,12 @@ def _build(
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
     masters, masses, turning = add_masses(building, frame, model, attachments, eccentricity)
-    supports, grounds = add_supports(frame, model)
+    supports = add_supports(building, frame, model, footings)
+    weights = weights_of(supports.footings, building.loads.gravity.G)
     members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()
     for node, (fx, fy, fz, mx, my, mz) in enumerate(loads.on_nodes.tolist()):
-        model.nodal_load(gravity, node, fx, fy, mz, fz=fz, mx=mx, my=my)
+        model.nodal_load(gravity, node, fx, fy, mz, fz=fz - weights.get(frame.node_names[node], 0.0), mx=mx, my=my)
     for number, uniform in enumerate(loads.uniform):
         members.add_loads(gravity, number, uniform, loads.points.get(number, ()))
     devices = () if laws is None else add_devices(building, model, nodes, laws, building_sites(building), outside)
@@ -108,12 +127,13 @@ def _build(
         still=still_beams(building, frame, loads),
         masses=masses,
         turning=turning,
-        supports=supports,
+        supports=supports.restrained,
         devices=devices,
         attached=attached,
-        grounds=grounds,
+        grounds=supports.grounds,
+        footings=supports.footings,
         moving_with=members.moving_with,
         turning_apart=members.turning_apart,
         panels=members.panels,
-        on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports},
+        on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports.restrained},
     )

@@ -2,41 +2,78 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
 import numpy as np
 
 from edesign.core import Model
-from edesign.frame.supports import Direction, Grounds, support_springs
+from edesign.frame.footings import FootingSprings
+from edesign.frame.supports import BuiltFooting, Direction, Grounds, add_footing, support_springs
+from edesign.project.building.building import Building
+from edesign.project.building.names import node_name
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.nonlinear.gravity import member_axes
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 
 _SETTLED = 0.5  # of the component of a local axis along the global one that it is
 
 
-def add_supports(frame: SpaceFrame, model: Model) -> tuple[dict[str, tuple[bool, ...]], dict[str, Grounds]]:
+@dataclass(frozen=True)
+class BuiltSupports:
+    """Where a building stands, by name of the supported node.
+
+    Attributes:
+        restrained: which degrees are.
+        grounds: the other ends of springs.
+        footings: in the core.
+    """
+
+    restrained: dict[str, tuple[bool, ...]] = field(default_factory=dict)
+    grounds: dict[str, Grounds] = field(default_factory=dict)
+    footings: dict[str, BuiltFooting] = field(default_factory=dict)
+
+
+def add_supports(
+    building: Building, frame: SpaceFrame, model: Model, footings: Mapping[str, FootingSprings]
+) -> BuiltSupports:
     """Support the column bases, and fix turns that nothing restrains and nothing works on.
 
     Args:
+        building: from `load_building`.
         frame: of the building.
         model: of the core, which has the nodes of the frame in their order.
-
-    Returns:
-        By name of the supported node the degrees that are restrained, and the other ends of its springs.
+        footings: by lines of columns; a line whose footing is not among them is fixed.
     """
-    supports: dict[str, tuple[bool, ...]] = {}
-    grounds: dict[str, Grounds] = {}
+    found = BuiltSupports()
     loose = unrestrained_turns(frame)
+    on_footings = {node_name(line, 0): footings.get(line) for line in building.footings}
     for node, name in enumerate(frame.node_names):
         held = frame.fixed[node].copy()
         held[3:] |= loose[node]
+        held |= name in on_footings and on_footings[name] is None
         if held.any():
             model.fix(node, **dict(zip(model.degrees, held.tolist(), strict=True)))
         restrained = frame.fixed[node] | (frame.springs[node] > 0.0)
         if restrained.any():
-            supports[name] = tuple(restrained.tolist())
-        if frame.springs[node].any():
+            found.restrained[name] = tuple(restrained.tolist())
+        if name in on_footings:
+            if footing := on_footings[name]:
+                place = model.node_places[node]
+                found.grounds[name], found.footings[name] = add_footing(model, name, node, place, footing)
+        elif frame.springs[node].any():
             springs: list[Direction] = [value if value > 0.0 else "free" for value in frame.springs[node].tolist()]
-            grounds[name] = support_springs(model, name, node, model.node_places[node], springs)
-    return supports, grounds
+            found.grounds[name] = support_springs(model, name, node, model.node_places[node], springs)
+    return found
+
+
+def weights_of(footings: Mapping[str, BuiltFooting], factor: float) -> dict[str, float]:
+    """Return the weights of the blocks of footings in the gravity combination, N, by the node on them.
+
+    Args:
+        factor: of permanent loads.
+    """
+    return {name: factor * built.springs.mass * STANDARD_GRAVITY for name, built in footings.items()}
 
 
 def unrestrained_turns(frame: SpaceFrame) -> np.ndarray:

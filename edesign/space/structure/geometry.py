@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
+from edesign.frame.footings import springs_under
 from edesign.frame.sections.own_section import own_section
 from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, End
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, column_name, frame_name, node_name
+from edesign.project.frame.foundations import FootingSupport
 from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
 from edesign.space.structure.load_cases import load_cases
 from edesign.space.structure.masses import node_masses
@@ -24,13 +27,13 @@ def space_frame(building: Building) -> SpaceFrame:
 
     Load cases are `G`, the permanent loads of the file; `self_weight`, that of the members, if the file wants it; and
     `Q_B` and so on, the variable loads of each category. A beam that braces meet in the middle is two members with a
-    node between them. The lower half of the first storey has no mass.
+    node between them. The lower half of the first storey has no mass. Footings are springs of their static stiffness.
 
     Args:
         building: from `load_building`.
 
     Raises:
-        InputError: a section is not known, or loads upwards would give a negative mass.
+        InputError: a section is not known, loads upwards would give a negative mass, or a footing has no stiffness.
     """
     layout = building.layout
     nodes = {name: number for number, name in enumerate(layout.nodes)}
@@ -60,8 +63,11 @@ def _supports(building: Building, nodes: Mapping[str, int]) -> tuple[np.ndarray,
     fixed = np.zeros((len(nodes), 6), bool)
     springs = np.zeros((len(nodes), 6))
     for line in building.layout.node_lines[0]:
-        node = nodes[node_name(line, 0)]
-        for axis, restraint in enumerate(building.support(line).all()):
+        node, support = nodes[node_name(line, 0)], building.support(line)
+        if isinstance(support, FootingSupport):
+            springs[node] = springs_under(building, str(line), inf, dimension=3).static
+            continue
+        for axis, restraint in enumerate(support.all()):
             fixed[node, axis] = restraint == "fixed"
             springs[node, axis] = restraint if isinstance(restraint, float) else 0.0
     return fixed, springs

@@ -18,9 +18,10 @@ from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.structure import Structure, build, make_structure
 from edesign.study.results.recording import Quantity, Terms, coordinate
 
-_WORDS = ("horizontally", "vertically", "in rocking")
-_STIFFNESS_UNITS = ("N/m", "N/m", "N*m/rad")
-_DASHPOT_UNITS = ("N*s/m", "N*s/m", "N*m*s/rad")
+_WORDS = {
+    2: ("horizontally", "vertically", "in rocking"),
+    3: ("along x", "along y", "vertically", "in rocking about x", "in rocking about y", "in torsion"),
+}
 
 
 def store_footings(group: Group, frame: FrameModel) -> None:
@@ -41,14 +42,16 @@ def store_footings(group: Group, frame: FrameModel) -> None:
         ("mass", [of.mass for of in springs], "kg", "mass of the footing; 0: it has none"),
     ):
         group.add(f"footing_{name}", ("footing",), values, unit, label)
-    for i, direction in enumerate(DIRECTIONS):
+    dimension = frame.model.dimension
+    for i, (direction, words) in enumerate(zip(DIRECTIONS[dimension], _WORDS[dimension], strict=True)):
+        per_motion, per_rate = ("N/m", "N*s/m") if i < dimension else ("N*m/rad", "N*m*s/rad")
         for name, values, unit, label in (
-            ("static_stiffness", [of.static[i] for of in springs], _STIFFNESS_UNITS[i], "static stiffness"),
-            ("stiffness", [of.stiffness[i] for of in springs], _STIFFNESS_UNITS[i], "stiffness at the period"),
+            ("static_stiffness", [of.static[i] for of in springs], per_motion, "static stiffness"),
+            ("stiffness", [of.stiffness[i] for of in springs], per_motion, "stiffness at the period"),
             ("radiation_damping", [of.radiation[i] for of in springs], "1", "damping ratio of radiated waves"),
-            ("dashpot", [of.dashpot[i] for of in springs], _DASHPOT_UNITS[i], "dashpot of radiation and soil"),
+            ("dashpot", [of.dashpot[i] for of in springs], per_rate, "dashpot of radiation and soil"),
         ):
-            group.add(f"footing_{name}_{direction}", ("footing",), values, unit, f"{label}, {_WORDS[i]}")
+            group.add(f"footing_{name}_{direction}", ("footing",), values, unit, f"{label}, {words}")
 
 
 def footing_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
@@ -94,6 +97,8 @@ class Interaction:
 def interaction(project: AnalysisFile, structure: Structure, modes: Modes, gravity: bool) -> Interaction:
     """Return the effect of the footings on the first mode of a frame without dampers, but for restrained braces.
 
+    Effective height and mass are those in the direction in which most of the mass moves in the first mode.
+
     Args:
         structure: the frame on its footings, in the state of the modes.
         gravity: whether this state is that under the gravity loads.
@@ -110,26 +115,35 @@ def interaction(project: AnalysisFile, structure: Structure, modes: Modes, gravi
         fixed.apply_gravity()
     on_fixed = fixed.modes(1)
     frame = structure.frame
-    of_nodes = [(mass, frame.nodes[name], frame.places[name][1]) for name, mass in frame.masses.items()]
-    moved = [(mass * on_fixed.shapes[0, node, 0], level) for mass, node, level in of_nodes]
+    along = max(
+        (direction.degree for direction in frame.directions), key=lambda at: on_fixed.effective_mass_ratio[0, at]
+    )
+    of_nodes = [(mass, frame.nodes[name], frame.places[name][-1]) for name, mass in frame.masses.items()]
+    moved = [(mass * on_fixed.shapes[0, node, along], level) for mass, node, level in of_nodes]
     height = sum(share * level for share, level in moved) / sum(share for share, _ in moved)
-    mass = float(on_fixed.participation_x[0]) ** 2
+    mass = float(on_fixed.participation[0, along]) ** 2
     found = Interaction(float(on_fixed.period[0]), float(modes.period[0]), height, mass, _damping(structure, modes))
     if set(frame.footings) != set(frame.supports):
         return found
-    ratio, damping = _closed_forms(frame, found)
+    ratio, damping = _closed_forms(frame, found, along)
     return replace(found, closed_period_ratio=ratio, closed_damping=damping)
 
 
-def _closed_forms(frame: FrameModel, of: Interaction) -> tuple[float, float]:
-    """Period ratio and foundation damping of one mass on the footings, which a rigid base connects."""
-    places = np.array([frame.places[name][0] for name in frame.footings])
+def _closed_forms(frame: FrameModel, of: Interaction, along: int) -> tuple[float, float]:
+    """Period ratio and foundation damping of one mass on the footings, which a rigid base connects.
+
+    Args:
+        along: degree of the core in which the mass moves.
+    """
+    up = frame.up
+    turn = frame.model.degrees.index("rz" if frame.model.dimension == 2 else ("ry", "rx")[along])
+    places = np.array([frame.places[name][along] for name in frame.footings])
     k = np.array([built.springs.stiffness for built in frame.footings.values()])
     c = np.array([built.springs.dashpot for built in frame.footings.values()])
-    turned = np.array([frame.grounds[name][2] is not None for name in frame.footings])  # not by a pinned base
-    arms = places - places @ k[:, 1] / k[:, 1].sum()  # from where a vertical force turns nothing
-    sway, rocking = k[:, 0].sum(), turned @ k[:, 2] + arms**2 @ k[:, 1]
-    in_sway, in_rocking = c[:, 0].sum(), turned @ c[:, 2] + arms**2 @ c[:, 1]
+    turned = np.array([frame.grounds[name][turn] is not None for name in frame.footings])  # not by a pinned base
+    arms = places - places @ k[:, up] / k[:, up].sum()  # from where a vertical force turns nothing
+    sway, rocking = k[:, along].sum(), turned @ k[:, turn] + arms**2 @ k[:, up]
+    in_sway, in_rocking = c[:, along].sum(), turned @ c[:, turn] + arms**2 @ c[:, up]
     of_structure = of.mass * (2.0 * pi / of.fixed) ** 2
     ratio = sqrt(1.0 + of_structure / sway + of_structure * of.height**2 / rocking)
     omega = 2.0 * pi / (ratio * of.fixed)

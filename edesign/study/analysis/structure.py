@@ -151,13 +151,13 @@ def build(project: AnalysisFile, eccentricity: tuple[float, float] = IN_PLACE, *
 
     Args:
         eccentricity: of the masses of a building; see `build_building`.
-        more: arguments of `build_frame`; a building has neither footings nor isolators.
+        more: arguments of `build_frame`; a building has no isolators.
 
     Raises:
         InputError, CoreError: as `build_frame` and `build_building`.
     """
     if isinstance(project, Building):
-        of_building = {key: value for key, value in more.items() if key not in ("footings", "weights")}
+        of_building = {key: value for key, value in more.items() if key != "weights"}
         return build_building(project, eccentricity=eccentricity, **of_building)
     assert isinstance(project, Project)
     return build_frame(project, **more)

@@ -137,6 +137,11 @@ PINNED = ("IPE300, material: S275}", "IPE300, material: S275, ends: pinned}")
 
 
 SHAKEN = "kind: history, record: far"
+FOOT = "columns: [{s"
+FOOT_ON = (
+    "soils: {sand: {density: 1900 kg/m^3, shear_wave_velocity: 180 m/s, poisson: 0.3, damping: 5 %}}\n"
+    "supports: {default: {footing: {soil: sand, length: 2 m, width: 2 m, embedment: 0.5 m}}}\ncolumns: [{s"
+)
 
 
 @pytest.mark.parametrize(
@@ -191,6 +196,14 @@ SHAKEN = "kind: history, record: far"
             "Q: 2 kN/m^2, category: B, spans: x}]\n  gravity: {Q: @{A: 0.3}}",
             "loads.gravity.Q `B` E-KEY-02",
         ),
+        (FOOT, FOOT_ON.replace("sand, l", "@mud, l"), "supports.default.footing.soil `sand` E-NAME-01"),
+        (
+            FOOT,
+            FOOT_ON.replace("0.5 m", "0.5 m, wall_contact: @1 m"),
+            "supports.default.footing.wall_contact E-VALUE-04",
+        ),
+        (FOOT, FOOT_ON.replace("0.5 m", "0.5 m, @thick: 1 m"), "supports.default.footing.thick `thickness` E-KEY-01"),
+        (FOOT, FOOT_ON.replace(", damping: 5 %", "").replace("{density", "@{density"), "soils.sand `damping` E-KEY-02"),
     ],
 )
 def test_mistakes_of_analyses_are_reported_with_their_place(old: str, new: str, said: str) -> None:
