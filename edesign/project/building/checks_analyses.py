@@ -16,6 +16,7 @@ from edesign.project.checks.analyses import check_shared
 from edesign.project.checks.outputs import check_kept, check_member
 from edesign.project.checks.pairs import check_pairs
 from edesign.project.checks.shaking import check_shaking
+from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.reading.problems import Keys, Problems
 from edesign.project.records.pairs import InSpace
@@ -38,6 +39,7 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
     for i, analysis in enumerate(building.analyses):
         if isinstance(analysis, BuildingHistory):
             check_shaking(building, problems, ("analyses", i), analysis)
+            check_wave_passage(building, problems, ("analyses", i, "wave_passage"), analysis.wave_passage)
     _anchors(building, problems)
     check_kept(building, problems)
     check = Selections(building, problems)
@@ -122,6 +124,3 @@ def plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
     dampers = building.dampers
     if dampers is not None and dampers.isolation is not None:
         yield ("dampers", "isolation"), "isolators are"
-    for i, analysis in enumerate(building.analyses):
-        if isinstance(analysis, BuildingHistory) and analysis.wave_passage is not None:
-            yield ("analyses", i, "wave_passage"), "waves that reach one support after the other are"

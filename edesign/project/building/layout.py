@@ -8,6 +8,8 @@ from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from pydantic_core import PydanticCustomError
+
 from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, End
 from edesign.project.building.names import (
     BeamPlace,
@@ -171,6 +173,14 @@ class Layout(Storeys):
             for way, ((low, below), (high, above)) in ways(place, run).items():
                 found[place.name(way)] = _point_name(place, low, below), _point_name(place, high, above)
         return found
+
+    def lines_in(self, name: str) -> tuple[str, ...]:
+        """Return the column lines of a selection that stand; nothing where it is none."""
+        try:
+            chosen = parse_column_lines(name)
+        except PydanticCustomError:
+            return ()
+        return tuple(line for line in map(str, self._building.lines_of(chosen)) if line in self.lines)
 
     def line_place(self, line: str) -> tuple[float, float]:
         """Return the place of a column line in plan by its name, m."""

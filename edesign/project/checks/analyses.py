@@ -32,7 +32,7 @@ def check_analyses(project: Project, problems: Problems, files: bool = True) -> 
     check_shared(project, problems, files)
     for i, analysis in enumerate(project.analyses):
         if isinstance(analysis, HistoryAnalysis):
-            check_wave_passage(project.frame, problems, ("analyses", i, "wave_passage"), analysis.wave_passage)
+            check_wave_passage(project, problems, ("analyses", i, "wave_passage"), analysis.wave_passage)
 
 
 def check_shared(project: AnalysisFile, problems: Problems, files: bool = True) -> None:

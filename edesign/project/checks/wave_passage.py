@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.project.frame.frame import Frame
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
-NO_WAVES = "waves that reach one support after the other are of plane frames alone; leave out this key [E-BLDG-04]"
-"""Of a building in a study."""
 
-
-def check_wave_passage(frame: Frame, problems: Problems, keys: Keys, passage: WavePassage | None) -> None:
+def check_wave_passage(base: AnalysisFile, problems: Problems, keys: Keys, passage: WavePassage | None) -> None:
     """Check the wave passage of an analysis.
 
     Args:
-        frame: read without schema problems.
+        base: the frame or building, read without schema problems.
         problems: collects what is wrong.
         keys: where the wave is described.
         passage: the wave; None: there is none.
@@ -28,12 +26,19 @@ def check_wave_passage(frame: Frame, problems: Problems, keys: Keys, passage: Wa
         problems.at_key(
             (*keys, "direction"), "the `delays` say which way the wave propagates; leave this key out [E-KEY-03]"
         )
-    unknown = [line for line in passage.delays or {} if line not in frame.lines]
+    if passage.direction is not None and isinstance(passage.direction, str) != isinstance(base, Project):
+        message = (
+            "the direction of a wave along a frame is `right` or `left` [E-VALUE-03]"
+            if isinstance(base, Project)
+            else "the direction of a wave below a building is an angle from x towards y, such as `90 deg` [E-VALUE-03]"
+        )
+        problems.at_value((*keys, "direction"), message)
+        return
+    unknown = [line for line in passage.delays or {} if not base.grid.lines_in(line)]
     for line in unknown:
-        problems.at_key((*keys, "delays", line), unknown_name("line", line, frame.lines))
-    places = dict(zip(frame.lines, frame.x, strict=True))
-    if not unknown and not any(passage.delays_of(places).values()):
+        problems.at_key((*keys, "delays", line), unknown_name("line", line, base.grid.lines))
+    if not unknown and not any(passage.delays_of(base.grid).values()):
         problems.at_key(keys, "no line is reached later than another; leave `wave_passage` out [E-KEY-03]")
-    if frame.leaning_column is not None:
+    if isinstance(base, Project) and base.frame.leaning_column is not None:
         message = "where the leaning column stands is not known, so neither is when the wave reaches it [E-FRAME-04]"
         problems.at_key(keys, message)

@@ -267,6 +267,10 @@ class Frame(Storeys, Model):
         found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
         return found
 
+    def lines_in(self, name: str) -> tuple[str, ...]:
+        """Return the line of a name; nothing where there is none."""
+        return (name,) if name in self.lines else ()
+
     def line_place(self, line: str) -> tuple[float]:
         """Return the place of a line as a tuple of its x alone, m."""
         return (self.x[names.line_index(line)],)

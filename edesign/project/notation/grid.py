@@ -72,6 +72,9 @@ class Grid(Protocol):
     def lines(self) -> tuple[str, ...]:
         """Names of the column lines: A, B, ... of a frame, A1, A2, ... of a building."""
 
+    def lines_in(self, name: str) -> tuple[str, ...]:
+        """Return the column lines that a name stands for: a line, or of a building a selection of them."""
+
     def line_place(self, line: str) -> tuple[float, ...]:
         """Return the place of a column line in plan, m: x of a frame, x and y of a building."""
 

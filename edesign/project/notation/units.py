@@ -189,6 +189,26 @@ def restraint(kind: Kind, what: str, *words: str) -> Written:
     return Written(read, words_or(quantity(kind, "positive"), *words))
 
 
+def angle_or(what: str, *words: str) -> Written:
+    """Return the reader of an angle, or of one of some words.
+
+    Args:
+        what: is allowed, for the message.
+        words: that are taken as they are.
+    """
+
+    def read(value: Any) -> Any:
+        if isinstance(value, str) and value in words:
+            return value
+        meant = nearest(value, words) if isinstance(value, str) else ""
+        if meant or (isinstance(value, str) and value.isalpha()):
+            hint = f"; did you mean `{meant}`?" if meant else ""
+            raise refuse(f"`{value}` is unknown{hint} ({what}) [E-VALUE-03]")
+        return parse_quantity(value, ANGLE, "any")
+
+    return Written(read, words_or(quantity(ANGLE), *words))
+
+
 _STRESSES = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "N/m^2": 1.0, "kN/m^2": 1e3, "kN/cm^2": 1e7, "N/mm^2": 1e6}
 _MOMENTS = {"N*m": 1.0, "kN*m": 1e3, "MN*m": 1e6}
 _FACTORS: dict[str, dict[str, float]] = {

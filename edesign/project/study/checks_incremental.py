@@ -12,8 +12,7 @@ from edesign.project.checks.matching import check_fitted_levels
 from edesign.project.checks.names import ALL, check_names, check_records
 from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal
-from edesign.project.checks.wave_passage import NO_WAVES, check_wave_passage
-from edesign.project.project import Project
+from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 from edesign.project.records.records import record_of
 from edesign.project.study.incremental import COLLAPSE, Incremental, LevelFactorStudy
@@ -54,10 +53,7 @@ def check_incremental(
                 )
                 problems.at_item((*keys, "records"), i, message)
     check_drift(base, problems, (*keys, "collapse_drift"), incremental.collapse_drift)
-    if isinstance(base, Project):
-        check_wave_passage(base.frame, problems, (*keys, "wave_passage"), incremental.wave_passage)
-    elif incremental.wave_passage is not None:
-        problems.at_key((*keys, "wave_passage"), NO_WAVES)
+    check_wave_passage(base, problems, (*keys, "wave_passage"), incremental.wave_passage)
     values = incremental.intensities
     if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
         problems.at_value(

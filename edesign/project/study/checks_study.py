@@ -19,7 +19,7 @@ from edesign.project.checks.outputs import check_member
 from edesign.project.checks.pushover import check_pushover
 from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
-from edesign.project.checks.wave_passage import NO_WAVES, check_wave_passage
+from edesign.project.checks.wave_passage import check_wave_passage
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
@@ -153,10 +153,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
     check_horizontal(base, problems, (*keys, "records"), histories.records)
     levels = histories.levels or ()
     check_vertical(base, problems, (*keys, "vertical"), histories.vertical, histories.records, levels)
-    if isinstance(base, Project):
-        check_wave_passage(base.frame, problems, (*keys, "wave_passage"), histories.wave_passage)
-    elif histories.wave_passage is not None:
-        problems.at_key((*keys, "wave_passage"), NO_WAVES)
+    check_wave_passage(base, problems, (*keys, "wave_passage"), histories.wave_passage)
     check_shaking(base, problems, keys, histories)
     isolated = [name for name in study.variants_of(histories) if study.variants[name].dampers == "project"]
     if histories.wave_passage is not None and base.isolation is not None and isolated:

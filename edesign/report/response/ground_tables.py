@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+import numpy as np
+
 from edesign.archive.dataset import Group
 from edesign.frame.footings import DIRECTIONS
 from edesign.report.drawing.captions import some_names
@@ -50,6 +52,16 @@ def _formula(footing: Place) -> str:
 def _period(analysis: Analysis) -> float | None:
     fixed, ratio = analysis.attribute("fixed_base_period_s"), analysis.attribute("period_ratio")
     return None if fixed is None or ratio is None else fixed * ratio
+
+
+def _of_any_direction(variable: str) -> Callable[[Place], float | None]:
+    """The number of a support that is largest in magnitude over the directions of a building."""
+
+    def of(place: Place) -> float | None:
+        found = [place.known(variable, *at) for at in np.ndindex(place.group.variables[variable].values.shape[1:])]
+        return max(found, key=abs)
+
+    return of
 
 
 FOOTINGS = TableSpec[Place](
@@ -115,8 +127,8 @@ WAVE_PASSAGE = TableSpec[Place](
         text("analysis", "analysis"),
         text("support", "name"),
         col("delay", MS, at("foot_delay"), negligible=1e-9),
-        col("largest displacement", MM, at("foot_displacement_largest"), negligible=1e-9),
-        col("at the end", MM, at("foot_displacement_final"), negligible=1e-9),
+        col("largest displacement", MM, _of_any_direction("foot_displacement_largest"), negligible=1e-9),
+        col("at the end", MM, _of_any_direction("foot_displacement_final"), negligible=1e-9),
     ),
     notes=("Displacements of the ground at the column base relative to the ground that the motion reaches first.",),
     keys=2,

@@ -86,7 +86,7 @@ def run_history(
     group = results.group(response, samples, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
     both.store(group, project.outputs.every, structure.frame.still)
-    late.store(group)
+    late.store(group, structure.frame)
     if response.status == "completed":
         store_warnings(group, isolator_warnings(project, group, structure.frame))
     return group

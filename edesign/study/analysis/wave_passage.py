@@ -11,7 +11,7 @@ from edesign.ground_motion.delayed import delayed_by
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.study.motions.applied import GroundMotion
-from edesign.study.results.recording import coordinate
+from edesign.study.results.recording import coordinate, directed
 from edesign.study.results.warnings import AnalysisWarning, store_warnings
 
 LASTING = 0.01
@@ -31,45 +31,47 @@ class DelayedSupports:
     def __init__(self, spec: HistoryAnalysis, frame: FrameModel, ground: GroundMotion) -> None:
         self.motions: list[SupportMotion] = []
         self._delays: dict[str, float] = {}
-        self._moved: dict[str, np.ndarray] = {}
+        self._moved: dict[str, list[np.ndarray]] = {}
         if spec.wave_passage is None:
             return
-        grid = frame.grid
-        delays = spec.wave_passage.delays_of({line: grid.line_place(line)[0] for line in grid.lines})
-        at_base = {grid.node_name(line, 0): delay for line, delay in delays.items()}
+        delays = spec.wave_passage.delays_of(frame.grid)
+        at_base = {frame.grid.node_name(line, 0): delay for line, delay in delays.items()}
         self._delays = {support: at_base[support] for support in frame.supports}
+        horizontal = (ground.horizontal, ground.across)[: len(frame.directions)]
         for support, delay in self._delays.items():
-            self._moved[support] = np.zeros(1)
-            if delay > 0.0:
-                self._add(frame, support, 0, "ux", ground.horizontal, delay)
-                if ground.vertical is not None:
-                    self._add(frame, support, 1, "uy", ground.vertical, delay)
+            self._moved[support] = [
+                self._add(frame, support, direction.degree, record, delay)
+                for direction, record in zip(frame.directions, horizontal, strict=True)
+            ]
+            self._add(frame, support, frame.up, ground.vertical, delay)
 
-    def _add(self, frame: FrameModel, support: str, at: int, degree: str, record: Record, delay: float) -> None:
-        if not frame.supports[support][at]:
-            return
+    def _add(self, frame: FrameModel, support: str, at: int, record: Record | None, delay: float) -> np.ndarray:
+        """Let a degree of a support move late; returns its displacement, (nt,) m, or nothing where it does not."""
+        if delay == 0.0 or record is None or not frame.supports[support][at]:
+            return np.zeros(1)
         samples = delayed_by(record.acceleration, record.time_step, delay)
-        on_spring = frame.grounds.get(support, (None, None, None))[at]
+        grounds = frame.grounds.get(support)
+        on_spring = None if grounds is None else grounds[at]
         node = frame.nodes[support] if on_spring is None else on_spring
-        self.motions.append(SupportMotion(node, degree, (samples[0], samples[1], samples[2])))
-        if at == 0:
-            self._moved[support] = samples[0]
+        self.motions.append(SupportMotion(node, frame.model.degrees[at], (samples[0], samples[1], samples[2])))
+        return np.asarray(samples[0])
 
-    def store(self, group: Group) -> None:
+    def store(self, group: Group, frame: FrameModel) -> None:
         """Add delays, and horizontal displacements of the ground under the supports, to the group of a history."""
         if not self._delays:
             return
         coordinate(group, "foot", list(self._delays), "", "name of the node at the base")
         group.add("foot_delay", ("foot",), list(self._delays.values()), "s", "by which the ground motion comes later")
         label = "horizontal displacement of the ground at the support relative to the motion without delay"
-        largest = [float(np.abs(moved).max()) for moved in self._moved.values()]
-        left = [float(moved[-1]) for moved in self._moved.values()]
-        group.add("foot_displacement_largest", ("foot",), largest, "m", f"{label}, largest magnitude")
-        group.add("foot_displacement_final", ("foot",), left, "m", f"{label}, at the end")
-        apart = max(abs(value) for value in left)
-        if apart > LASTING * max(largest):
+        dims, shape = directed(frame)
+        largest = np.array([[float(np.abs(along).max()) for along in moved] for moved in self._moved.values()])
+        left = np.array([[float(along[-1]) for along in moved] for moved in self._moved.values()])
+        for name, values, what in (("largest", largest, "largest magnitude"), ("final", left, "at the end")):
+            group.add(f"foot_displacement_{name}", ("foot", *dims), values.reshape(-1, *shape), "m", f"{label}, {what}")
+        apart, most = float(np.abs(left).max()), float(largest.max())
+        if apart > LASTING * most:
             text = (
                 f"supports stay {1e3 * apart:.3g} mm apart after the wave, since the record ends with a velocity; use "
                 "one whose baseline is corrected"
             )
-            store_warnings(group, [AnalysisWarning("feet_apart", text, apart / (LASTING * max(largest)))])
+            store_warnings(group, [AnalysisWarning("feet_apart", text, apart / (LASTING * most))])

@@ -223,8 +223,7 @@ def check_motion(project: AnalysisFile, spec: HistoryAnalysis, record: Record) -
             f"{MOST_STEPS} are possible [E-HIST-02]"
         )
     if spec.wave_passage is not None:
-        grid = project.grid
-        delays = spec.wave_passage.delays_of({line: grid.line_place(line)[0] for line in grid.lines})
+        delays = spec.wave_passage.delays_of(project.grid)
         last = max(delays, key=lambda line: delays[line])
         if delays[last] >= record.duration + spec.free_vibration:
             raise InputError(

@@ -58,10 +58,9 @@ def test_delays_of_lines(small: str) -> None:
     project = parse_project(small.replace(SHAKE, f"{SHAKE}, wave_passage: {{velocity: 300 m/s}}"))
     shake = project.analyses[1]
     assert isinstance(shake, HistoryAnalysis) and shake.wave_passage is not None
-    lines = {"A": 0.0, "B": 6.0, "C": 13.5}
-    assert shake.wave_passage.delays_of(lines) == pytest.approx({"A": 0.0, "B": 0.02, "C": 0.045})
+    assert shake.wave_passage.delays_of(project.grid) == pytest.approx({"A": 0.0, "B": 0.02, "C": 0.045})
     left = WavePassage(velocity="300 m/s", direction="left")  # type: ignore[arg-type]
-    assert left.delays_of(lines) == pytest.approx({"A": 0.045, "B": 0.025, "C": 0.0})
+    assert left.delays_of(project.grid) == pytest.approx({"A": 0.045, "B": 0.025, "C": 0.0})
 
 
 def test_a_wave_that_comes_after_the_end_is_refused(small: str) -> None:
