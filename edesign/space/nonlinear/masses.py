@@ -16,6 +16,8 @@ from edesign.space.structure.load_cases import on_members
 from edesign.space.structure.masses import mass_shift
 from edesign.space.structure.model import diaphragm_floors, masters
 
+MASTER = "floor."
+"""Beginning of the names of nodes at the centres of mass of rigid floors."""
 IN_PLACE = (0.0, 0.0)
 """The eccentricity of masses that stand where loads and members put them."""
 
@@ -89,7 +91,7 @@ def _line_node(frame: SpaceFrame, item: Attached) -> int:
 
 def master_name(floor: int) -> str:
     """Return the name of the node at the centre of mass of a rigid floor."""
-    return f"floor.{floor}"
+    return f"{MASTER}{floor}"
 
 
 def vertical_masses(building: Building, frame: SpaceFrame) -> np.ndarray:

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.core import CoreError
-from edesign.errors import InputError
+from edesign.errors import AnalysisError, InputError
 from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.pairs import find_pairs, first_components
@@ -19,15 +19,18 @@ from edesign.project.analysis.damping import CaugheyDamping, MassDamping, Stiffn
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.pushover import GivenPattern, Pushover
 from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.reading.problems import keys_text
+from edesign.project.reading.problems import Keys, keys_text
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
+from edesign.space.file_places import keys_named
+from edesign.space.nonlinear.stability import free_motion, softest_motion
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.intensity import check_hazard_curves
 from edesign.study.analysis.modal import mode_count
-from edesign.study.analysis.structure import frame_alone, make_frame, make_structure
+from edesign.study.analysis.structure import Structure, frame_alone, make_frame, make_structure
 from edesign.study.check.criteria_inputs import check_criteria_inputs
 from edesign.study.check.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
 from edesign.study.design.design import check_sizing
@@ -87,17 +90,43 @@ def _check_frame(project: AnalysisFile, specs: tuple[PlannedAnalysis, ...]) -> N
         frame = make_frame(project, dampers=True)  # with footings, at the first period of a frame that must stand
         requested_quantities(project, frame, Group())
         structure = make_structure(project, frame)
+        if isinstance(project, Building):
+            _check_standing(project, structure)
     except CoreError as error:
         laws = device_laws(project)
         runs = project.dampers.devices if project.dampers is not None else ()
         idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
-        where = f"{project.where(project.grid_key)}: {project.grid_key}"
+        keys: Keys = (project.grid_key,)
+        if isinstance(project, Building):
+            keys = keys_named(project, str(error))
+        where = f"{project.where(*keys)}: {keys_text(keys)}"
+        if isinstance(project, Building) and (motion := free_motion(project, str(error))):
+            where = f"{where}: {motion}"
         if idle:
             raise InputError(f"{where}: braces that it stands by need `carries_gravity: true`: {error}") from error
         raise InputError(f"{where}: {error}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
         _check_series(project)
+
+
+def _check_standing(building: Building, structure: Structure) -> None:
+    """Check that a building is stable under its gravity loads, with which all else begins, and say what moves if not.
+
+    One that is too weak for them is told by its analyses.
+    """
+    try:
+        structure.apply_gravity()
+    except AnalysisError as error:
+        if building.masses is None or "unstable" not in str(error):
+            return
+        frame = make_frame(building, dampers=True)
+        modes = make_structure(building, frame).modes(1)
+        keys = ("supports",) if building.root.child("supports") is not None else (building.grid_key,)
+        raise InputError(
+            f"{building.where(*keys)}: {keys_text(keys)}: {softest_motion(frame, modes)}, with a period of "
+            f"{modes.period[0]:.3g} s before it is loaded: {error}"
+        ) from error
 
 
 def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:

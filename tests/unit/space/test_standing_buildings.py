@@ -1,0 +1,53 @@
+"""A building that can turn or slide is told before its first analysis: what moves, and the entry that lets it."""
+
+from __future__ import annotations
+
+import pytest
+from building_examples import SMALL, building
+
+from edesign.errors import InputError
+from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.study.check.check import check_inputs
+
+GRAVITY = GravityAnalysis(name="gravity", kind="gravity")
+HEAD = "columns: [{s"
+PINNED = ("IPE300, material: S275}", "IPE300, material: S275, ends: pinned}")
+ONE_BAY = (
+    "frames: [A, C], bays: 1, kind: cross,",
+    "frames: A, bays: 1, kind: cross, section: CHS101.6x5, material: S275}\n"
+    "  - {along: x, frames: 1, bays: 1, kind: cross,",
+)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        (((HEAD, "supports: {default: {ux: free}}\ncolumns: [{s"),), "supports.default: the building slides along x: "),
+        (
+            ((HEAD, "supports: {default: {uz: free}}\ncolumns: [{s"),),
+            "supports.default: the building moves up and down: ",
+        ),
+        (
+            ((HEAD, "supports: {default: {ux: free, uy: free, rz: free}, A1: {rz: free}}\ncolumns: [{s"),),
+            "supports.default: the building turns about the vertical: ",
+        ),
+        (
+            ((HEAD, "supports: pinned\ncolumns: [{s"), PINNED, ONE_BAY),
+            "supports: floor 2 turns about the vertical, with a period of ",
+        ),
+    ],
+    ids=["slides", "sinks", "turns", "turns under its loads"],
+)
+def test_what_moves_is_said_with_its_place(changes: tuple[tuple[str, str], ...], said: str) -> None:
+    with pytest.raises(InputError) as error:
+        check_inputs(building(SMALL[: SMALL.index("hazard:")], *changes), [GRAVITY])
+    message = str(error.value)
+    assert message.startswith("building.yaml:5:") and said in message and message.count("building.yaml") == 1
+
+
+def test_a_building_that_stands() -> None:
+    check_inputs(building(SMALL), [GRAVITY])
+
+
+def test_a_building_that_is_too_weak_is_left_to_its_analyses() -> None:
+    check_inputs(building(SMALL, ("G: 4 kN/m^2", "G: 40 kN/m^2")), [GRAVITY])
