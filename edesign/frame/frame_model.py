@@ -316,7 +316,8 @@ class FrameModel:
         """Return the reaction at a degree of a supported node, as terms of the core.
 
         A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base, and what
-        loads it at a support goes there at once.
+        loads it at a support goes there at once. A rigid floor of a building that the ground holds has at its master
+        what members hand over to it; its own inertia goes into the ground at once.
         """
         if degree == 0 and self.isolated is not None:
             return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support))
@@ -324,6 +325,8 @@ class FrameModel:
         if ground is not None:
             return ((1.0, "reaction", ground, degree),)
         node = self.nodes[support]
+        if of_floor := [at for at, master in self.model.masters.items() if master == node]:
+            return tuple(term for at in of_floor for term in self._on_master(at, degree))
         behind = self.moving_with.get(node, ())
         if degree > self.up:
             behind = [at for at in behind if self.turning_apart.get(at, degree) != degree]
@@ -331,6 +334,13 @@ class FrameModel:
         terms = tuple((1.0, "reaction", at, degree) for at in pushed)
         load = self.on_bases.get(support, 0.0) if degree == self.up else 0.0
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
+
+    def _on_master(self, node: int, degree: int) -> Terms:
+        """The part that a node of a rigid floor has in a reaction at the master of the floor."""
+        found: Terms = ((1.0, "reaction", node, degree),)
+        if self.model.degrees[degree] == "rz":
+            found += tuple((lever, "reaction", node, at) for at, lever in enumerate(self.model.levers(node)))
+        return found
 
     def of_kind(self, kind: MemberKind) -> list[Member]:
         """Return the members of a kind in the order of `members`."""

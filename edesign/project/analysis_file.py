@@ -159,6 +159,11 @@ class AnalysisFile(RecordFiles, FileModel):
         return ()
 
     @property
+    def held_floors(self) -> tuple[int, ...]:
+        """The floors of a building above its base that the ground holds in plan."""
+        return ()
+
+    @property
     def accidental_torsion(self) -> float:
         """Accidental eccentricity of the masses of a building over the length of a floor."""
         return 0.0

@@ -1167,6 +1167,10 @@ LEFT = {
         "has a vertical component of its own; leave out this key", "its vertical one acts by `vertical` there",
         "at one instant over the plastic resistance",
     ),
+    "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
+        "leave `design` or this key out", "give `rz: fixed`, or stiffnesses along x and y",
+        "all directions are `free`; leave this entry out",
+    ),
     "it is of a substructure test on a project of its own; tests/unit/substructure provokes it": (
         "by them alone; take more `sub_steps`", "and the file names none under `structure`", "or give a `law_file`",
         "the specimen has no law; give `law` or `law_file`", "for which `kind: modal` does", "or take `kr_alpha`",

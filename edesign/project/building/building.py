@@ -26,7 +26,7 @@ from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missi
 from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
 from edesign.project.building.steel import Steel
-from edesign.project.building.supports import Springs, Support, springs_of
+from edesign.project.building.supports import RestrainedFloors, Springs, Support, springs_of
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.document import Document
 from edesign.project.frame import spacing
@@ -104,6 +104,7 @@ class Building(spacing.Storeys, AnalysisFile):
         setbacks: floors that cover some bays of the plan only; a later one overrides an earlier one.
         supports: support of all columns, or a mapping by column line; lines that it does not name take its `default`,
             else `fixed`.
+        restrained_floors: floors above the base that the ground holds in plan; in analyses alone.
         soils: soils by name, on which footings stand.
         diaphragms: floors that are rigid in their plane.
         columns: runs of columns; a later one overrides an earlier one.
@@ -142,6 +143,7 @@ class Building(spacing.Storeys, AnalysisFile):
     storeys: Annotated[Heights | EqualStoreys, OneOf()]
     setbacks: tuple[Setback, ...] = ()
     supports: Annotated[Literal["fixed", "pinned"] | dict[str, Support], OneOf()] = "fixed"
+    restrained_floors: tuple[RestrainedFloors, ...] = ()
     soils: dict[Identifier, Soil] = {}
     diaphragms: NumbersOrNone = ALL_NUMBERS
     columns: Annotated[tuple[ColumnRun, ...], Field(min_length=1)]
@@ -198,6 +200,11 @@ class Building(spacing.Storeys, AnalysisFile):
     def rigid_floors(self) -> tuple[int, ...]:
         """The floors that are rigid in plan, whose masses may stand beside their places."""
         return tuple(self.diaphragms.numbers(1, self.n_storeys))
+
+    @property
+    def held_floors(self) -> tuple[int, ...]:
+        """The floors above the base that the ground holds in plan."""
+        return tuple(floor for held in self.restrained_floors for floor in held.floors.numbers(1, self.n_storeys))
 
     @property
     def accidental_torsion(self) -> float:

@@ -60,6 +60,7 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
         check.floors(("setbacks", i), setback.floors)
         check.bays(("setbacks", i, "bays"), setback.bays)
     _supports(building, problems, check)
+    _restrained(building, problems, check)
     for i, column in enumerate(building.columns):
         check.column_places(("columns", i), column)
     for i, beam in enumerate(building.beams):
@@ -94,6 +95,30 @@ def _supports(building: Building, problems: Problems, check: Selections) -> None
             continue
         for message in check.lines_outside(chosen).values():
             problems.at_key(("supports", name), message)
+
+
+def _restrained(building: Building, problems: Problems, check: Selections) -> None:
+    """Floors that the ground holds exist, and are held by something that determines how they move."""
+    named: set[int] = set()
+    for i, held in enumerate(building.restrained_floors):
+        keys: Keys = ("restrained_floors", i)
+        if not check.numbers((*keys, "floors"), held.floors, "floor", building.n_storeys):
+            continue
+        floors = held.floors.numbers(1, building.n_storeys)
+        for floor in sorted(named & set(floors)):
+            problems.at_value((*keys, "floors"), f"floor {floor} is held by an entry before this one [E-NAME-02]")
+        named |= set(floors)
+        if {held.ux, held.uy, held.rz} == {"free"}:
+            problems.at_value(keys, "all directions are `free`; leave this entry out [E-KEY-03]")
+        if "fixed" in (held.ux, held.uy) and held.rz != "fixed" and set(floors) & set(building.rigid_floors):
+            message = (
+                "a rigid floor that is fixed along x or y at all its column lines does not turn; give `rz: fixed`, "
+                "or stiffnesses along x and y [E-VALUE-04]"
+            )
+            problems.at_key((*keys, "rz"), message)
+    if building.restrained_floors and building.design is not None:
+        message = "designs do not know floors that the ground holds; leave `design` or this key out [E-BLDG-04]"
+        problems.at_key(("restrained_floors",), message)
 
 
 def _floors(building: Building, problems: Problems) -> bool:

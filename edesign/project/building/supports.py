@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.notation.quantities import ROTATIONAL_STIFFNESS, STIFFNESS
+from edesign.project.notation.selections import Numbers
 from edesign.project.notation.units import restraint
 from edesign.project.reading.base import Model
 from edesign.project.reading.one_of import OneOf
@@ -46,6 +47,27 @@ class Springs(Model):
 FIXED = Springs()
 PINNED = Springs(rx="free", ry="free")
 """A pin about both horizontal axes; the turn about the vertical axis is fixed."""
+
+
+class RestrainedFloors(Model):
+    """Floors above the base that the ground holds in plan, as of a basement; a spring is that of the whole floor.
+
+    Attributes:
+        floors: floors that are held.
+        ux: displacement along x: `fixed`, `free`, or a stiffness.
+        uy: displacement along y: `fixed`, `free`, or a stiffness.
+        rz: rotation about the vertical axis: `fixed`, `free`, or a rotational stiffness.
+    """
+
+    floors: Numbers
+    ux: Translation = "fixed"
+    uy: Translation = "fixed"
+    rz: Rotation = "fixed"
+
+    def all(self) -> tuple[Restraint, ...]:
+        """The restraints of ux, uy, uz, rx, ry and rz."""
+        return self.ux, self.uy, "free", "free", "free", self.rz
+
 
 Support = Annotated[
     Literal["fixed", "pinned"] | Springs | FootingSupport, OneOf(otherwise=Springs, footing=FootingSupport)

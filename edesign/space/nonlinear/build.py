@@ -91,7 +91,7 @@ def _build(
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
     masters, masses, turning = add_masses(building, frame, model, attachments, eccentricity)
-    supports = add_supports(building, frame, model, footings)
+    supports = add_supports(building, frame, model, footings, masters)
     weights = weights_of(supports.footings, building.loads.gravity.G)
     members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()
@@ -135,5 +135,7 @@ def _build(
         moving_with=members.moving_with,
         turning_apart=members.turning_apart,
         panels=members.panels,
-        on_bases={name: -float(loads.on_nodes[nodes[name], UP]) for name in supports.restrained},
+        on_bases={
+            name: -float(loads.on_nodes[nodes[name], UP]) for name, held in supports.restrained.items() if held[UP]
+        },
     )

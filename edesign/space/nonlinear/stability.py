@@ -21,7 +21,6 @@ def free_motion(building: Building, text: str) -> str:
 
     Args:
         building: from `load_building`.
-        text: of the error.
     """
     named = _FREE.findall(text)
     if not named:
@@ -47,7 +46,6 @@ def softest_motion(frame: FrameModel, modes: Modes) -> str:
 
     Args:
         frame: of the building.
-        modes: of it.
     """
     found = []
     for floor in frame.floors:

@@ -14,6 +14,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.names import node_name
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.nonlinear.gravity import member_axes
+from edesign.space.nonlinear.masses import master_name
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 
 _SETTLED = 0.5  # of the component of a local axis along the global one that it is
@@ -35,26 +36,38 @@ class BuiltSupports:
 
 
 def add_supports(
-    building: Building, frame: SpaceFrame, model: Model, footings: Mapping[str, FootingSprings]
+    building: Building,
+    frame: SpaceFrame,
+    model: Model,
+    footings: Mapping[str, FootingSprings],
+    masters: Mapping[int, int],
 ) -> BuiltSupports:
-    """Support the column bases, and fix turns that nothing restrains and nothing works on.
+    """Support column bases and floors that the ground holds, and fix turns that nothing restrains or works on.
+
+    A rigid floor that is fixed in plan is so at its master, where its reactions are.
 
     Args:
         building: from `load_building`.
         frame: of the building.
         model: of the core, which has the nodes of the frame in their order.
         footings: by lines of columns; a line whose footing is not among them is fixed.
+        masters: ids by rigid floor.
     """
     found = BuiltSupports()
+    of_floors: dict[int, np.ndarray] = {}
     loose = unrestrained_turns(frame)
     on_footings = {node_name(line, 0): footings.get(line) for line in building.footings}
     for node, name in enumerate(frame.node_names):
-        held = frame.fixed[node].copy()
+        fixed = frame.fixed[node].copy()
+        if (floor := int(frame.node_floor[node])) in masters and fixed.any():
+            of_floors[floor] = fixed.copy()
+            fixed[:] = False
+        held = fixed.copy()
         held[3:] |= loose[node]
         held |= name in on_footings and on_footings[name] is None
         if held.any():
             model.fix(node, **dict(zip(model.degrees, held.tolist(), strict=True)))
-        restrained = frame.fixed[node] | (frame.springs[node] > 0.0)
+        restrained = fixed | (frame.springs[node] > 0.0)
         if restrained.any():
             found.restrained[name] = tuple(restrained.tolist())
         if name in on_footings:
@@ -64,6 +77,9 @@ def add_supports(
         elif frame.springs[node].any():
             springs: list[Direction] = [value if value > 0.0 else "free" for value in frame.springs[node].tolist()]
             found.grounds[name] = support_springs(model, name, node, model.node_places[node], springs)
+    for floor, fixed in of_floors.items():
+        ux, uy, _, _, _, rz = found.restrained[master_name(floor)] = tuple(fixed.tolist())
+        model.fix(masters[floor], ux=ux, uy=uy, rz=rz, uz=True, rx=True, ry=True)
     return found
 
 

@@ -70,6 +70,12 @@ def _supports(building: Building, nodes: Mapping[str, int]) -> tuple[np.ndarray,
         for axis, restraint in enumerate(support.all()):
             fixed[node, axis] = restraint == "fixed"
             springs[node, axis] = restraint if isinstance(restraint, float) else 0.0
+    for held in building.restrained_floors:
+        for floor in held.floors.numbers(1, building.n_storeys):
+            at = [nodes[node_name(line, floor)] for line in building.layout.node_lines[floor]]
+            for axis, restraint in enumerate(held.all()):
+                fixed[at, axis] = restraint == "fixed"
+                springs[at, axis] = restraint / len(at) if isinstance(restraint, float) else 0.0
     return fixed, springs
 
 

@@ -202,6 +202,7 @@ FOOT_ON = (
             "Q: 2 kN/m^2, category: B, spans: x}]\n  gravity: {Q: @{A: 0.3}}",
             "loads.gravity.Q `B` E-KEY-02",
         ),
+        (FOOT, "@restrained_floors: [{floors: 1}]\ncolumns: [{s", "restrained_floors `design` E-BLDG-04"),
         (FOOT, FOOT_ON.replace("sand, l", "@mud, l"), "supports.default.footing.soil `sand` E-NAME-01"),
         (
             FOOT,
@@ -214,6 +215,29 @@ FOOT_ON = (
 )
 def test_mistakes_of_analyses_are_reported_with_their_place(old: str, new: str, said: str) -> None:
     _is_reported(ANALYSED, old, new, said)
+
+
+UNDESIGNED = ANALYSED[: ANALYSED.index("design:")] + ANALYSED[ANALYSED.index("fibres:") :]
+
+
+@pytest.mark.parametrize(
+    ("new", "said"),
+    [  # in place of the record's vertical motion; the file has two floors, which are rigid
+        ("[{floors: @3}]", "restrained_floors[0].floors 3 E-NAME-01"),
+        ("[{floors: 1}, {floors: @1}]", "restrained_floors[1].floors E-NAME-02"),
+        ("[{floors: 1, @rz: free}]", "restrained_floors[0].rz `rz: fixed` E-VALUE-04"),
+        ("[@{floors: 1, ux: free, uy: free, rz: free}]", "restrained_floors[0] `free` E-KEY-03"),
+        ("[{floors: 1, ux: @3 kN}]", "restrained_floors[0].ux E-UNIT-02"),
+    ],
+)
+def test_mistakes_of_held_floors_are_reported_with_their_place(new: str, said: str) -> None:
+    _is_reported(UNDESIGNED, FOOT, f"restrained_floors: {new}\n{FOOT}", said)
+
+
+def test_waves_do_not_know_when_they_reach_held_floors() -> None:
+    held = UNDESIGNED.replace(FOOT, f"restrained_floors: [{{floors: 1}}]\n{FOOT}")
+    said = "analyses[3].wave_passage `restrained_floors` E-BLDG-04"
+    _is_reported(held, "vertical: {ratio: 0.7}", "@wave_passage: {velocity: 500 m/s}", said)
 
 
 ASIDE = ANALYSED.replace("direction: all", "direction: all, eccentricity: -x-y")
