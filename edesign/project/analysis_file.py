@@ -11,6 +11,7 @@ from pydantic import Field, PrivateAttr
 
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.isolation import Isolation
+from edesign.project.notation.frames import Direction
 from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import Model
 from edesign.project.reading.file_model import FileModel
@@ -102,6 +103,14 @@ class AnalysisFile(RecordFiles, FileModel):
     @abstractmethod
     def support_keys(self, line: str) -> Keys:
         """Return the place of the support that a line of columns takes."""
+
+    @abstractmethod
+    def widths(self, along: Direction | None = None) -> tuple[float, ...]:
+        """Return the widths of the bays of frames, m.
+
+        Args:
+            along: direction of the frames of a building; None: of a plane frame.
+        """
 
     @abstractmethod
     def with_dampers(self, dampers: Dampers | None) -> Self:

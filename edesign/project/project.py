@@ -25,6 +25,7 @@ from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
 from edesign.project.frame.materials import Material
 from edesign.project.frame.sections import Fibres, Section
+from edesign.project.notation.frames import Direction
 from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import FormatVersion
 from edesign.project.reading.problems import Keys
@@ -106,6 +107,10 @@ class Project(AnalysisFile):
             for storey in run.storeys.numbers(1, grid.n_storeys)
             for bay in run.bays.numbers(1, grid.n_bays)
         ]
+
+    def widths(self, along: Direction | None = None) -> tuple[float, ...]:
+        """Return the widths of the bays from the left, m; the frame has no other direction."""
+        return self.frame.bay_widths
 
     def with_dampers(self, dampers: Dampers | None) -> Self:
         """Return the project with other dampers; those in place of a chevron's braces meet the beams above.

@@ -241,8 +241,9 @@ class Building(spacing.Storeys, AnalysisFile):
         found._stood = self.in_place_of_chevrons if dampers is None else ()
         return found
 
-    def widths(self, along: Direction) -> tuple[float, ...]:
+    def widths(self, along: Direction | None = None) -> tuple[float, ...]:
         """Return the widths of the bays along x or y, m."""
+        assert along is not None, "a building has two directions"
         return spacing.widths(self.plan.x if along == "x" else self.plan.y)
 
     def n_bays(self, along: Direction) -> int:

@@ -9,6 +9,7 @@ from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.dampers import check_beams_met
 from edesign.project.checks.hysteretic_designs import check_hysteretic_design
 from edesign.project.checks.placement import (
+    check_bays_of_frame,
     check_candidate_places,
     check_design_hazard,
     check_placement_design,
@@ -68,8 +69,9 @@ def check_design(
             keys, "the project has no `masses`: its frame has no periods to design dampers for [E-MODAL-02]"
         )
     if isinstance(spec, PlacementDesign):
-        assert isinstance(project, Project)
-        check_placement_design(keys, spec, project, problems)
+        check_placement_design(
+            keys, spec, project, problems, stand or (lambda: check_bays_of_frame(keys, spec, project, problems))
+        )
         return
     _law(keys, spec, project, problems)
     if stand is not None:

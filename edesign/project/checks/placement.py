@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.dampers import check_size
 from edesign.project.checks.names import check_names, check_records
-from edesign.project.checks.selections import Selections
+from edesign.project.checks.selections import GridSelections, Selections
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness
 from edesign.project.dampers.designs import Design
-from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.frame.frame import Frame
+from edesign.project.dampers.placement import Candidates, PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
 
-def check_placement_design(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
+def check_placement_design(
+    keys: Keys, spec: PlacementDesign, project: AnalysisFile, problems: Problems, stand: Callable[[], object]
+) -> None:
     """Check a placement of a study file.
 
     Args:
@@ -24,11 +26,28 @@ def check_placement_design(keys: Keys, spec: PlacementDesign, project: Project, 
         spec: without schema problems.
         project: that is studied.
         problems: of the study file; collects what is wrong.
+        stand: checks that it has the candidate places; what it returns is true if it has.
     """
     check_design_hazard(keys, spec, project, problems)
     _catalogue((*keys, "catalogue"), spec, project, problems)
-    if check_candidate_places(keys, spec, project, problems):
+    if stand():
         _limits((*keys, "limits"), spec, project, problems)
+
+
+def check_bays_of_frame(keys: Keys, spec: PlacementDesign, project: AnalysisFile, problems: Problems) -> bool:
+    """Check that a plane frame has the candidate places of a placement, and return whether it has.
+
+    Args:
+        problems: the problems of the file, to which those found are added.
+    """
+    assert isinstance(project, Project)
+    if spec.places:
+        message = "a plane frame has one direction; give `bays`, this is of a building [E-KEY-03]"
+        problems.at_key((*keys, "places"), message)
+    if spec.bays is None:
+        problems.under(keys, "bays", "this key is missing: the candidate bays [E-KEY-02]")
+        return False
+    return check_candidate_places(keys, spec, project, problems) and not spec.places
 
 
 def check_candidate_places(keys: Keys, spec: Design, project: Project, problems: Problems) -> bool:
@@ -38,7 +57,7 @@ def check_candidate_places(keys: Keys, spec: Design, project: Project, problems:
         problems: the problems of the file, to which those found are added.
     """
     check = Selections(project.frame, problems)
-    bays = check.bays(keys, spec.bays)
+    bays = spec.bays is None or check.bays(keys, spec.bays)
     return check.storeys(keys, spec.storeys) and bays
 
 
@@ -56,19 +75,28 @@ def check_design_hazard(keys: Keys, spec: Design, project: AnalysisFile, problem
         check_records(problems, (*keys, "verify", "records"), spec.verify.records, project)
 
 
-def placement_warnings(spec: PlacementDesign, frame: Frame) -> list[str]:
-    """Return one sentence for each value of a placement that may not be meant."""
-    widths = frame.bay_widths
-    pairs = [(bay, frame.n_bays + 1 - bay) for bay in range(1, frame.n_bays // 2 + 1)]
-    uneven = [(a, b) for a, b in pairs if not math.isclose(widths[a - 1], widths[b - 1])]
-    if not (spec.limits.mirrored and uneven):
-        return []
-    a, b = uneven[0]
-    text = f"bay {a} is {widths[a - 1]:.6g} m wide and bay {b} {widths[b - 1]:.6g} m"
-    return [f"`mirrored` equips bays alike counted from both ends, but the frame is not symmetric: {text}"]
+def placement_warnings(spec: PlacementDesign, project: AnalysisFile) -> list[str]:
+    """Return one sentence for each value of a placement that may not be meant.
+
+    Args:
+        spec: checked.
+        project: that is studied.
+    """
+    found: dict[str, None] = {}
+    for run in spec.candidates if spec.limits.mirrored else ():
+        widths = project.widths(run.along)
+        pairs = [(bay, len(widths) + 1 - bay) for bay in range(1, len(widths) // 2 + 1)]
+        uneven = [(a, b) for a, b in pairs if not math.isclose(widths[a - 1], widths[b - 1])]
+        if uneven:
+            a, b = uneven[0]
+            of = f" along {run.along}" if run.along else ""
+            text = f"bay {a}{of} is {widths[a - 1]:.6g} m wide and bay {b} {widths[b - 1]:.6g} m"
+            counted = "`mirrored` equips bays alike counted from both ends"
+            found[f"{counted}, but the {project.structure} is not symmetric: {text}"] = None
+    return list(found)
 
 
-def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
+def _catalogue(keys: Keys, spec: PlacementDesign, project: AnalysisFile, problems: Problems) -> None:
     laws = project.dampers.laws if project.dampers is not None else {}
     same: dict[object, str] = {}
     for name, item in spec.catalogue.items():
@@ -89,8 +117,8 @@ def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Pr
                     "a damper between floors has no brace geometry; give the `stiffness` of its brace [E-DAMPER-02]"
                 )
                 problems.at_value((*where, "brace"), message)
-            if brace.material not in project.materials:
-                message = unknown_name("material", brace.material, project.materials)
+            if brace.material not in project.steels:
+                message = unknown_name("material", brace.material, project.steels)
                 problems.at_value((*where, "brace", "material"), message)
         # what is left changes the force: neither the cost nor the amplitude at which it counts in natural modes does
         alike = {"cost": 1.0, "design_deformation": None, "kind": item.kind or spec.kind, "scale": item.scale or 1.0}
@@ -100,34 +128,22 @@ def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Pr
         same.setdefault(content, name)
 
 
-def _limits(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
-    frame, limits = project.frame, spec.limits
-    bays, storeys = spec.bays.numbers(1, frame.n_bays), spec.storeys.numbers(1, frame.n_storeys)
-    if limits.mirrored:
-        alone = [bay for bay in bays if frame.n_bays + 1 - bay not in bays]
-        if alone:
-            message = (
-                f"bay {alone[0]} has its mirror image in bay {frame.n_bays + 1 - alone[0]}, which is no candidate"
-                " [E-NAME-01]"
-            )
-            problems.at_value((*keys, "mirrored"), message)
-        elif all(2 * bay == frame.n_bays + 1 for bay in bays) and all(
-            (item.kind or spec.kind) in ("rising", "falling") for item in spec.catalogue.values()
-        ):
-            problems.at_value(
-                (*keys, "mirrored"), "a diagonal in the middle bay has no mirror image of its own [E-PLACE-03]"
-            )
+def _limits(keys: Keys, spec: PlacementDesign, project: AnalysisFile, problems: Problems) -> None:
+    limits, last = spec.limits, project.grid.n_storeys
+    storeys = sorted({storey for run in spec.candidates for storey in run.storeys.numbers(1, last)})
+    for run in spec.candidates if limits.mirrored else ():
+        _mirrored((*keys, "mirrored"), spec, run, len(project.widths(run.along)), problems)
     fewest = min(item.number for item in spec.catalogue.values())
     if limits.most_dampers is not None and limits.most_dampers < fewest:
         message = f"{limits.most_dampers} are fewer than one place takes, {fewest} [E-VALUE-02]"
         problems.at_value((*keys, "most_dampers"), message)
-    check = Selections(frame, problems)
+    check = GridSelections(problems, last, project.structure)
     taken: set[int] = set()
     for i, group in enumerate(limits.storey_groups):
         where = (*keys, "storey_groups", i)
-        if not check.numbers(where, group, "storey", frame.n_storeys):
+        if not check.numbers(where, group, "storey", last):
             continue
-        numbers = group.numbers(1, frame.n_storeys)
+        numbers = group.numbers(1, last)
         outside = [storey for storey in numbers if storey not in storeys]
         if outside:
             problems.at_value(where, f"storey {outside[0]} is no candidate [E-NAME-01]")
@@ -139,3 +155,19 @@ def _limits(keys: Keys, spec: PlacementDesign, project: Project, problems: Probl
         if limits.continuous and between:
             message = f"with `continuous` a group has no gap, and storey {between[0]} is between [E-PLACE-03]"
             problems.at_value(where, message)
+
+
+def _mirrored(keys: Keys, spec: PlacementDesign, run: Candidates, last: int, problems: Problems) -> None:
+    """Bays have mirror images among the candidates, and diagonals a bay beside the middle one."""
+    bays = run.bays.numbers(1, last)
+    alone = [bay for bay in bays if last + 1 - bay not in bays]
+    of = f" along {run.along}" if run.along else ""
+    if alone:
+        message = (
+            f"bay {alone[0]}{of} has its mirror image in bay {last + 1 - alone[0]}, which is no candidate [E-NAME-01]"
+        )
+        problems.at_value(keys, message)
+    elif all(2 * bay == last + 1 for bay in bays) and all(
+        (item.kind or spec.kind) in ("rising", "falling") for item in spec.catalogue.values()
+    ):
+        problems.at_value(keys, f"a diagonal in the middle bay{of} has no mirror image of its own [E-PLACE-03]")

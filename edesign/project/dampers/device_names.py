@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.dampers import DamperBetween, DamperRun, Dampers, Device
+from collections.abc import Sequence
+
+from edesign.project.dampers.dampers import DamperBetween, Dampers, Device
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation import names
@@ -59,15 +61,16 @@ def names_of_design(grid: Grid, design: Design) -> tuple[str, ...]:
         design: a design of a study.
     """
     kinds: list[str]
-    run: InBays
+    runs: Sequence[InBays]
     if isinstance(design, PlacementDesign):
         kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
-        run = DamperRun.model_construct(kind=design.kind, bays=design.bays, storeys=design.storeys, law="")
+        runs = design.candidates
     else:
-        kinds, run = [design.kind], design
+        kinds, runs = [design.kind], [design]
     return tuple(
         name
         for kind in kinds
+        for run in runs
         for place in grid.bay_places(run)
         for name in names.damper_names(kind, place.bay, place.storey, place.frame)
     )

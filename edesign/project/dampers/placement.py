@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Field
 
 from edesign.project.analysis.damping import State
 from edesign.project.dampers.dampers import Brace, Count, Layers
 from edesign.project.dampers.verification import PlacementVerify
-from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.frames import Direction, Frames, FrameSelection
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection
 from edesign.project.notation.several import ShortName
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
@@ -83,13 +84,53 @@ class LayoutLimits(Model):
     storey_groups: tuple[Numbers, ...] = ()
 
 
+class CandidatePlaces(Model):
+    """Candidate places in frames of one direction of a building; the bays of a frame are equipped alike.
+
+    Attributes:
+        along: direction of the frames.
+        frames: frames of this direction, such as `2`, `A-C`, `[X1, X4]`.
+        bays: bays of each frame, which are equipped alike in a storey.
+        storeys: candidate storeys; without the key those of the design.
+        tied: whether these frames are equipped alike.
+    """
+
+    along: Direction
+    frames: Frames
+    bays: Numbers
+    storeys: Numbers | None = None
+    tied: bool = False
+
+
+class Candidates(NamedTuple):
+    """Candidate places in bays and storeys, of a building in frames of one direction.
+
+    Attributes:
+        along: direction of the frames; None in a plane frame.
+        frames: frames of this direction; None in a plane frame.
+        bays: bays, counted from 1.
+        storeys: storeys, counted from 1.
+        tied: whether frames are equipped alike.
+    """
+
+    along: Direction | None
+    frames: FrameSelection | None
+    bays: NumberSelection
+    storeys: NumberSelection
+    tied: bool = False
+
+    def __str__(self) -> str:
+        return f"{self.bays} of {self.frames} along {self.along}" if self.along is not None else str(self.bays)
+
+
 class PlacementDesign(Model):
     """The layout of least cost with which histories meet the criteria.
 
     Attributes:
         method: search of a layout at least cost.
         kind: how the dampers stand.
-        bays: candidate bays.
+        bays: candidate bays of a plane frame.
+        places: candidate places of a building.
         storeys: candidate storeys.
         catalogue: items that a place may get, by name.
         costs: costs beside those of the dampers.
@@ -104,7 +145,8 @@ class PlacementDesign(Model):
 
     method: Literal["placement"]
     kind: Kind
-    bays: Numbers
+    bays: Numbers | None = None
+    places: tuple[CandidatePlaces, ...] = ()
     storeys: Numbers = ALL_NUMBERS
     catalogue: Annotated[dict[ShortName, CatalogueItem], Field(min_length=1, max_length=8)]
     costs: Costs = Costs()
@@ -115,6 +157,15 @@ class PlacementDesign(Model):
     inherent_damping: UnitRatio | None = None
     monotone: bool = True
     verify: PlacementVerify
+
+    @property
+    def candidates(self) -> tuple[Candidates, ...]:
+        """The candidate places: one entry of a plane frame, of a building those of `places`."""
+        if self.bays is not None:
+            return (Candidates(None, None, self.bays, self.storeys),)
+        return tuple(
+            Candidates(at.along, at.frames, at.bays, at.storeys or self.storeys, at.tied) for at in self.places
+        )
 
     def kinds_of(self, item: CatalogueItem) -> tuple[Kind, ...]:
         """Return the kinds in which an item may stand: diagonals of mirrored layouts lean both ways."""

@@ -9,6 +9,7 @@ from edesign.project.analysis.pushover import BuildingDirections, Eccentric, Fra
 from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_positions, plane_only
 from edesign.project.building.checks_dampers import check_bays
+from edesign.project.building.checks_placement import check_candidates
 from edesign.project.checks.analyses import check_drift
 from edesign.project.checks.criteria import check_criteria
 from edesign.project.checks.designs import check_design
@@ -83,8 +84,7 @@ def _design(study: Study, problems: Problems, keys: Keys, design: Design) -> Non
     if not isinstance(base, Building):
         check_design(keys, design, base, problems)
     elif isinstance(design, PlacementDesign):
-        message = "placements are of plane frames yet; `edesign extract` makes them of a building [E-BLDG-04]"
-        problems.at_key(keys, message)
+        check_design(keys, design, base, problems, lambda: check_candidates(base, problems, keys, design))
     else:
         check_design(keys, design, base, problems, lambda: check_bays(base, problems, keys, design))
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.report.archived import archived_project
+from edesign.report.archived import archived_base
 from edesign.report.design.heights import heights_caption, heights_figure, size_of
 from edesign.report.design.hysteretic_figures import hysteretic_figures
 from edesign.report.design.placement_figures import placement_figures
@@ -50,8 +50,7 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         group = archive.group(f"{DESIGNS}/{name}")
         method = group.attributes.get("method")
         if method == "placement":
-            project = archived_project(archive)
-            yield from placement_figures(name, group, None if project is None else project.frame)
+            yield from placement_figures(name, group, archived_base(archive))
             continue
         if size_of(group) is not None:
             yield (

@@ -2,30 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.frame.frame import Frame
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.building import Building
+from edesign.project.project import Project
 from edesign.report.design.placement_tables import front
+from edesign.report.drawing.building_drawing import BuildingElevation
 from edesign.report.drawing.captions import file_name
-from edesign.report.drawing.frame_drawing import draw_dampers, draw_frame
+from edesign.report.drawing.frame_drawing import Elevation, FrameElevation, draw_damper
 from edesign.report.drawing.style import AFTER, MEAN, RECORDS, TARGET, VARIANTS, legend_above, new_figure, styled
 from edesign.report.response.histories import names_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+_SIDE_BY_SIDE = 2
 _MARKERS = ("s", "o", "D", "^", "v", "P", "X", "h")
 
 
-def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[tuple[str, str, Figure]]:
+def placement_figures(name: str, group: Group, file: AnalysisFile | None) -> Iterator[tuple[str, str, Figure]]:
     """Yield the chosen layout, and the layouts analysed.
 
     Args:
-        frame: of the project; None: it cannot be read, and there is no elevation.
+        file: the project or building; None: it cannot be read, and there is no elevation.
 
     Yields:
         Name of the file, caption and figure.
@@ -33,9 +37,9 @@ def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[
     if "placement" not in group.variables:
         return
     about = group.attributes
-    if frame is not None:
+    if file is not None:
         caption = f"Design {name}: the chosen layout, {about['dampers']} dampers, cost {float(about['cost']):.6g}."
-        yield file_name("design", name, "placement"), caption, elevation_figure(group, frame)
+        yield file_name("design", name, "placement"), caption, elevation_figure(group, _elevations(group, file))
     count = group.coords["layout"].values.size
     if count > 1:
         caption = (
@@ -45,27 +49,50 @@ def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[
         yield file_name("design", name, "cost"), caption, cost_figure(group)
 
 
+def _elevations(group: Group, file: AnalysisFile) -> dict[str, Elevation]:
+    """The plane frames with candidate places by their names, that of a project without one."""
+    if isinstance(file, Building):
+        frames = dict.fromkeys(bay.partition(".")[0] for bay in names_of(group, "bay"))
+        return {f"frame {frame}": BuildingElevation(file, frame) for frame in frames}
+    assert isinstance(file, Project)
+    return {"": FrameElevation(file.frame)}
+
+
 @styled
-def elevation_figure(group: Group, frame: Frame) -> Figure:
-    """Draw the frame to scale with the dampers of each item in its own colour and sign.
+def elevation_figure(group: Group, elevations: Mapping[str, Elevation]) -> Figure:
+    """Draw plane frames to scale with the dampers of each item in its own colour and sign.
 
     Args:
         group: of a design, with damper_item over (damper,).
-        frame: its members.
+        elevations: of the frames, by their titles.
     """
-    width, height = frame.x[-1] - frame.x[0], frame.height
-    tall = min(5.0, max(1.6, 4.5 * height / width))
-    figure, ((axis,),) = new_figure(1, 1, 6.3, tall)
-    draw_frame(axis, frame)
+    columns = min(_SIDE_BY_SIDE, len(elevations))
+    rows = -(-len(elevations) // columns)
+    slender = max(one.height / one.width for one in elevations.values())
+    tall = min(5.0, max(1.6, 4.5 * slender)) if columns == 1 else min(3.0, max(1.2, 2.4 * slender))
+    figure, grid = new_figure(rows, columns, 6.3, rows * tall)
+    axes = [axis for row in grid for axis in row]
     dampers = names_of(group, "damper") if "damper" in group.coords else []
     items = group.variables["damper_item"].values.tolist() if dampers else []
-    for i, name in enumerate(names_of(group, "item"), start=1):
-        mine = [damper for damper, item in zip(dampers, items, strict=True) if item == i]
-        color, marker = VARIANTS[(i - 1) % len(VARIANTS)], _MARKERS[(i - 1) % len(_MARKERS)]
-        draw_dampers(axis, frame, mine, color, marker)
-        axis.plot([], [], color=color, marker=marker, ms=4.0, lw=0.7, label=f"{name} ({len(mine)})")
-    axis.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title="places with")
+    for axis in axes[len(elevations) :]:
+        axis.set_axis_off()
+    for axis, (title, elevation) in zip(axes, elevations.items(), strict=False):
+        elevation.draw(axis, ())
+        if title:
+            axis.set_title(title)
+        for name, item in zip(dampers, items, strict=True):
+            draw_damper(axis, elevation.damper(name), *_sign(item))
+    for item, name in enumerate(names_of(group, "item"), start=1):
+        color, marker = _sign(item)
+        label = f"{name} ({items.count(item)})"
+        axes[columns - 1].plot([], [], color=color, marker=marker, ms=4.0, lw=0.7, label=label)
+    axes[columns - 1].legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title="places with")
     return figure
+
+
+def _sign(item: int) -> tuple[str, str]:
+    """Colour and marker of an item by its number from 1."""
+    return VARIANTS[(item - 1) % len(VARIANTS)], _MARKERS[(item - 1) % len(_MARKERS)]
 
 
 @styled

@@ -50,6 +50,9 @@ class Elevation(Protocol):
     def lines(self) -> Mapping[str, Line]:
         """Start and end of every member by its name, m."""
 
+    def damper(self, name: str) -> DamperDrawing | None:
+        """Return the lines of a damper by its name; None: it does not stand in this frame."""
+
     def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
         """Draw members, supports and those of the dampers that stand in it to scale."""
 
@@ -83,6 +86,10 @@ class FrameElevation:
     def lines(self) -> Mapping[str, Line]:
         """Start and end of every member by its name, m."""
         return member_lines(self.frame)
+
+    def damper(self, name: str) -> DamperDrawing | None:
+        """Return the lines of a damper; see `damper_drawing`."""
+        return damper_drawing(self.frame, name)
 
     def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
         """Draw the frame; see `draw_frame`."""
@@ -153,7 +160,8 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
         axes: in m, with equal scales afterwards.
         frame: its members.
     """
-    draw_dampers(axes, frame, dampers)
+    for name in dampers:
+        draw_damper(axes, damper_drawing(frame, name))
     for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
         axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D_") else 1.6, zorder=1.5)
     isolated = any(name.startswith("I_") for name in dampers)
@@ -189,21 +197,18 @@ def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: flo
             axes.plot(x + 2.0 * below, -below, marker="D", ms=3.4, color=DAMPER, mec="white", mew=0.4, clip_on=False)
 
 
-def draw_dampers(axes: Axes, frame: Frame, dampers: Sequence[str], color: str = DAMPER, marker: str = "s") -> None:
-    """Draw dampers by their names with their braces; those of places that the frame does not have are left out.
+def draw_damper(axes: Axes, drawing: DamperDrawing | None, color: str = DAMPER, marker: str = "s") -> None:
+    """Draw a damper with its braces; None: it stands nowhere here.
 
     Args:
-        frame: the frame of the project.
         color: colour of the lines.
-        marker: matplotlib's marker of the dampers.
+        marker: matplotlib's marker of the damper.
     """
-    for name in dampers:
-        drawing = damper_drawing(frame, name)
-        if drawing is None:
-            continue
-        for (x0, y0), (x1, y1) in drawing.braces:
-            axes.plot((x0, x1), (y0, y1), color=color, lw=0.7, zorder=1)
-        axes.plot(*drawing.at, marker=marker, ms=3.6, color=color, mec="white", mew=0.4, zorder=2)
+    if drawing is None:
+        return
+    for (x0, y0), (x1, y1) in drawing.braces:
+        axes.plot((x0, x1), (y0, y1), color=color, lw=0.7, zorder=1)
+    axes.plot(*drawing.at, marker=marker, ms=3.6, color=color, mec="white", mew=0.4, zorder=2)
 
 
 def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:

@@ -179,7 +179,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         if name not in made:
             found.append(f"design {name}: no variant has it, so it is not made; write `design: {name}` at a variant")
         if isinstance(spec, PlacementDesign):
-            texts = placement_warnings(spec, study.plane.frame)
+            texts = placement_warnings(spec, study.base)
         else:
             texts = design_warnings(spec)
         found += [f"design {name}: {text}" for text in texts]

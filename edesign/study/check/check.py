@@ -14,7 +14,13 @@ from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.pairs import find_pairs, first_components
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
-from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
+from edesign.project.analysis.analyses import (
+    BuildingHistory,
+    HistoryAnalysis,
+    ModalAnalysis,
+    PlannedAnalysis,
+    PushoverAnalysis,
+)
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, StiffnessDamping
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.pushover import GivenPattern, Pushover
@@ -144,8 +150,9 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     references = [task.record for task in plan if task.record is not None]
     designs = wanted_designs(study, plan)
     verified = [item for name in designs for item in verification_records(study, name)]
+    kind = BuildingHistory if study.base.structure == "building" else HistoryAnalysis
     histories = [
-        HistoryAnalysis(kind="history", name="verification", record=reference)
+        kind(kind="history", name="verification", record=reference)
         for reference in dict.fromkeys(verified)
         if reference not in references
     ]
@@ -193,7 +200,7 @@ def _check_designs(study: Study, names: Sequence[str]) -> None:
         try:
             spec = study.designs[name]
             if isinstance(spec, PlacementDesign):
-                check_placement(study.plane, name, spec, histories_of_a_round(study, name))
+                check_placement(study.base, name, spec, histories_of_a_round(study, name))
             else:
                 check_sizing(study.base, name, spec, study.folder)
         except InputError as error:

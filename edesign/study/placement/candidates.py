@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from edesign.errors import InputError
 from edesign.frame.devices import Device
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.placement import CatalogueItem, Kind, PlacementDesign
+from edesign.project.notation.frames import parse_frames
+from edesign.project.notation.grid import BayPlace
 from edesign.project.notation.selections import NumberSelection
-from edesign.project.project import Project
-from edesign.study.analysis.structure import make_structure
+from edesign.study.analysis.structure import Structure, make_structure
 from edesign.study.design.building import with_temperature
-from edesign.study.design.condensed import CondensedFrame, condense
-from edesign.study.placement.space import Layout, LayoutSpace, Place, make_positions, make_prices
+from edesign.study.placement.space import Layout, LayoutSpace, Stack, make_positions, make_prices
 
 _MIRROR: Mapping[Kind, Kind] = {"rising": "falling", "falling": "rising"}
 
@@ -31,21 +33,19 @@ class Candidates:
         project: that is studied, its laws at the temperature of the design.
         spec: the design.
         space: of the layouts.
-        frame: condensed, linear, without dampers, in the state that the design asks for.
+        structure: without dampers, in the state that the design asks for.
         devices: every item at every place, by number of the item (from 1) and place.
         index: of each of them in the condensed frame.
-        heights: of the storeys, m.
     """
 
-    project: Project
+    project: AnalysisFile
     spec: PlacementDesign
     space: LayoutSpace
-    frame: CondensedFrame
-    devices: Mapping[tuple[int, Place], Device]
-    index: Mapping[tuple[int, Place], int]
-    heights: np.ndarray
+    structure: Structure
+    devices: Mapping[tuple[int, BayPlace], Device]
+    index: Mapping[tuple[int, BayPlace], int]
 
-    def equipped(self, layout: Layout) -> dict[Place, int]:
+    def equipped(self, layout: Layout) -> dict[BayPlace, int]:
         """Return the item at each equipped place of a layout, storey by storey."""
         found = {
             place: option
@@ -53,9 +53,9 @@ class Candidates:
             if option
             for place in at.places
         }
-        return dict(sorted(found.items(), key=lambda item: (item[0][1], item[0][0])))
+        return dict(sorted(found.items(), key=lambda item: (item[0].storey, item[0].frame, item[0].bay)))
 
-    def dampers(self, layout: Layout, amplitudes: Mapping[Place, float] | None = None) -> Dampers:
+    def dampers(self, layout: Layout, amplitudes: Mapping[BayPlace, float] | None = None) -> Dampers:
         """Return the project's dampers with those of a layout in place of its devices; equal ones stand in one run.
 
         Args:
@@ -63,18 +63,24 @@ class Candidates:
             amplitudes: estimated, of the dampers and braces of each equipped place, m: what they count at in natural
                 modes where their item names no `design_deformation`. None: they count in small vibrations.
         """
-        columns: dict[tuple[int, Kind, int], list[int]] = {}  # storeys by item, kind and bay
-        for (bay, storey), option in self.equipped(layout).items():
-            columns.setdefault((option, self.kind(option, (bay, storey)), bay), []).append(storey)
-        runs: dict[tuple[int, Kind, tuple[int, ...]], list[int]] = {}
-        for (option, kind, bay), storeys in sorted(columns.items()):
-            runs.setdefault((option, kind, tuple(storeys)), []).append(bay)
+        columns: dict[tuple[int, Kind, str, int], list[int]] = {}  # storeys by item, kind, frame and bay
+        for place, option in self.equipped(layout).items():
+            columns.setdefault((option, self.kind(option, place), place.frame, place.bay), []).append(place.storey)
+        rows: dict[tuple[int, Kind, str, tuple[int, ...]], list[int]] = {}  # bays of a frame
+        for (option, kind, frame, bay), storeys in sorted(columns.items()):
+            rows.setdefault((option, kind, frame, tuple(storeys)), []).append(bay)
+        runs: dict[tuple[int, Kind, str, tuple[int, ...], tuple[int, ...]], list[str]] = {}  # frames of a direction
+        for (option, kind, frame, run_storeys), bays in rows.items():
+            runs.setdefault((option, kind, frame[:1], tuple(bays), run_storeys), []).append(frame)
         items = tuple(self.spec.catalogue.values())
         devices = []
-        for (option, kind, run_storeys), bays in runs.items():
-            run = _run(items[option - 1], kind, tuple(bays), run_storeys)
+        for (option, kind, _, run_bays, run_storeys), frames in runs.items():
+            run = _run(items[option - 1], kind, frames, run_bays, run_storeys)
             if amplitudes is not None and run.design_deformation is None:
-                found = [float(np.mean([amplitudes[bay, storey] for bay in bays])) for storey in run_storeys]
+                places = [
+                    [BayPlace(frame, bay, storey) for frame in frames for bay in run_bays] for storey in run_storeys
+                ]
+                found = [float(np.mean([amplitudes[place] for place in alike])) for alike in places]
                 update = {"design_deformation": tuple(float(f"{mean:.3g}") for mean in found)}
                 run = run.model_copy(update=update)
             devices.append(run)
@@ -82,19 +88,47 @@ class Candidates:
         assert before is not None, "check_placement wants the laws"
         return before.model_copy(update={"devices": tuple(devices)})
 
-    def kind(self, option: int, place: Place) -> Kind:
+    def kind(self, option: int, place: BayPlace) -> Kind:
         """Return the kind in which an item stands at a place; diagonals lean the other way in the mirrored half.
 
         Args:
             option: number of the item, from 1.
-            place: bay and storey, from 1.
+            place: of a candidate.
         """
         item = list(self.spec.catalogue.values())[option - 1]
-        leaning = self.spec.limits.mirrored and 2 * place[0] > self.project.frame.n_bays + 1
-        return _kind_at(item.kind or self.spec.kind, leaning)
+        return _kind_at(item.kind or self.spec.kind, place in self._leaning)
+
+    @cached_property
+    def _leaning(self) -> frozenset[BayPlace]:
+        """Places whose diagonals lean the other way."""
+        pairs = (pair for at in self.space.positions for pair in zip(at.places, at.mirrored, strict=True))
+        return frozenset(place for place, leaning in pairs if leaning)
 
 
-def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candidates:
+def make_stacks(project: AnalysisFile, spec: PlacementDesign) -> Iterator[Stack]:
+    """Yield the candidate bays that are equipped alike.
+
+    They are a bay of a plane frame, with its mirror image where the design wants it, the bays of a frame of a
+    building, or those of frames that are tied.
+
+    Args:
+        project: that is studied.
+        spec: the design.
+    """
+    mirrored = spec.limits.mirrored
+    for run in spec.candidates:
+        last = len(project.widths(run.along))
+        stacks: dict[object, list[BayPlace]] = {}
+        for place in project.grid.bay_places(run):
+            if run.along is not None:
+                alike: object = None if run.tied else place.frame
+            else:
+                alike = min(place.bay, last + 1 - place.bay) if mirrored else place.bay
+            stacks.setdefault(alike, []).append(place)
+        yield from (Stack(tuple(places), last if mirrored else None) for places in stacks.values())
+
+
+def make_candidates(project: AnalysisFile, name: str, spec: PlacementDesign) -> Candidates:
     """Build the frame with every item of the catalogue at every candidate place, without tuned masses.
 
     Args:
@@ -107,16 +141,14 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
     """
     for law in dict.fromkeys(item.law for item in spec.catalogue.values()):
         project = with_temperature(project, law, spec.temperature)
-    before, plane = project.dampers, project.frame
+    before = project.dampers
     assert before is not None, "check_placement wants the laws"
     kinds = [item.kind or spec.kind for item in spec.catalogue.values()]
     positions = make_positions(
-        spec.bays.numbers(1, plane.n_bays),
-        spec.storeys.numbers(1, plane.n_storeys),
+        make_stacks(project, spec),
         range(1, len(kinds) + 1),
-        plane.n_bays if spec.limits.mirrored else None,
         spec.limits.continuous,
-        [group.numbers(1, plane.n_storeys) for group in spec.limits.storey_groups],
+        [group.numbers(1, project.grid.n_storeys) for group in spec.limits.storey_groups],
         [i for i, kind in enumerate(kinds, start=1) if kind in _MIRROR],
     )
     wanted = [
@@ -127,8 +159,8 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
     ]
     items = list(spec.catalogue.values())
     runs = tuple(
-        _run(items[option - 1], _kind_at(kinds[option - 1], leaning), (bay,), (storey,))
-        for option, (bay, storey), leaning in wanted
+        _run(items[option - 1], _kind_at(kinds[option - 1], leaning), [at.frame], (at.bay,), (at.storey,))
+        for option, at, leaning in wanted
     )
     trial = Dampers.model_construct(laws=before.laws, devices=runs, attachments=())
     try:
@@ -137,9 +169,10 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
         found = re.search(r"dampers\.devices\[(\d+)\]([\w.]*): (.*) \[E-", str(error), re.DOTALL)
         if found is None:
             raise
-        option, (bay, storey), _ = wanted[int(found[1])]
+        option, place, _ = wanted[int(found[1])]
         where = f"designs.{name}.catalogue.{list(spec.catalogue)[option - 1]}{found[2]}"
-        raise InputError(f"{where}: {found[3]} (at bay {bay}, storey {storey}) [E-PLACE-01]") from error
+        stands = f"{f'frame {place.frame}, ' if place.frame else ''}bay {place.bay}, storey {place.storey}"
+        raise InputError(f"{where}: {found[3]} (at {stands}) [E-PLACE-01]") from error
     if spec.state == "gravity":
         structure.apply_gravity()
     keys = [(option, place) for option, place, _ in wanted]
@@ -159,7 +192,7 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
         _not_larger(items, kinds, devices),
     )
     index = {key: i for i, key in enumerate(keys)}
-    return Candidates(project, spec, space, condense(structure), devices, index, np.array(plane.storey_heights))
+    return Candidates(project, spec, space, structure, devices, index)
 
 
 def _kind_at(kind: Kind, leaning: bool) -> Kind:
@@ -167,9 +200,15 @@ def _kind_at(kind: Kind, leaning: bool) -> Kind:
     return _MIRROR.get(kind, kind) if leaning else kind
 
 
-def _run(item: CatalogueItem, kind: Kind, bays: tuple[int, ...], storeys: tuple[int, ...]) -> DamperRun:
+def _run(
+    item: CatalogueItem, kind: Kind, frames: Sequence[str], bays: tuple[int, ...], storeys: tuple[int, ...]
+) -> DamperRun:
+    """Dampers of an item in frames of one direction, of which that of a project has no name."""
+    named = parse_frames(list(frames)) if frames[0] else None
     return DamperRun.model_construct(
         kind=kind,
+        along=named.items[0].along if named is not None else None,
+        frames=named,
         bays=_selection(bays),
         storeys=_selection(storeys),
         law=item.law,
@@ -195,7 +234,7 @@ def _selection(numbers: tuple[int, ...]) -> NumberSelection:
 
 
 def _not_larger(
-    items: list[CatalogueItem], kinds: list[Kind], devices: Mapping[tuple[int, Place], Device]
+    items: list[CatalogueItem], kinds: list[Kind], devices: Mapping[tuple[int, BayPlace], Device]
 ) -> np.ndarray:
     """Whether an option is another, or has its law, kind and layers' thickness and no more force and brace.
 

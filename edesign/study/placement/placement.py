@@ -8,9 +8,9 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
 from edesign.project.actions.hazard import UserHazard
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.project import Project
 from edesign.study.design.design import DesignResult
 from edesign.study.design.estimate import action_of
 from edesign.study.design.loop import RoundOutcome
@@ -31,7 +31,7 @@ MOST_POSITIONS = 120
 
 
 def run_placement(
-    project: Project,
+    project: AnalysisFile,
     name: str,
     spec: PlacementDesign,
     per_layout: int,
@@ -58,7 +58,8 @@ def run_placement(
     Raises:
         InputError: a law or the hazard is wrong, or the frame cannot be built.
     """
-    about: dict[str, Any] = {"method": spec.method, "kind": spec.kind, "bays": str(spec.bays), "state": spec.state}
+    bays = "; ".join(map(str, spec.candidates))
+    about: dict[str, Any] = {"method": spec.method, "kind": spec.kind, "bays": bays, "state": spec.state}
     try:
         candidates = make_candidates(project, name, spec)
         level = spec.level or (spec.verify.levels or ("",))[0]
@@ -103,7 +104,7 @@ def run_placement(
     return DesignResult(dampers, group, status, reason)
 
 
-def _orderable(project: Project) -> Project:
+def _orderable(project: AnalysisFile) -> AnalysisFile:
     """The project with a spectrum of any damping: where a table has one alone, eta of EN 1998-1 is enough to order."""
     hazard = project.hazard
     if not isinstance(hazard, UserHazard) or hazard.damping_correction is not None:
@@ -111,7 +112,7 @@ def _orderable(project: Project) -> Project:
     return project.model_copy(update={"hazard": hazard.model_copy(update={"damping_correction": "ec8"})})
 
 
-def check_placement(project: Project, name: str, spec: PlacementDesign, per_layout: int) -> None:
+def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per_layout: int) -> None:
     """Build the frame with all candidate places, so that errors show before the first analysis.
 
     Args:

@@ -6,6 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import Dampers
+from edesign.project.notation.grid import BayPlace
 from edesign.project.notation.names import damper_names
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.loop import RoundOutcome
@@ -85,8 +86,8 @@ def _store_catalogue(group: Group, candidates: Candidates, chosen: Layout) -> No
 def _store_layouts(group: Group, candidates: Candidates, knowledge: Knowledge) -> None:
     space, analysed = candidates.space, knowledge.analysed
     coordinate(group, "layout", [one.number for one in analysed], "1", "layout in the order of analysis")
-    names = ["+".join(f"{bay}.{storey}" for bay, storey in at.places) for at in space.positions]
-    coordinate(group, "position", names, "", "places that are equipped alike, BAY.STOREY")
+    names = ["+".join(map(_place_name, at.places)) for at in space.positions]
+    coordinate(group, "position", names, "", "places that are equipped alike, BAY.STOREY or FRAME.BAY.STOREY")
     add = group.add
     options = np.array([one.layout for one in analysed], dtype=int)
     add("layout_option", ("layout", "position"), options, "1", "number of the item of the catalogue, 0: empty")
@@ -101,23 +102,33 @@ def _store_layouts(group: Group, candidates: Candidates, knowledge: Knowledge) -
     store_outcomes(group, "layout", [one.number for one in analysed], [one.outcome for one in analysed])
 
 
+def _place_name(place: BayPlace) -> str:
+    named = f"{place.bay}.{place.storey}"
+    return f"{place.frame}.{named}" if place.frame else named
+
+
 def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> None:
-    space, plane = candidates.space, candidates.project.frame
-    coordinate(group, "bay", range(1, plane.n_bays + 1), "1", "bay of the frame")
-    coordinate(group, "storey", range(1, plane.n_storeys + 1), "1", "storey of the frame")
-    at = np.full((plane.n_storeys, plane.n_bays), -1)
+    space, project = candidates.space, candidates.project
+    bays = list(dict.fromkeys((place.frame, place.bay) for at in space.positions for place in at.places))
+    if project.structure == "building":
+        coordinate(group, "bay", [f"{frame}.{bay}" for frame, bay in bays], "", "bay of a plane frame, FRAME.BAY")
+    else:
+        bays = [("", bay) for bay in range(1, len(project.widths()) + 1)]
+        coordinate(group, "bay", [bay for _, bay in bays], "1", "bay of the frame")
+    coordinate(group, "storey", range(1, project.grid.n_storeys + 1), "1", f"storey of the {project.structure}")
+    at = np.full((project.grid.n_storeys, len(bays)), -1)
     for position in space.positions:
-        for bay, storey in position.places:
-            at[storey - 1, bay - 1] = 0
+        for place in position.places:
+            at[place.storey - 1, bays.index((place.frame, place.bay))] = 0
     equipped = candidates.equipped(chosen.layout)
-    for (bay, storey), option in equipped.items():
-        at[storey - 1, bay - 1] = option
+    for place, option in equipped.items():
+        at[place.storey - 1, bays.index((place.frame, place.bay))] = option
     label = "number of the item of the catalogue, 0: empty, -1: no candidate"
     group.add("placement", ("storey", "bay"), at, "1", label)
     names = [
         (name, option)
         for place, option in equipped.items()
-        for name in damper_names(candidates.kind(option, place), *place)
+        for name in damper_names(candidates.kind(option, place), place.bay, place.storey, place.frame)
     ]
     if names:
         coordinate(group, "damper", [name for name, _ in names], "", "name of the damper")

@@ -6,17 +6,16 @@ catalogue.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
 
 import numpy as np
 
-Layout = tuple[int, ...]
-Place = tuple[int, int]
-"""Bay and storey, from 1."""
+from edesign.project.notation.grid import BayPlace
 
+Layout = tuple[int, ...]
 MOST_LISTED = 200_000
 """Layouts that are held at a time: some 10 MB and seconds of work. Beyond, a search stays local."""
 
@@ -32,7 +31,7 @@ class Position:
         below: index of the position that has to be equipped first; None: none has.
     """
 
-    places: tuple[Place, ...]
+    places: tuple[BayPlace, ...]
     mirrored: tuple[bool, ...]
     options: tuple[int, ...]
     below: int | None = None
@@ -80,7 +79,7 @@ class LayoutSpace:
     """The layouts that the limits of a placement allow.
 
     Attributes:
-        positions: bay by bay, upwards.
+        positions: one stack of bays after the other, upwards.
         prices: of options, storeys and bays.
         numbers: dampers in a place with each option, 0 first.
         most_dampers: of a layout; None: no limit.
@@ -103,7 +102,7 @@ class LayoutSpace:
         equipped = [i for i, option in enumerate(layout) if option]
         own = sum(self.prices.items[layout[i]] * len(self.positions[i].places) for i in equipped)
         storeys = frozenset[int]().union(*(self._storeys[i] for i in equipped))
-        bays = frozenset[int]().union(*(self._bays[i] for i in equipped))
+        bays = frozenset[tuple[str, int]]().union(*(self._bays[i] for i in equipped))
         return own + self.prices.storey * len(storeys) + self.prices.bay * len(bays)
 
     def dampers(self, layout: Layout) -> int:
@@ -172,7 +171,7 @@ class LayoutSpace:
             return np.empty((0, len(self.positions)), dtype=np.int8)
         found: list[Layout] = []
         # each layout is made once, from the one without its last equipped position; more dampers cost more
-        open_layouts = [(self.empty, 0, 0, 0, frozenset[int](), frozenset[int]())]
+        open_layouts = [(self.empty, 0, 0, 0, frozenset[int](), frozenset[tuple[str, int]]())]
         while open_layouts:
             layout, first, own, dampers, storeys, bays = open_layouts.pop()
             found.append(layout)
@@ -216,21 +215,41 @@ class LayoutSpace:
 
     @cached_property
     def _storeys(self) -> tuple[frozenset[int], ...]:
-        return tuple(frozenset(storey for _, storey in at.places) for at in self.positions)
+        return tuple(frozenset(place.storey for place in at.places) for at in self.positions)
 
     @cached_property
-    def _bays(self) -> tuple[frozenset[int], ...]:
-        return tuple(frozenset(bay for bay, _ in at.places) for at in self.positions)
+    def _bays(self) -> tuple[frozenset[tuple[str, int]], ...]:
+        return tuple(frozenset((place.frame, place.bay) for place in at.places) for at in self.positions)
 
     def _dampers_at(self, position: int, option: int) -> int:
         return self.numbers[option] * len(self.positions[position].places)
 
 
+@dataclass(frozen=True)
+class Stack:
+    """Bays over the storeys that are equipped alike in each of them.
+
+    Attributes:
+        places: from the lowest storey up.
+        last_bay: of their frames, for layouts that are symmetric about the middle of these; None: others.
+    """
+
+    places: tuple[BayPlace, ...]
+    last_bay: int | None = None
+
+    def leaning(self, place: BayPlace) -> bool:
+        """Return whether diagonals of a place lean the other way."""
+        return self.last_bay is not None and 2 * place.bay > self.last_bay + 1
+
+    @property
+    def has_middle(self) -> bool:
+        """Whether a bay is its own mirror image."""
+        return self.last_bay is not None and any(2 * place.bay == self.last_bay + 1 for place in self.places)
+
+
 def make_positions(
-    bays: Sequence[int],
-    storeys: Sequence[int],
+    stacks: Iterable[Stack],
     options: Sequence[int],
-    last_bay: int | None,
     continuous: bool,
     groups: Sequence[Sequence[int]],
     leaning: Sequence[int],
@@ -238,28 +257,22 @@ def make_positions(
     """Return the positions of candidate places.
 
     Args:
-        bays: numbers of the bays with candidate places, ascending.
-        storeys: numbers of the storeys with candidate places, ascending.
+        stacks: bays that are equipped alike.
         options: numbers of the items, from 1.
-        last_bay: of the frame, for layouts that are symmetric about its middle; None: others.
         continuous: whether no position is equipped above an empty one.
         groups: storeys that are equipped alike.
         leaning: options of diagonals, which have no mirror image of their own in the middle bay.
 
     Returns:
-        The positions, bay by bay, each from the lowest storey up.
+        The positions, stack by stack, each from the lowest storey up.
     """
     alike = {storey: tuple(group) for group in groups for storey in group}
-    rows = list(dict.fromkeys(alike.get(storey, (storey,)) for storey in storeys))
     found: list[Position] = []
-    for bay in bays:
-        other = bay if last_bay is None else last_bay + 1 - bay
-        if last_bay is not None and other < bay:
-            continue
-        here = (bay,) if other == bay else (bay, other)
-        allowed = tuple(one for one in options if last_bay is None or other != bay or one not in leaning)
+    for stack in stacks:
+        allowed = tuple(one for one in options if not (stack.has_middle and one in leaning))
+        rows = dict.fromkeys(alike.get(place.storey, (place.storey,)) for place in stack.places)
         for i, row in enumerate(rows):
-            places = tuple((one, storey) for storey in row for one in here)
+            places = tuple(place for storey in row for place in stack.places if place.storey == storey)
             below = len(found) - 1 if continuous and i else None
-            found.append(Position(places, tuple(one != bay for one, _ in places), allowed, below))
+            found.append(Position(places, tuple(map(stack.leaning, places)), allowed, below))
     return tuple(found)

@@ -108,7 +108,7 @@ def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
         with one_thread():
             if isinstance(spec, PlacementDesign):
                 result = run_placement(
-                    study.plane,
+                    study.base,
                     name,
                     spec,
                     histories_of_a_round(study, name),

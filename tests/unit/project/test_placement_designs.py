@@ -121,10 +121,10 @@ def test_mirrored_in_a_frame_that_is_not_symmetric_is_reported(bays: str, report
     text = GOOD.replace("shake", "first").replace("bays: 1", "bays: all, limits: {mirrored: true}")
     spec = design(text, project)
     assert isinstance(spec, PlacementDesign)
-    found = placement_warnings(spec, project.frame)
+    found = placement_warnings(spec, project)
     assert len(found) == len(reported) and all(part in text for part, text in zip(reported, found, strict=True))
     whole = spec.model_copy(update={"limits": LayoutLimits()})
-    assert placement_warnings(whole, project.frame) == []
+    assert placement_warnings(whole, project) == []
 
 
 @pytest.mark.parametrize("model", [PlacementDesign, CatalogueItem, Costs, LayoutLimits, PlacementVerify])

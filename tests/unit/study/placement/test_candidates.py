@@ -15,7 +15,9 @@ from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.notation.grid import BayPlace
 from edesign.study.analysis.structure import make_frame
+from edesign.study.design.condensed import condense
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import action_of
 from edesign.study.placement.candidates import Candidates, make_candidates
@@ -48,7 +50,12 @@ def candidates(tmp_path_factory: pytest.TempPathFactory) -> Candidates:
 def test_mirror_images_lean_the_other_way(candidates: Candidates) -> None:
     """Positions: bays 1 and 3 of both storeys, then bay 2, where a diagonal has no mirror image."""
     positions = candidates.space.positions
-    assert [at.places for at in positions] == [((1, 1), (3, 1)), ((1, 2), (3, 2)), ((2, 1),), ((2, 2),)]
+    assert [at.places for at in positions] == [
+        (("", 1, 1), ("", 3, 1)),
+        (("", 1, 2), ("", 3, 2)),
+        (("", 2, 1),),
+        (("", 2, 2),),
+    ]
     assert positions[0].options == (1, 2, 3, 4) and positions[2].options == (4,)
     assert candidates.space.size == 5 * 5 * 2 * 2
     dampers = candidates.dampers((1, 2, 4, 0))
@@ -92,7 +99,7 @@ def test_items_compare_where_they_do_at_every_place(tmp_path: Path) -> None:
         return make_candidates(project, "tried", spec)
 
     devices = candidates_with(1e6).devices
-    wide, narrow = (devices[1, (bay, 1)].brace for bay in (1, 2))
+    wide, narrow = (devices[1, BayPlace("", bay, 1)].brace for bay in (1, 2))
     shape = {half: (half / np.hypot(half, 4.0)) ** 2 / np.hypot(half, 4.0) for half in (3.0, 7.0)}
     assert wide / narrow == pytest.approx(shape[7.0] / shape[3.0], rel=1e-12)
     for stiffness, smaller in ((0.9 * narrow, False), (0.5 * (narrow + wide), False), (1.1 * wide, True)):
@@ -128,14 +135,15 @@ def test_amplitude_of_linear_dampers_in_one_storey_is_in_closed_form(tmp_path: P
     found, action = make_candidates(project, "tried", spec), action_of(project, "DBE", None)
     amplitudes = LayoutEstimates(found, action).amplitudes((1,))
     assert amplitudes is not None
-    modes = found.frame.modes()
+    modes = condense(found.structure).modes()
     omega, phi = float(modes.omega[0]), float(modes.floors[0, 0])
     added = 4e5 * phi**2 / (2.0 * omega)
     expected = action.displacement(omega, action.inherent_damping + added) * abs(modes.participation[0] * phi)
     # vertical modes of the beam's ends add to the CQC sum
-    assert amplitudes[1, 1] == pytest.approx(expected, rel=1e-3)
+    amplitude = amplitudes[BayPlace("", 1, 1)]
+    assert amplitude == pytest.approx(expected, rel=1e-3)
     (run,) = found.dampers((1,), amplitudes).devices
-    assert run.design_deformation == (float(f"{amplitudes[1, 1]:.3g}"),)
+    assert run.design_deformation == (float(f"{amplitude:.3g}"),)
     (plain,) = found.dampers((1,)).devices
     assert plain.design_deformation is None
 
@@ -144,10 +152,10 @@ def test_estimates_fall_with_dampers_and_are_those_of_the_frame_without(candidat
     """Without dampers a frame of two storeys that sways in its first mode has about S_d(T1) Gamma phi."""
     estimates = LayoutEstimates(candidates, action_of(candidates.project, "DBE", None))
     bare, some, more = (estimates(one)[0] for one in ((0, 0, 0, 0), (1, 0, 0, 0), (2, 2, 4, 4)))
-    modes = candidates.frame.modes()
+    modes = condense(candidates.structure).modes()
     action = action_of(candidates.project, "DBE", None)
     peak = modes.participation[0] * action.displacement(float(modes.omega[0]), 0.03)
-    first = np.max(np.abs(peak * np.diff(modes.floors[0], prepend=0.0)) / candidates.heights)
+    first = np.max(np.abs(peak * np.diff(modes.floors[0], prepend=0.0)) / candidates.project.grid.storey_heights)
     assert bare == pytest.approx(first, rel=0.05) and bare > some > more > 0.0
 
 

@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 import pytest
 
+from edesign.project.notation.grid import BayPlace
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
 from edesign.study.placement.certificate import certify
 from edesign.study.placement.knowledge import Knowledge
 from edesign.study.placement.search import search
-from edesign.study.placement.space import Layout, LayoutSpace, make_positions, make_prices
+from edesign.study.placement.space import Layout, LayoutSpace, Stack, make_positions, make_prices
 
 Ratio = Callable[[Layout], float]
 
@@ -29,8 +30,10 @@ def space_of(
 ) -> LayoutSpace:
     """A space whose items grow from one to the next."""
     options = range(1, len(costs) + 1)
-    last = bays if mirrored else None
-    positions = make_positions(range(1, bays + 1), range(1, storeys + 1), options, last, continuous, groups, ())
+    pairs = dict.fromkeys(tuple(sorted({bay, bays + 1 - bay})) if mirrored else (bay,) for bay in range(1, bays + 1))
+    places = ([BayPlace("", bay, storey) for storey in range(1, storeys + 1) for bay in pair] for pair in pairs)
+    stacks = (Stack(tuple(of_pair), bays if mirrored else None) for of_pair in places)
+    positions = make_positions(stacks, options, continuous, groups, ())
     order = np.triu(np.ones((len(costs) + 1,) * 2, dtype=bool))
     return LayoutSpace(positions, make_prices(costs, [1] * len(costs), *shared), (0, *[1] * len(costs)), most, order)
 
