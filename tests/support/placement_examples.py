@@ -11,15 +11,17 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.frame.project_file import load_project
-from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.analyses import BuildingHistory, HistoryAnalysis
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
+from edesign.project.notation.frames import parse_frames
+from edesign.project.notation.grid import BayPlace
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
 from edesign.study.analysis.history import run_history
 
-Place = tuple[int, int]
-Equipped = tuple[tuple[Place, int], ...]
-"""Bay, storey and number of the item (from 1) of each equipped place, in order."""
+Equipped = tuple[tuple[BayPlace, int], ...]
+"""Place and number of the item (from 1) of each equipped place, in order."""
 RECORDS = ("first", "second")
 STEP = 0.02  # s
 
@@ -103,13 +105,20 @@ class EveryLayout:
     """The drifts of layouts by histories that this class runs itself, each once.
 
     Args:
-        project: the frame.
+        project: the frame or building.
         items: of the catalogue.
         kind: of the dampers.
+        records: of the project that act.
     """
 
-    def __init__(self, project: Project, items: Sequence[Item], kind: str = "chevron") -> None:
-        self.project, self.items, self.kind = project, items, kind
+    def __init__(
+        self,
+        project: AnalysisFile,
+        items: Sequence[Item],
+        kind: str = "chevron",
+        records: Sequence[str] = RECORDS,
+    ) -> None:
+        self.project, self.items, self.kind, self.records = project, items, kind, records
         self._known: dict[Equipped, Mapping[str, Group]] = {}
 
     def histories(self, equipped: Equipped) -> Mapping[str, Group]:
@@ -120,8 +129,9 @@ class EveryLayout:
             assert before is not None
             project = self.project.model_copy(update={"dampers": before.model_copy(update={"devices": devices})})
             found = {}
-            for record in RECORDS:
-                spec = HistoryAnalysis.model_construct(kind="history", name=record, record=record)
+            for record in self.records:
+                of = BuildingHistory if self.project.structure == "building" else HistoryAnalysis
+                spec = of.model_construct(kind="history", name=record, record=record)
                 found[record] = run_history(project, spec)
                 found[record].attributes |= {"kind": "history", "variant": "tried", "level": "DBE"}
             self._known[equipped] = found
@@ -135,7 +145,7 @@ class EveryLayout:
         """What a layout costs; `place` for each that is equipped."""
         return round(sum(self.items[option - 1].cost + place for _, option in equipped), 6)
 
-    def layouts(self, places: Sequence[Place]) -> Iterator[Equipped]:
+    def layouts(self, places: Sequence[BayPlace]) -> Iterator[Equipped]:
         """All layouts of some places."""
         for options in itertools.product(range(len(self.items) + 1), repeat=len(places)):
             yield tuple((place, option) for place, option in zip(places, options, strict=True) if option)
@@ -147,7 +157,6 @@ class EveryLayout:
 
     def equipped(self, dampers: Dampers) -> Equipped:
         """The layout that devices of a search stand for."""
-        frame = self.project.frame
         found = {}
         for run in dampers.devices:
             assert isinstance(run, DamperRun) and run.kind == self.kind
@@ -156,17 +165,18 @@ class EveryLayout:
                 for i, item in enumerate(self.items, start=1)
                 if (item.law, item.scale, item.layer_area) == (run.law, run.scale, run.layer_area)
             )
-            for bay in run.bays.numbers(1, frame.n_bays):
-                for storey in run.storeys.numbers(1, frame.n_storeys):
-                    found[bay, storey] = option
+            for place in self.project.grid.bay_places(run):
+                found[place] = option
         return tuple(sorted(found.items()))
 
-    def _device(self, place: Place, item: Item) -> DamperRun:
-        (bay, storey) = place
+    def _device(self, place: BayPlace, item: Item) -> DamperRun:
+        frames = parse_frames(place.frame) if place.frame else None
         return DamperRun.model_construct(
             kind=self.kind,
-            bays=NumberSelection(((bay, bay),)),
-            storeys=NumberSelection(((storey, storey),)),
+            along=frames.items[0].along if frames else None,
+            frames=frames,
+            bays=NumberSelection(((place.bay, place.bay),)),
+            storeys=NumberSelection(((place.storey, place.storey),)),
             law=item.law,
             scale=item.scale,
             layer_area=item.layer_area,
@@ -175,11 +185,11 @@ class EveryLayout:
 
 
 def storey_drifts(group: Group) -> np.ndarray:
-    """Largest drift ratio of each storey, (storeys,)."""
+    """Largest drift ratio of each storey, (storeys,), of a building by direction."""
     return np.max(np.abs([group.variables[f"storey_drift_{side}"].values for side in ("max", "min")]), axis=0)
 
 
-def sequential_search(every: EveryLayout, places: Sequence[Place], option: int, limit: float) -> Equipped | None:
+def sequential_search(every: EveryLayout, places: Sequence[BayPlace], option: int, limit: float) -> Equipped | None:
     """The simplified sequential search algorithm: equal dampers one by one, each in the storey that drifts most.
 
     The location index is the largest drift of a storey, mean of the records; of a storey's places the first free one
@@ -193,7 +203,7 @@ def sequential_search(every: EveryLayout, places: Sequence[Place], option: int, 
         drifts = np.mean([storey_drifts(group) for group in every.histories(equipped).values()], axis=0)
         taken = {place for place, _ in equipped}
         storey = int(np.argmax(drifts)) + 1
-        free = [place for place in places if place[1] == storey and place not in taken]
+        free = [place for place in places if place.storey == storey and place not in taken]
         if not free:
             return None
         equipped = tuple(sorted((*equipped, (free[0], option))))

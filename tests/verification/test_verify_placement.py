@@ -23,6 +23,7 @@ from edesign.assess.verdicts import judge
 from edesign.project.criteria.criteria import MeasureCriterion
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.notation.grid import BayPlace
 from edesign.study.design.design import DesignResult
 from edesign.study.placement.placement import RespondInTurn, run_placement
 
@@ -39,10 +40,10 @@ FRAMES: dict[str, tuple[str, str, tuple[Item, ...]]] = {
 }
 
 
-def places_of(every: EveryLayout) -> list[tuple[int, int]]:
+def places_of(every: EveryLayout) -> list[BayPlace]:
     """All bays and storeys."""
-    frame = every.project.frame
-    return list(itertools.product(range(1, frame.n_bays + 1), range(1, frame.n_storeys + 1)))
+    bays, storeys = len(every.project.widths()), every.project.grid.n_storeys
+    return [BayPlace("", *at) for at in itertools.product(range(1, bays + 1), range(1, storeys + 1))]
 
 
 def placed(
