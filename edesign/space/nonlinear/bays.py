@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from edesign.errors import InputError
 from edesign.frame.device_places import Bay, DamperSites
+from edesign.frame.sections.building_sections import BuildingSections
 from edesign.frame.sections.own_section import section_of
 from edesign.frame.struts import Strut, section_strut
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import BeamPlace, bay_lines, frame_name, node_name
 from edesign.project.dampers.dampers import BraceSection
+from edesign.project.frame.sections import no_section
 from edesign.project.notation.grid import BayPlace
-from edesign.project.reading.problems import Keys
+from edesign.project.reading.problems import Keys, keys_text
 from edesign.space.nonlinear.floors import UP
 from edesign.space.structure.steel_by_thickness import steel_by_thickness
 
@@ -33,6 +36,10 @@ def building_sites(building: Building) -> DamperSites:
         return Bay((low_left, low_right), (top_left, top_right), middle, width, height, DIRECTIONS.index(along))
 
     def bar(brace: BraceSection, length: float, damper: Keys) -> tuple[float, Strut | None]:
+        if brace.section not in building.sections and BuildingSections().canonical(brace.section) is None:
+            keys = (*damper, "brace", "section")
+            message = no_section(brace.section, building.sections, BuildingSections())
+            raise InputError(f"{building.where(*keys)}: {keys_text(keys)}: {message}")
         steel = steel_by_thickness(building, brace.section, brace.material)[1].material
         section = section_of(building, brace.section)
         return steel.E * section.A / length, section_strut(section, steel, length)
