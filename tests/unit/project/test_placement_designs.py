@@ -12,7 +12,7 @@ from placement_examples import project_text
 from edesign.frame.sections.profiles import profile_names
 from edesign.project.checks.placement import placement_warnings
 from edesign.project.dampers.device_names import names_of_design
-from edesign.project.dampers.placement import CatalogueItem, Costs, LayoutLimits, PlacementDesign
+from edesign.project.dampers.placement import CandidatePlaces, CatalogueItem, Costs, LayoutLimits, PlacementDesign
 from edesign.project.dampers.verification import PlacementVerify
 from edesign.project.loader import parse_project
 from edesign.project.reading.base import Model
@@ -127,7 +127,9 @@ def test_mirrored_in_a_frame_that_is_not_symmetric_is_reported(bays: str, report
     assert placement_warnings(whole, project) == []
 
 
-@pytest.mark.parametrize("model", [PlacementDesign, CatalogueItem, Costs, LayoutLimits, PlacementVerify])
+@pytest.mark.parametrize(
+    "model", [PlacementDesign, CandidatePlaces, CatalogueItem, Costs, LayoutLimits, PlacementVerify]
+)
 def test_every_key_is_documented(model: type[Model]) -> None:
     text = (THESIS.parents[2] / "docs" / "how_to" / "damper_placement.md").read_text(encoding="utf-8")
     missing = [name for name in model.model_fields if not re.search(rf"[`{{ ]{name}[`,:}}]", text)]
