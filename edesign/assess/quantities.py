@@ -12,7 +12,6 @@ from edesign.archive.dataset import Group
 from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located
-from edesign.assess.section_use import section_use
 from edesign.assess.spread import Spread, in_frames, line_and_number, resultant, spread, stored_dims
 from edesign.ground_motion.response_spectrum import response_spectra
 from edesign.project.analysis_file import AnalysisFile
@@ -94,7 +93,9 @@ def lacking(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> st
     return why if variable and variable not in group.variables else ""
 
 
-_IN_WORDS = {"drift_line": "column line", "point": "corner of a floor", "recorded_member": "member that is recorded"}
+_IN_WORDS = {"drift_line": "column line", "point": "corner of a floor"}
+_FOUND_ON_THE_WAY = ("section_use", "member_use")
+"""Which archives of before do not have."""
 
 
 def missing_history(group: Group, asked: QuantityCriterion) -> str:
@@ -108,7 +109,8 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
     needed = asked.traits.over_time
     if needed:
         return "" if needed in group.variables else needed
-    return asked.quantity if asked.traits.kept is not None and f"{asked.quantity}_max" not in group.variables else ""
+    kept = asked.traits.kept is not None or asked.quantity in _FOUND_ON_THE_WAY
+    return asked.quantity if kept and f"{asked.quantity}_max" not in group.variables else ""
 
 
 def _chosen(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> list[int]:
@@ -308,7 +310,6 @@ SOURCES = {
     "damper_work": Source(_sum),
     "energy_share": Source(_energy_share, dims=()),
     "torsional_ratio": Source(torsional_ratio, dims=("storey", "direction")),
-    "section_use": Source(section_use, dims=("recorded_member",)),
 }
 """Of those that are more than an extreme over time which is always there."""
 

@@ -17,8 +17,8 @@ from edesign.core.errors import CoreError, status_name, with_code
 from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import DENSE, Modes, natural_modes
-from edesign.core.recording import PIECE, Recording
-from edesign.core.response import FALLBACK_NAMES, KINDS, Channel, Passed, Response
+from edesign.core.recording import Recording
+from edesign.core.response import FALLBACK_NAMES, KINDS, Channel, Passed, Response, Watch
 from edesign.core.stop import STOP, raise_if_stopped
 from edesign.stopping import stoppable
 
@@ -366,6 +366,7 @@ class Analysis:
         progress: Callable[[int, int], None] | None = None,
         stop: Callable[[], bool] | None = None,
         limits: Mapping[str, float] = NO_LIMITS,
+        watch: Watch | None = None,
     ) -> Response:
         """Move a degree in equal steps under a pattern of nodal loads (displacement control).
 
@@ -377,9 +378,10 @@ class Analysis:
             progress: called with (steps done, steps) now and then.
             stop: asked now and then; True ends the run.
             limits: as in `history`.
+            watch: as in `history`.
         """
         self._check(lib.ed_pushover_begin(self._c, pattern, node, self.model.degrees.index(degree), target, steps))
-        return self._run(steps, channels, 1, progress, stop, limits)
+        return self._run(steps, channels, 1, progress, stop, limits, watch=watch)
 
     def history(
         self,
@@ -396,6 +398,7 @@ class Analysis:
         energies: bool = True,
         supports: Sequence[SupportMotion] = (),
         along_y: ArrayLike | None = None,
+        watch: Watch | None = None,
     ) -> Response:
         """Run a time history under ground acceleration.
 
@@ -413,6 +416,7 @@ class Analysis:
             energies: whether the energies of the steps that are kept are kept as well.
             supports: supported degrees that move relative to the ground.
             along_y: (nt,) m/s2 along y of a structure in space.
+            watch: sees the channels that are watched in every step.
 
         Returns:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
@@ -437,7 +441,7 @@ class Analysis:
         except (CoreError, ValueError):
             lib.ed_run_end(self._c)
             raise
-        return self._run(steps, channels, every, progress, stop, limits, tail=tail, energies=energies)
+        return self._run(steps, channels, every, progress, stop, limits, tail=tail, energies=energies, watch=watch)
 
     def _move_supports(self, supports: Sequence[SupportMotion], samples: int) -> None:
         for motion in supports:
@@ -461,7 +465,6 @@ class Analysis:
 
     def _add_channel(self, channel: Channel, numbers: Mapping[str, int]) -> int:
         """Add a channel after those with `numbers`; the return is its own, or a status below zero."""
-        written = channel.history or channel.tail or channel.start
         if channel.beside is not None:
             for name in channel.beside:
                 if name not in numbers:
@@ -471,7 +474,7 @@ class Analysis:
             if channel.terms:
                 raise ValueError(f"channel {channel.name} is a resultant and has terms")
             first, second = (numbers[name] for name in channel.beside)
-            return int(lib.ed_channel_root(self._c, first, second, written))
+            return int(lib.ed_channel_root(self._c, first, second, channel.written))
         coefficients, kinds, objects, components = zip(*channel.terms, strict=True) if channel.terms else ((),) * 4
         return int(
             lib.ed_channel(
@@ -481,7 +484,7 @@ class Analysis:
                 [KINDS[kind] for kind in kinds],
                 [int(i) for i in objects],
                 [int(k) for k in components],
-                written,
+                channel.written,
             )
         )
 
@@ -548,7 +551,7 @@ class Analysis:
             if stop is not None and done < steps and stop():
                 status, reason = "interrupted", f"stopped after {done} of {steps} steps"
                 break
-            piece = max(1, min(4 * piece, int(piece * _SECONDS / max(wall, 1e-6)), PIECE))
+            piece = max(1, min(4 * piece, int(piece * _SECONDS / max(wall, 1e-6)), recording.piece))
         lib.ed_run_end(self._c)
         return replace(self.recorded(recording, status, reason, cpu), passed=passed)
 

@@ -168,6 +168,16 @@ class MemberTable:
         constants = np.array([_numbers(member) for member in members], dtype=float).reshape(-1, lib.ED_N_CONSTANTS)
         return cls(constants, np.array([member.kind for member in members], dtype=np.intc))
 
+    @property
+    def i_shaped(self) -> np.ndarray:
+        """Whether each section is an I, (n_members,)."""
+        return np.asarray(self.kind & (lib.ED_I | lib.ED_RHS | lib.ED_CHS) == lib.ED_I)
+
+    @property
+    def twists(self) -> np.ndarray:
+        """Whether each member is susceptible to torsional deformation, (n_members,)."""
+        return np.asarray(self.kind & lib.ED_NO_TWIST == 0)
+
     def column(self, name: str) -> np.ndarray:
         """Return one constant of all members, (n_members,), by its name.
 

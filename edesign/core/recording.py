@@ -11,10 +11,12 @@ from typing import Any
 import numpy as np
 
 from edesign.core._edcore import ffi
-from edesign.core.response import ENERGIES, Channel, EnergyBalance
+from edesign.core.response import ENERGIES, Channel, EnergyBalance, Watch
 
 PIECE = 4096
 """Steps from one taking over to the next at most: what it costs is then far below a step, and 50 channels need 2 MB."""
+_WATCHED_NUMBERS = 2**18
+"""Of all written channels, from one taking over to the next, where some are watched: 2 MB, as much as a cache holds."""
 
 
 class Recording:
@@ -25,6 +27,7 @@ class Recording:
         balance: of the energies.
         start: of each channel that keeps it, in the first row; empty without any.
         energy_start, energy_final: J of each of ENERGIES in the first and last row; empty without any.
+        piece: how many steps there may be from one taking over to the next.
 
     Args:
         channels: in the order of the core's.
@@ -34,6 +37,7 @@ class Recording:
         tail: how many of the last rows are kept of channels with a tail.
         energies: whether the energies of the kept rows are kept; their balance counts every row.
         whole: whether the core writes all rows before the first is taken over.
+        watch: sees the channels that are watched, every row.
     """
 
     def __init__(
@@ -46,18 +50,23 @@ class Recording:
         tail: int = 0,
         energies: bool = True,
         whole: bool = False,
+        watch: Watch | None = None,
     ) -> None:
         self.channels, self.limits, self.before = tuple(channels), dict(limits), before
         self.end, self.balance = float("nan"), EnergyBalance()
         self.start: dict[str, float] = {}
         self.energy_start: dict[str, float] = {}
         self.energy_final: dict[str, float] = {}
-        written = [channel for channel in channels if channel.history or channel.tail or channel.start]
+        written = [channel for channel in channels if channel.written]
         self._starts = {channel.name: i for i, channel in enumerate(written) if channel.start}
         self._kept = {channel.name: i for i, channel in enumerate(written) if channel.history}
         self._tails = {channel.name: i for i, channel in enumerate(written) if channel.tail}
+        watched = [i for i, channel in enumerate(written) if channel.watched]
+        together = bool(watched) and watched[-1] - watched[0] == len(watched) - 1
+        self._watch, self._watched = watch, slice(watched[0], watched[-1] + 1) if together else watched
         self._every, self._seen, self._rows = every, 0, 0
-        size = rows if whole else min(rows, PIECE + 1)
+        self.piece = max(1, min(PIECE, _WATCHED_NUMBERS // len(written))) if watched else PIECE
+        size = rows if whole else min(rows, self.piece + 1)
         self._abscissa = np.full(size, np.nan)
         self._values = np.empty((size, len(written)))
         self._energy = np.empty((size, len(ENERGIES)))
@@ -93,6 +102,8 @@ class Recording:
         if self._longest and self._tails:
             latest = self._values[max(0, count - self._longest) : count, list(self._tails.values())]
             self._tail = np.concatenate((self._tail[max(0, len(self._tail) + len(latest) - self._longest) :], latest))
+        if self._watch is not None:
+            self._watch(self._abscissa[:count], self._values[:count, self._watched])
         self._seen += count
         self._rows += len(chosen)
         self._abscissa[:count] = np.nan

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from edesign.core._edcore import lib
+
+Watch = Callable[[np.ndarray, np.ndarray], None]
+"""What sees every step of a run while it goes on: the abscissas, (n,), and the values of the watched channels in their
+order, (n, watched); it must copy what it keeps."""
 
 KINDS = {
     "displacement": lib.ED_DISPLACEMENT,
@@ -60,6 +65,7 @@ class Channel:
         history: keep the samples, not only the extremes.
         tail: keep the samples of the last steps.
         start: keep the value at the start of the run.
+        watched: show the value of every step to the `Watch` of the run.
     """
 
     name: str
@@ -67,7 +73,13 @@ class Channel:
     history: bool = True
     tail: bool = False
     start: bool = False
+    watched: bool = False
     beside: tuple[str, str] | None = None
+
+    @property
+    def written(self) -> bool:
+        """True if its value in every step is asked for, not the extremes alone."""
+        return self.history or self.tail or self.start or self.watched
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,9 @@ def check_quantity(
     if plane and quantity.of_buildings:
         problems.at_value((*keys, "quantity"), f"`{name}` is of buildings; a plane frame has none [E-CRIT-04]")
         return
+    if quantity.of_designs and getattr(project, "design", None) is None:
+        why = "lengths and factors of `design`, which the building file does not have"
+        problems.at_value((*keys, "quantity"), f"`{name}` is computed with {why} [E-CRIT-05]")
     for key in _CHOOSING:
         if key in criterion.model_fields_set and key not in own:
             problems.at_key((*keys, key), f"`{name}` has no `{key}`; {_allowed(own, project)} [E-CRIT-04]")
@@ -57,7 +60,7 @@ def check_quantity(
     if "lines" in own and isinstance(project, Project):
         Selections(project.frame, problems).lines((*keys, "lines"), criterion.lines)
     if "members" in own:
-        what = "column or beam" if quantity.place in ("member", "recorded_member") else quantity.place
+        what = "column or beam" if quantity.place == "member" else quantity.place
         check_members((*keys, "members"), criterion.members, project, what, problems)
     if "dampers" in own and criterion.dampers:
         chosen = criterion.variants or tuple(dampers)

@@ -16,7 +16,6 @@ Place = Literal[
     "beam",
     "brace",
     "member",
-    "recorded_member",
     "damper",
     "isolator",
     "support",
@@ -34,7 +33,6 @@ SELECTIONS: dict[Place, tuple[str, ...]] = {
     "beam": ("storeys", "members"),
     "brace": ("storeys", "members"),
     "member": ("storeys", "members"),
-    "recorded_member": ("storeys", "members"),
     "damper": ("storeys", "dampers"),
     "isolator": ("lines",),
     "support": ("lines",),
@@ -62,6 +60,7 @@ class ArchivedQuantity:
         bends: whether it shows how beams bend.
         in_space: keys of a criterion that say where in a building.
         of_buildings: whether only buildings have it.
+        of_designs: whether only files with `design` have it.
     """
 
     kind: Kind
@@ -76,6 +75,7 @@ class ArchivedQuantity:
     bends: bool = False
     in_space: tuple[str, ...] = ()
     of_buildings: bool = False
+    of_designs: bool = False
 
 
 QUANTITIES: dict[str, ArchivedQuantity] = {
@@ -154,11 +154,18 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     ),
     "section_use": ArchivedQuantity(
         MULTIPLE,
-        "recorded_member",
-        "of columns and beams of `outputs: members`: N, M_y and M_z at one instant over the plastic resistance",
-        over_time="member_bending_moment",
+        "member",
+        "of the worse end of columns and beams: N, M_y and M_z of one step over the resistance of the section",
         in_space=FRAMED,
         of_buildings=True,
+    ),
+    "member_use": ArchivedQuantity(
+        MULTIPLE,
+        "member",
+        "of columns and beams against buckling, by the forces of one step and the factors of `design`",
+        in_space=FRAMED,
+        of_buildings=True,
+        of_designs=True,
     ),
     "damper_force": ArchivedQuantity(FORCE, "damper", "of all that stand at its place", in_space=FRAMED),
     "damper_deformation": ArchivedQuantity(LENGTH, "damper", "its stroke, without its brace", in_space=FRAMED),

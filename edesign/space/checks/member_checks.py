@@ -37,7 +37,7 @@ from edesign.frame.sections.section_class import section_class
 from edesign.frame.sections.steel_section import SteelSection
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
-from edesign.space.analysis.bracing import Bracing
+from edesign.space.analysis.bracing import Bracing, bracing
 from edesign.space.analysis.buckled_diagonals import CASES as BUCKLING
 from edesign.space.analysis.buckled_diagonals import buckling_combinations
 from edesign.space.analysis.effects import Effects, largest
@@ -116,8 +116,7 @@ class MemberChecker:
         self._design = design_of(building)
         self._masks = _masks(frame, self._design, dissipative, bracing.halves, vertical)
         self._section = frame.section
-        compressed = _compressed(frame, bracing).tolist()
-        roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), compressed, strict=True)]
+        roles = _roles_of(self._design, frame, bracing)
         self._roles = list(dict.fromkeys(roles))
         places = {role: place for place, role in enumerate(self._roles)}
         self._role_of_members = np.array([places[role] for role in roles], dtype=int)
@@ -282,6 +281,30 @@ class MemberChecker:
         return self._known[key]
 
 
+def as_checked(building: Building, frame: SpaceFrame) -> tuple[list[SteelMember], list[SteelMember]]:
+    """Return the members of a frame as the checks see them: all as of class 1 or 2, and all as of class 3.
+
+    Equal members are one object.
+
+    Args:
+        building: with steels by thickness and the block `design`.
+    """
+    design = design_of(building)
+    known: dict[tuple[str, str, bool, _Role], SteelMember] = {}
+
+    def of_class(plastic: bool) -> list[SteelMember]:
+        found = []
+        for member, role in zip(frame.members, _roles_of(design, frame, bracing(frame)), strict=True):
+            key = (member.section, member.material, plastic, role)
+            if key not in known:
+                steel = building.materials[member.material]
+                known[key] = _member(design, frame.section(member.section), steel, plastic, role)
+            found.append(known[key])
+        return found
+
+    return of_class(True), of_class(False)
+
+
 def _spectral(effects: Effects, rows: Sequence[Combination]) -> tuple[np.ndarray, np.ndarray]:
     """Return magnitudes of seismic effects, and the factor of each in each combination.
 
@@ -385,6 +408,11 @@ def _compressed(frame: SpaceFrame, bracing: Bracing) -> np.ndarray:
     found |= (frame.node_floor[start] == NO_DIAPHRAGM) | (frame.node_floor[end] == NO_DIAPHRAGM)
     found[bracing.collectors] = True
     return found
+
+
+def _roles_of(design: Design, frame: SpaceFrame, braced: Bracing) -> list[_Role]:
+    compressed = _compressed(frame, braced).tolist()
+    return [_role(design, *of) for of in zip(frame.members, braced.span.tolist(), compressed, strict=True)]
 
 
 def _role(design: Design, member: Member, length: float, compressed: bool) -> _Role:

@@ -31,6 +31,7 @@ from edesign.study.results.floors import (
     floor_rotations,
     point_motions,
 )
+from edesign.study.results.member_use import member_use
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.motion import node_displacements, store_motion, without_histories
 from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, directed, store, store_run
@@ -67,6 +68,7 @@ class HistoryResults:
         channels: for the core. Displacements and drifts have a tail, for the residual response.
         energies: whether energies are kept over time.
         limits: at which the history ends, by name of a channel.
+        use: that of the members of a building, which watches the history; None of plane frames.
 
     Raises:
         InputError: a requested output does not exist.
@@ -81,6 +83,7 @@ class HistoryResults:
         keep_drift: bool = False,
     ) -> None:
         self._project, self._frame, self._group = project, frame, Group()
+        self.use = member_use(project, frame)
         coordinates(self._group, frame)
         self._wanted = project.outputs.histories if histories is None else histories
         floors, storeys = "floors" in self._wanted, "storeys" in self._wanted
@@ -97,7 +100,7 @@ class HistoryResults:
             storey_shears(frame, storeys),
             *storey_torques(frame, storeys),
             base_shear(frame, storeys),
-            *member_forces(frame, bending_members(frame), "member", history=False),
+            *self._forces(),
             *axial_forces(frame),
             *leaning_column_forces(frame),
             *plastic_rotations(frame, "motion" in self._wanted),
@@ -123,6 +126,10 @@ class HistoryResults:
         self.channels: list[Channel] = channels([*kept, self._drifts, *self._couples.quantities])
         self.channels += self._resultants.channels()
         self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
+
+    def _forces(self) -> list[Quantity]:
+        forces = member_forces(self._frame, bending_members(self._frame), "member", history=False)
+        return forces if self.use is None else self.use.watching(forces)
 
     def drift(self, response: Response) -> np.ndarray:
         """Return the drift ratios of the storeys over time, (nt, storeys), if `keep_drift` was asked for."""
@@ -156,6 +163,8 @@ class HistoryResults:
         if self._moving:
             store_motion(group, self._moving, response)
         self._resultants.store(group, response)
+        if self.use is not None:
+            self.use.store(group, "time", "s")
         store_drift_extremes(group, frame, self._drifts, response)
         store_mean_drifts(group, self._drift, response)
         warnings = buckling_warnings(group, frame)

@@ -26,6 +26,7 @@ from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.couples import LackingCouples
 from edesign.study.results.dampers import damper_quantities
 from edesign.study.results.floors import floor_displacements, floor_rotations
+from edesign.study.results.member_use import member_use
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
@@ -131,6 +132,7 @@ def push(
         "lateral_load", (), (), (((1.0, "load_factor", lateral, 0),),), "N", "sum of the lateral loads", True, ("max",)
     )
     drifts, shear = line_drifts(frame), base_shear(frame, history=True)
+    forces, use = member_forces(frame, bending_members(frame), "member", history=False), member_use(project, frame)
     recorded = [
         load_factor,
         floor_displacements(frame, history=True),
@@ -139,7 +141,7 @@ def push(
         storey_shears(frame, history=True),
         *storey_torques(frame, history=True),
         shear,
-        *member_forces(frame, bending_members(frame), "member", history=False),
+        *(forces if use is None else use.watching(forces)),
         *axial_forces(frame),
         *leaning_column_forces(frame),
         *plastic_rotations(frame),
@@ -162,11 +164,14 @@ def push(
         progress,
         stop,
         rotation_limits(project, names),
+        use,
     )
     response, energy_warnings = judged(response, project, names, "displacement")
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
+    if use is not None:
+        use.store(group, "displacement of the controlled node", "m")
     warnings: list[AnalysisWarning] = buckling_warnings(group, frame)
     warnings += core_strain_warnings(group, frame.devices) + couples.warnings(response)
     warnings += hinge_warnings(group, frame)

@@ -32,6 +32,7 @@ class Quantity:
         keep: which of max, min, final are stored.
         tail: whether the values of the last steps are kept.
         since_start: whether the final value counts from the start of the run.
+        watched: whether the run's `Watch` sees the value of every step.
     """
 
     name: str
@@ -44,6 +45,7 @@ class Quantity:
     keep: tuple[str, ...] = ("max", "min", "final")
     tail: bool = False
     since_start: bool = False
+    watched: bool = False
 
     @property
     def keys(self) -> dict[int, str]:
@@ -52,7 +54,8 @@ class Quantity:
 
     def channels(self) -> list[Channel]:
         """Return the channels of the components that have terms."""
-        return [Channel(key, self.cells[i], self.history, self.tail, self.since_start) for i, key in self.keys.items()]
+        kept = self.history, self.tail, self.since_start, self.watched
+        return [Channel(key, self.cells[i], *kept) for i, key in self.keys.items()]
 
     def values(self, response: Response) -> np.ndarray:
         """Return the values at every time that was kept, (nt, *shape)."""

@@ -94,8 +94,7 @@ def test_the_recipes_of_a_criterion_and_a_kind_of_file_name_what_is_there() -> N
     assert measures.SOURCES.keys() == MEASURES.keys()
     assert quantities.SOURCES.keys() <= QUANTITIES.keys()
     computed = {name for name, source in quantities.SOURCES.items() if source.over_time is not None}
-    # section_use takes three forces of one instant, and no variable over time alone
-    assert computed | {"section_use"} == {name for name, quantity in QUANTITIES.items() if quantity.over_time}
+    assert computed == {name for name, quantity in QUANTITIES.items() if quantity.over_time}
     of_each_kind, _ = get_args(Criterion)
     assert set(get_args(of_each_kind)) == set(MAKERS)
     assert {"FileKind", "YAML_KINDS", "SUMMARIES"} <= set(re.findall(r"`(\w+)`", text("CONTRIBUTING.md")))
