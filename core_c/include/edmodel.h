@@ -34,6 +34,10 @@ int ed_model_elastic_section(ed_model *model, const double *stiffness); /* EA, E
  * sections in one plane in space too: z NULL. */
 int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
                            double torsion);
+/* Such a section with a stress in each fibre before any load, which is below yield. Together they have no force and no moment; all materials are
+ * bilinear and do not break. Plastic strains -stress / E leave it, with their back stress. */
+int ed_model_stressed_section(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
+                              const double *stress, double torsion);
 int ed_model_section_layers(const ed_model *model, int section); /* layers after merging */
 
 int ed_model_node(ed_model *model, const char *name, const double *position);

@@ -31,7 +31,7 @@ static void check_count_and_sums(const ed_steel *steels)
   const int n = i_section_fibres(4, 5, 0, 1, y, area, material);
   ed_section section;
   CHECK_INT(n, 60);
-  CHECK_INT(ed_section_from_fibres(&section, n, y, NULL, area, material, steels), 1);
+  CHECK_INT(ed_section_from_fibres(&section, n, y, NULL, area, material, NULL, steels), 1);
   CHECK_INT(section.n, 12);
   CHECK_INT(section.n_padded, 16);
   CHECK_INT(section.elastic, 0);
@@ -56,7 +56,7 @@ static void check_two_materials_at_one_depth(const ed_steel *steels)
   static const double y[] = {0.1, -0.1, 0.1, -0.1, 0.1}, area[] = {1.0, 1.0, 2.0, 2.0, 4.0};
   static const int material[] = {0, 0, 1, 0, 0};
   ed_section section;
-  CHECK_INT(ed_section_from_fibres(&section, 5, y, NULL, area, material, steels), 1);
+  CHECK_INT(ed_section_from_fibres(&section, 5, y, NULL, area, material, NULL, steels), 1);
   CHECK_INT(section.n, 3);
   CHECK(section.area[0] == 3.0 && section.area[1] == 5.0 && section.area[2] == 2.0);
   CHECK(section.steel[1] == &steels[0] && section.steel[2] == &steels[1]);
@@ -72,14 +72,14 @@ static void check_order(const ed_steel *steels)
   for (int i = 0; i < n; i++)
     area[i] *= next_number(&source, 0.5, 1.5); /* sums of these depend on their order */
   ed_section first;
-  CHECK_INT(ed_section_from_fibres(&first, n, y, NULL, area, material, steels), 1);
+  CHECK_INT(ed_section_from_fibres(&first, n, y, NULL, area, material, NULL, steels), 1);
   double state[MOST_SECTION_STATE];
   ed_section_initialise(&first, state);
   ed_section_commit(&first, state, (double[]){1e-3, 0.02}, NULL);
   for (int trial = 0; trial < 20; trial++) {
     shuffle(n, y, area, material, &source);
     ed_section other;
-    CHECK_INT(ed_section_from_fibres(&other, n, y, NULL, area, material, steels), 1);
+    CHECK_INT(ed_section_from_fibres(&other, n, y, NULL, area, material, NULL, steels), 1);
     CHECK_INT(other.n, first.n);
     CHECK_SAME(other.y, first.y, first.n);
     CHECK_SAME(other.area, first.area, first.n);

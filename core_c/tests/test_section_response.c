@@ -17,7 +17,7 @@ static ed_section i_section(const ed_steel *steels, int flange, int web)
   int material[MOST_FIBRES];
   ed_section section;
   const int n = i_section_fibres(5, 2, flange, web, y, area, material);
-  CHECK_INT(ed_section_from_fibres(&section, n, y, NULL, area, material, steels), 1);
+  CHECK_INT(ed_section_from_fibres(&section, n, y, NULL, area, material, NULL, steels), 1);
   return section;
 }
 
@@ -39,7 +39,7 @@ static void check_kernel(const ed_steel *steels)
     for (int i = 0; i < n; i++)
       plastic[i] *= trial % 3 == 0 || steels[material[i]].law == ED_ELASTIC ? 0.0 : 1.0;
     ed_section section;
-    CHECK_INT(ed_section_from_fibres(&section, n, y, NULL, area, material, steels), 1);
+    CHECK_INT(ed_section_from_fibres(&section, n, y, NULL, area, material, NULL, steels), 1);
     CHECK(section.straight && !section.curved);
     CHECK_INT(section.n, n);
     double state[MOST_SECTION_STATE] = {0};
@@ -122,7 +122,7 @@ static void check_moment_curvature(const ed_steel *steels)
     area[i] = width * height / N;
   }
   ed_section section;
-  CHECK_INT(ed_section_from_fibres(&section, N, y, NULL, area, material, steels), 1);
+  CHECK_INT(ed_section_from_fibres(&section, N, y, NULL, area, material, NULL, steels), 1);
   static double state[N + ED_LANES];
   const double yield_moment = FY * width * height * height / 6.0, kappa_y = 2.0 * YIELD / height;
   for (int i = 1; i <= 20; i++) {

@@ -110,6 +110,7 @@ class Model:
         material: int | ArrayLike,
         z: ArrayLike | None = None,
         GJ: float = 0.0,
+        stress: ArrayLike | None = None,
     ) -> int:
         """Add a section of fibres; those at one place are merged exactly.
 
@@ -121,27 +122,30 @@ class Model:
             material: one number, or (n,).
             z: in space (n,) along local z, m; None for a section in one plane, as buckling braces have.
             GJ: in space, N m2.
+            stress: (n,) Pa before any load, in equilibrium and below yield; of bilinear laws alone.
 
         Returns:
             Number of the section.
 
         Raises:
-            ValueError: there are not as many areas as depths, or the materials do not fit them.
+            ValueError: there are not as many areas as depths, or the materials or stresses do not fit them.
         """
         depth = np.ascontiguousarray(y, dtype=float).ravel()
         across = None if z is None else np.ascontiguousarray(z, dtype=float).ravel()
         areas = np.ascontiguousarray(area, dtype=float).ravel()
         laws = np.ascontiguousarray(np.broadcast_to(material, depth.shape), dtype=np.int32)
-        if areas.shape != depth.shape or (across is not None and across.shape != depth.shape):
+        initial = None if stress is None else np.ascontiguousarray(stress, dtype=float).ravel()
+        if areas.shape != depth.shape or any(of is not None and of.shape != depth.shape for of in (across, initial)):
             raise ValueError(f"{depth.size} depths and {areas.size} areas")
         return self._checked(
-            lib.ed_model_fibre_section(
+            lib.ed_model_stressed_section(
                 self._c,
                 depth.size,
                 ffi.from_buffer("double[]", depth),
                 ffi.NULL if across is None else ffi.from_buffer("double[]", across),
                 ffi.from_buffer("double[]", areas),
                 ffi.from_buffer("int[]", laws),
+                ffi.NULL if initial is None else ffi.from_buffer("double[]", initial),
                 GJ,
             )
         )

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from edesign.project.frame.foundations import Footing, Soil
     from edesign.project.frame.hinges import AnyHinges, AnyJoints, AnyPanelZones
     from edesign.project.frame.materials import Material
+    from edesign.project.frame.sections import Fibres, SpaceFibres
     from edesign.project.records.pairs import AnyRecord
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
@@ -63,6 +64,7 @@ class AnalysisFile(RecordFiles, FileModel):
     if TYPE_CHECKING:
         title: str
         document: Document
+        fibres: Fibres | SpaceFibres
         elements: Elements
         hinges: tuple[AnyHinges, ...]
         joints: tuple[AnyJoints, ...]

@@ -9,7 +9,7 @@
 #include <string.h>
 
 typedef struct {
-  double y, z, area;
+  double y, z, area, stress;
   int material;
 } fibre;
 
@@ -22,6 +22,8 @@ static int by_place(const void *left, const void *right)
     return a->z < b->z ? -1 : 1;
   if (a->material != b->material)
     return a->material < b->material ? -1 : 1;
+  if (a->stress != b->stress)
+    return a->stress < b->stress ? -1 : 1;
   return (a->area > b->area) - (a->area < b->area); /* so that the sum does not depend on the order given */
 }
 
@@ -50,6 +52,7 @@ void ed_section_free(ed_section *section)
 {
   free(section->block);
   free(section->steel);
+  free(section->plastic);
 }
 
 /* Sorts fibres, and merges those of one place and law; returns how many are left. */
@@ -59,7 +62,8 @@ static int merged(fibre *fibres, int n)
   qsort(fibres, (size_t)n, sizeof *fibres, by_place);
   for (int i = 0; i < n; i++) {
     const fibre *last = layers ? &fibres[layers - 1] : NULL;
-    if (last && last->y == fibres[i].y && last->z == fibres[i].z && last->material == fibres[i].material)
+    if (last && last->y == fibres[i].y && last->z == fibres[i].z && last->material == fibres[i].material &&
+        last->stress == fibres[i].stress)
       fibres[layers - 1].area += fibres[i].area;
     else
       fibres[layers++] = fibres[i];
@@ -145,6 +149,24 @@ static int find_initial_stiffness(ed_section *section)
   return 1;
 }
 
+/* Keeps the plastic strains that leave the stresses of the layers; returns 0 when memory ran out. */
+static int lock_stresses(ed_section *section, const fibre *fibres)
+{
+  int any = 0;
+  for (int i = 0; i < section->n; i++)
+    any |= fibres[i].stress != 0.0;
+  if (!any)
+    return 1;
+  section->plastic = malloc((size_t)section->n * sizeof *section->plastic);
+  if (!section->plastic)
+    return 0;
+  for (int i = 0; i < section->n; i++) {
+    section->plastic[i] = -fibres[i].stress / section->steel[i]->E;
+    section->locked += section->area[i] * ed_steel_stored(section->steel[i], fibres[i].stress);
+  }
+  return 1;
+}
+
 static int set_layers(ed_section *section, const fibre *fibres, int layers, const ed_steel *steels)
 {
   if (!make_arrays(section, layers))
@@ -163,8 +185,8 @@ static int set_layers(ed_section *section, const fibre *fibres, int layers, cons
       some_curved = steel;
     else
       section->straight = 1;
-    if (steel->law != ED_ELASTIC)
-      section->yield_strain = fmin(section->yield_strain, steel->fy / steel->E);
+    if (steel->law != ED_ELASTIC) /* the plastic strain that leaves a stress has a back stress, too */
+      section->yield_strain = fmin(section->yield_strain, (steel->fy - fabs(fibres[i].stress) * (1.0 + steel->H / steel->E)) / steel->E);
   }
   section->curved = some_curved != NULL;
   if (some_curved || may_break) /* its curve is never straight; strains of what may break are followed from the first on */
@@ -175,11 +197,11 @@ static int set_layers(ed_section *section, const fibre *fibres, int layers, cons
     else
       set_layer(section, i, &(fibre){0}, section->steel[0], some_curved);
   lay_out_state(section, may_break);
-  return find_initial_stiffness(section);
+  return find_initial_stiffness(section) && lock_stresses(section, fibres);
 }
 
 int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *z, const double *area, const int *material,
-                           const ed_steel *steels)
+                           const double *stress, const ed_steel *steels)
 {
   memset(section, 0, sizeof *section);
   section->axes = z ? ED_SPACE : ED_PLANE;
@@ -187,7 +209,7 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
   if (!fibres)
     return 0;
   for (int i = 0; i < n; i++)
-    fibres[i] = (fibre){y[i], z ? z[i] : 0.0, area[i], material[i]};
+    fibres[i] = (fibre){y[i], z ? z[i] : 0.0, area[i], stress ? stress[i] : 0.0, material[i]};
   const int made = set_layers(section, fibres, merged(fibres, n), steels);
   if (!made)
     ed_section_free(section);

@@ -21,6 +21,8 @@ static double *curved_state(const ed_section *section, const double *state)
 void ed_section_initialise(const ed_section *section, double *state)
 {
   memset(state, 0, (size_t)section->state_size * sizeof *state);
+  if (section->plastic) /* all laws are bilinear */
+    memcpy(state, section->plastic, (size_t)section->n * sizeof *state);
   if (section->curved)
     ed_menegotto_pinto_initialise(&section->menegotto_pinto, curved_state(section, state));
   if (section->fatigue)
@@ -431,7 +433,7 @@ double ed_section_stored(const ed_section *section, const double *state, const d
     strain -= ED_LOAD(state + i);
     *(i % ED_LANES ? &high : &low) += ED_LOAD(section->EA + i) * strain * strain;
   }
-  double energy = 0.5 * total(&low, &high);
+  double energy = 0.5 * total(&low, &high) - section->locked;
   for (int i = 0; section->fatigue && section->straight && i < section->n; i++)
     if (section->steel[i]->law != ED_MENEGOTTO_PINTO && ed_fatigue_broken(fatigue_of(section, state, i))) {
       const double strain = layer_strain(section, i, deformation) - state[i];

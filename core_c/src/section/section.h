@@ -42,6 +42,8 @@ typedef struct {
   double stiffest;      /* largest E of the layers */
   double yield_strain;  /* smallest of the layers; 0 where a law is never straight */
   const ed_steel **steel; /* n */
+  double *plastic;      /* n plastic strains before any deformation; NULL: none */
+  double locked;        /* energy a unit length that their stresses store */
   double *y, *z, *area; /* n_padded; padding has area 0; z is NULL in one plane */
   double *E, *EH, *fy, *hardening, *flow; /* straight laws: E, E+H, fy, b, E/(E+H) */
   double *A, *Ay, *EA, *EAy, *EAyy;       /* of straight layers */
@@ -51,10 +53,10 @@ typedef struct {
   void *block;          /* owns the arrays */
 } ed_section;
 
-/* Merges fibres of one place and law (indices into `steels`); z is NULL for a section in one plane. Returns 0 when memory ran out. The laws
- * must stay in place. */
+/* Merges fibres of one place, law (indices into `steels`) and initial stress; z is NULL for a section in one plane, stress without any.
+ * Returns 0 when memory ran out. The laws must stay in place. */
 int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *z, const double *area, const int *material,
-                           const ed_steel *steels);
+                           const double *stress, const ed_steel *steels);
 /* stiffness: EA, EI_z and in two planes EI_y */
 void ed_section_elastic(ed_section *section, int axes, const double *stiffness);
 void ed_section_free(ed_section *section);
@@ -72,7 +74,7 @@ void ed_section_trial(const ed_section *section, const double *state, const doub
 /* Moves the layers to a deformation; the return is the energy a unit length dissipated. `record`: of a trial from this state within whose
  * reach the deformation is, or NULL. */
 double ed_section_commit(const ed_section *section, double *state, const double *deformation, const double *record);
-/* Recoverable energy a unit length at a deformation, to which the state has been committed. */
+/* Recoverable energy a unit length at a deformation, to which the state has been committed, less that of the initial stresses. */
 double ed_section_stored(const ed_section *section, const double *state, const double *deformation);
 /* Largest damage of a layer, 1 where one has broken, and the share of the area that has broken; both 0 where layers do not break. */
 double ed_section_damage(const ed_section *section, const double *state);

@@ -134,8 +134,43 @@ int ed_model_elastic_section(ed_model *model, const double *stiffness)
   return model->n_sections - 1;
 }
 
+/* Whether fibres may have these stresses before any load; refuses others. */
+static int self_balanced(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
+                         const double *stress)
+{
+  double sum[ED_MAX_RESULTANTS] = {0.0}, size[ED_MAX_RESULTANTS] = {0.0};
+  for (int i = 0; i < n; i++) {
+    const ed_steel *steel = &model->materials[material[i]];
+    if (steel->law != ED_BILINEAR || steel->fatigue_strain > 0.0) {
+      ed_model_refuse(model, ED_E_ARGUMENT, "section: fibre %d with an initial stress is not of a bilinear law that does not break", i + 1);
+      return 0;
+    }
+    if (!(fabs(stress[i]) * (1.0 + steel->H / steel->E) < steel->fy)) {
+      ed_model_refuse(model, ED_E_ARGUMENT, "section: the initial stress %g of fibre %d is not below yield", stress[i], i + 1);
+      return 0;
+    }
+    const double lever[ED_MAX_RESULTANTS] = {1.0, y[i], z ? z[i] : 0.0};
+    for (int k = 0; k < ED_MAX_RESULTANTS; k++) {
+      sum[k] += area[i] * stress[i] * lever[k];
+      size[k] += area[i] * fabs(stress[i] * lever[k]);
+    }
+  }
+  for (int k = 0; k < ED_MAX_RESULTANTS; k++)
+    if (fabs(sum[k]) > 1e-12 * size[k]) {
+      ed_model_refuse(model, ED_E_ARGUMENT, "section: its initial stresses have the %s %g", k ? "moment" : "force", sum[k]);
+      return 0;
+    }
+  return 1;
+}
+
 int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
                            double torsion)
+{
+  return ed_model_stressed_section(model, n, y, z, area, material, NULL, torsion);
+}
+
+int ed_model_stressed_section(ed_model *model, int n, const double *y, const double *z, const double *area, const int *material,
+                              const double *stress, double torsion)
 {
   if (n < 1)
     return ed_model_refuse(model, ED_E_ARGUMENT, "section: at least one fibre is needed");
@@ -156,9 +191,11 @@ int ed_model_fibre_section(ed_model *model, int n, const double *y, const double
   }
   if (breaks && laws[ED_MENEGOTTO_PINTO] && (laws[ED_ELASTIC] || laws[ED_BILINEAR]))
     return ed_model_refuse(model, ED_E_ARGUMENT, "section: fibres that break take one kind of law");
+  if (stress && !self_balanced(model, n, y, z, area, material, stress))
+    return ED_E_ARGUMENT;
   ED_MODEL_APPEND(model, sections, n_sections);
   ed_section *section = &model->sections[model->n_sections - 1];
-  if (!ed_section_from_fibres(section, n, y, z, area, material, model->materials)) {
+  if (!ed_section_from_fibres(section, n, y, z, area, material, stress, model->materials)) {
     model->n_sections--;
     return ed_model_refuse(model, ED_E_MEMORY, "out of memory");
   }

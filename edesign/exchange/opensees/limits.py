@@ -34,6 +34,10 @@ def refuse(project: AnalysisFile, without_dampers: bool) -> None:
             "can have no others tied to them in OpenSees; leave them out of a copy [E-OPS-06]"
             for keys, what in _of_building(project)
         ]
+    if project.fibres.residual_stress != "none":
+        where = project.where("fibres", "residual_stress")
+        reason = "residual stresses of fibres are not translated"
+        found.append(f"{where}: fibres.residual_stress: {reason}; translate a copy without this key [E-OPS-03]")
     if found:
         raise InputError("\n".join(found))
 

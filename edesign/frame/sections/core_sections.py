@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.frame.sections.named_section import cross_section
+from edesign.frame.sections.residual_stress import pattern_of, stressed_layers
 from edesign.frame.sections.section import CrossSection
 from edesign.project.frame.braces import BraceBuckling, Fracture
 from edesign.project.frame.materials import BilinearMaterial, ElasticMaterial, Material
@@ -104,13 +105,23 @@ class CoreSections:
     def _make(self, run: Run, elastic: bool) -> tuple[int, np.ndarray | None]:
         shape = self._shape(run)
         if isinstance(shape, CrossSection) and not (elastic or self._stays_elastic(run)):
-            depths, areas = shape.fibres
-            return self._model.fibre_section(depths, areas, self._material(run)), shape.layers[0]
+            return self._of_fibres(run, shape)
         if shape.inertia is None:
             where = self._project.where("sections", run.section)
             raise InputError(f"{where}: section {run.section}: a column or beam needs `inertia` [E-SECT-01]")
         modulus = self._project.materials[run.material].E  # the integral over the section in closed form
         return self._model.elastic_section(modulus * shape.area, modulus * shape.inertia), None
+
+    def _of_fibres(self, run: Run, shape: CrossSection) -> tuple[int, np.ndarray]:
+        project, weak = self._project, _axis(run) == "weak"
+        where, law = project.where("fibres", "residual_stress"), project.materials[run.material]
+        rolled = pattern_of(project.fibres, run.section, run.section in project.sections, run.material, law, where)
+        if rolled is None:
+            depths, areas = shape.fibres
+            return self._model.fibre_section(depths, areas, self._material(run)), shape.layers[0]
+        depths, areas, stresses = stressed_layers(rolled, shape, weak)
+        section = self._model.fibre_section(depths, areas, self._material(run), stress=stresses)
+        return section, np.unique(np.stack([depths, stresses], axis=1), axis=0)[:, 0]
 
     def _stays_elastic(self, run: Run) -> bool:
         law = self._project.materials[run.material]

@@ -54,7 +54,7 @@ def check_kept(project: AnalysisFile, problems: Problems) -> None:
 def _layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
     """Return the number of layers of fibres of an I section; None where the section does not determine it.
 
-    It does with fillets, about a weak axis, and for stacks of rectangles and hollow sections.
+    It does with fillets and residual stresses, about a weak axis, and for stacks of rectangles and hollow sections.
 
     Args:
         project: the project, which has no schema problems.
@@ -64,7 +64,7 @@ def _layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> in
     weak = not isinstance(run, BraceRun) and run.axis == "weak"
     stack = isinstance(project.sections.get(run.section), RectangleSection)
     hollow = run.section not in project.sections and is_hollow(run.section)
-    if fibres.fillets or weak or stack or hollow:
+    if fibres.fillets or fibres.residual_stress != "none" or weak or stack or hollow:
         return None
     return 2 * fibres.flange_thickness + fibres.web_height
 

@@ -13,6 +13,7 @@ from edesign.project.reading.one_of import OneOf
 from edesign.project.reading.problems import did_you_mean, listed
 
 SectionAxis = Literal["strong", "weak"]
+ResidualStress = Literal["none", "eccs"]
 FibreCount = Annotated[int, Field(ge=1, le=1000)]
 
 
@@ -138,6 +139,7 @@ class Fibres(Model):
         web_height: fibres along the web.
         web_thickness: fibres through the web.
         fillets: whether the root fillets of rolled profiles are kept; otherwise they are three rectangles.
+        residual_stress: stresses of columns and beams before any load; `eccs` of rolled I sections.
     """
 
     flange_width: FibreCount = 16
@@ -145,6 +147,7 @@ class Fibres(Model):
     web_height: FibreCount = 16
     web_thickness: FibreCount = 2
     fillets: bool = False
+    residual_stress: ResidualStress = "none"
 
 
 FIBRES_OF_HALF_A_FLANGE = 4
@@ -156,9 +159,11 @@ class SpaceFibres(Model):
 
     Attributes:
         half_flange: fibres of half a flange; a section has eight times as many.
+        residual_stress: stresses of columns and beams before any load; `eccs` of rolled I sections.
     """
 
     half_flange: Annotated[int, Field(ge=2, le=50)] = FIBRES_OF_HALF_A_FLANGE
+    residual_stress: ResidualStress = "none"
 
 
 class Catalogue(Collection[str], Protocol):

@@ -15,6 +15,7 @@ from edesign.frame.hinges import MemberBuilder, MemberEnd
 from edesign.frame.loads import MemberLoads, Stretches
 from edesign.frame.panel_zones import BuiltPanel
 from edesign.frame.sections.core_sections import core_law
+from edesign.frame.sections.residual_stress import eccs_stresses, pattern_of
 from edesign.frame.sections.space_section import space_section
 from edesign.frame.struts import Bar, section_strut
 from edesign.project.actions.beam_loads import points_of_member
@@ -223,9 +224,12 @@ class BuildingMembers:
 
     def _stiffness(self, placed: Placed) -> tuple[float, float, float]:
         """E I about local z and y, and G J, N m2; the stiffness factor is on E I_y alone."""
-        shape, steel = self._frame.section(placed.section), self._building.materials[placed.material]
-        E, G = self._laws[placed.material].E, steel.E / (2.0 * (1.0 + steel.nu))
-        return E * shape.I_z, placed.stiffness_factor * E * shape.I_y, G * shape.I_t
+        shape, E = self._frame.section(placed.section), self._laws[placed.material].E
+        return E * shape.I_z, placed.stiffness_factor * E * shape.I_y, self._G(placed) * shape.I_t
+
+    def _G(self, placed: Placed) -> float:
+        steel = self._building.materials[placed.material]
+        return steel.E / (2.0 * (1.0 + steel.nu))
 
     def _section(self, placed: Placed, hinged: bool) -> _Section:
         own = isinstance(self._building.sections.get(placed.section), SpaceElasticSection)
@@ -237,13 +241,16 @@ class BuildingMembers:
 
     def _make(self, placed: Placed, elastic: bool) -> _Section:
         """Return a new section; E of the fibres, or E I_y alone, is multiplied by the stiffness factor."""
-        steel = self._building.materials[placed.material]
+        building, law = self._building, self._laws[placed.material]
         if elastic:
             about_z, about_y, torsion = self._stiffness(placed)
-            axial = self._laws[placed.material].E * self._frame.section(placed.section).A
+            axial = law.E * self._frame.section(placed.section).A
             return _Section(self._model.elastic_section(axial, about_z, about_y, torsion))
-        own = self._building.sections.get(placed.section)
-        fibres = space_section(own or placed.section, self._building.fibres.half_flange)
-        number = self._materials[placed.material, placed.stiffness_factor]
-        section = self._model.fibre_section(fibres.y, fibres.area, number, fibres.z, steel.E / (2.0 * (1.0 + steel.nu)) * fibres.I_t)
+        own = building.sections.get(placed.section)
+        fibres = space_section(own or placed.section, building.fibres.half_flange)
+        where = building.where("fibres", "residual_stress")
+        rolled = pattern_of(building.fibres, placed.section, own is not None, placed.material, law, where)
+        stress = None if rolled is None else eccs_stresses(rolled, fibres.y, fibres.z, fibres.area)
+        number, torsion = self._materials[placed.material, placed.stiffness_factor], self._G(placed) * fibres.I_t
+        section = self._model.fibre_section(fibres.y, fibres.area, number, fibres.z, torsion, stress)
         return _Section(section, np.unique(np.stack([fibres.y, fibres.z], axis=1), axis=0))
