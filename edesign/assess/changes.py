@@ -39,7 +39,7 @@ class Change:
 
     Attributes:
         place: name of the member, or number of the storey or floor in words.
-        before, after: means over the histories in common, in SI.
+        before, after: means over the motions in common, in SI.
     """
 
     place: str
@@ -83,10 +83,15 @@ def in_common(first: HistorySet, other: HistorySet) -> tuple[dict[str, Group], d
     return both[0], both[1]
 
 
-def largest_change(before: Collection[Group], after: Collection[Group], quantity: str) -> Change | None:
+Motions = Collection[Collection[Group]]
+"""Histories by motion: those of a record at several angles and places of the masses are one."""
+
+
+def largest_change(before: Motions, after: Motions, quantity: str) -> Change | None:
     """Return where a quantity grows most, or falls least, from one variant to another.
 
-    It is the largest ratio of the means over the histories, or of quantities that may be zero the largest difference.
+    It is the largest ratio of the means over the motions, or of quantities that may be zero the largest difference. Of
+    one motion the worst history counts for each place.
 
     Args:
         before: histories of the first variant.
@@ -96,7 +101,7 @@ def largest_change(before: Collection[Group], after: Collection[Group], quantity
     Returns:
         The change; None if either has no such quantity, or no place that the other has.
     """
-    old, new = (_means(groups, quantity) for groups in (before, after))
+    old, new = (_means(motions, quantity) for motions in (before, after))
     both = [place for place in old if place in new and (old[place] > 0.0 or quantity in MAY_BE_ZERO)]
     if not both:
         return None
@@ -133,15 +138,18 @@ def _records(found: HistorySet) -> dict[str, str]:
     return {name: str(group.attributes.get("record") or name) for name, group in found.completed.items()}
 
 
-def _means(groups: Collection[Group], quantity: str) -> dict[str, float]:
-    """The mean of each place over histories, of members of their worse ends; {} if a history has no such quantity."""
+def _means(motions: Motions, quantity: str) -> dict[str, float]:
+    """The mean of each place over motions, of members of their worse ends; {} if a history has no such quantity."""
     dimension = PLACES[quantity]
     values = []
-    for group in groups:
-        left = quantity.startswith("residual_")
-        found = residual(group, quantity.removeprefix("residual_")) if left else peak(group, quantity)
-        if found is None or found.size == 0 or dimension not in group.coords:
-            return {}
-        values.append(found.reshape(len(found), -1).max(axis=1))
-        names = [str(name) for name in group.coords[dimension].values]
+    for groups in motions:
+        of_motion = []
+        for group in groups:
+            left = quantity.startswith("residual_")
+            found = residual(group, quantity.removeprefix("residual_")) if left else peak(group, quantity)
+            if found is None or found.size == 0 or dimension not in group.coords:
+                return {}
+            of_motion.append(found.reshape(len(found), -1).max(axis=1))
+            names = [str(name) for name in group.coords[dimension].values]
+        values.append(np.max(of_motion, axis=0))
     return dict(zip(names, np.mean(values, axis=0).tolist(), strict=True)) if values else {}

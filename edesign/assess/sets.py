@@ -76,6 +76,17 @@ class HistorySet:
             first.setdefault(name.removesuffix(end), name)
         return {name: first[name.removesuffix(end)] for name, end in ends.items()}
 
+    def by_motion(self, chosen: Mapping[str, Group]) -> list[list[Group]]:
+        """Return histories of the set by motion.
+
+        Args:
+            chosen: by name.
+        """
+        of: dict[str, list[Group]] = {}
+        for name, group in chosen.items():
+            of.setdefault(self.motion_of[name], []).append(group)
+        return list(of.values())
+
     @property
     def motions(self) -> int:
         """Number of ground motions: a record and its reverse, shaking to both sides, are one."""

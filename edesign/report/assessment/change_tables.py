@@ -35,11 +35,11 @@ class _Pair:
 
     first: HistorySet
     found: HistorySet
-    before: list[Group]
-    after: list[Group]
+    before: dict[str, Group]
+    after: dict[str, Group]
 
     def change(self, quantity: str) -> Change | None:
-        return largest_change(self.before, self.after, quantity)
+        return largest_change(self.first.by_motion(self.before), self.found.by_motion(self.after), quantity)
 
     def of_the_same_records(self) -> bool:
         """Whether both have been completed under the same records."""
@@ -72,7 +72,8 @@ CHANGES = TableSpec[_Row](
     ),
     notes=(
         "Before: in the first variant of the level. Each storey, floor and member is compared with itself, by the "
-        "mean over the records that both have.",
+        "mean over the records that both have. Of one record at several angles, or with masses at several places, the "
+        "worst history counts.",
     ),
     keys=3,
 )
@@ -168,4 +169,4 @@ def _pairs(sets: Sequence[HistorySet]) -> Iterator[_Pair]:
         if found is not first:
             before, after = in_common(first, found)
             if before:
-                yield _Pair(first, found, list(before.values()), list(after.values()))
+                yield _Pair(first, found, before, after)

@@ -85,10 +85,28 @@ def test_columns_in_tension_and_uplift_are_reported(sets: tuple[HistorySet, ...]
 
 def test_what_may_be_zero_is_compared_by_its_difference() -> None:
     before, after = history("a", "r", BARE, (1.0, 1.0), 0.0), history("b", "r", BARE, (1.0, 1.0), 0.002)
-    found = largest_change([before], [after], "beam_plastic_rotation")
+    found = largest_change([[before]], [[after]], "beam_plastic_rotation")
     assert found is not None and (found.place, found.before, found.after) == ("B_1_1", 0.0, 0.002)
-    assert largest_change([before], [after], "brace_axial_force") is None
+    assert largest_change([[before]], [[after]], "brace_axial_force") is None
 
 
 def test_one_variant_has_nothing_to_be_compared_with(sets: tuple[HistorySet, ...]) -> None:
     assert not changes_table(sets[:1]).rows and not changes_in_short(sets[:1]).rows
+
+
+def test_of_one_motion_the_worst_angle_counts_for_each_place() -> None:
+    """Storeys 1 and 2: means of the worst of two angles over two records, by hand."""
+    drifts = {  # before, after; each at two angles
+        "one": (((1.0, 0.2), (0.4, 0.6)), ((0.5, 0.9), (0.8, 0.1))),
+        "two": (((0.6, 0.4), (0.6, 0.2)), ((0.4, 0.3), (0.2, 0.5))),
+    }
+    groups = {}
+    for at, variant in enumerate(("bare", "damped")):
+        for record, of in drifts.items():
+            for angle, pair in zip((0.0, 90.0), of[at], strict=True):
+                group = history(variant, record, BARE, pair, 0.0)
+                group.attributes["angle_deg"] = angle
+                groups[f"{variant}.{record}.{angle:g}deg"] = group
+    (row,) = (row for row in changes_table(history_sets(groups)).texts if row[1] == "storey drift [%]")
+    # storey 1: 0.8 and 0.6 %; storey 2: (0.6 + 0.4) / 2 and (0.9 + 0.5) / 2
+    assert row[2:] == ["storey 2", "0.5000", "0.7000", "+40.0"]
