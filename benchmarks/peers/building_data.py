@@ -25,6 +25,7 @@ from edesign.space.structure.model import TENSION_ONLY_SHARE, diaphragm_floors
 Array = NDArray[np.float64]
 Law = Literal["elastic", "bilinear", "menegotto_pinto"]
 Geometry = Literal["linear", "p_delta", "corotational"]
+DampingStiffness = Literal["initial", "committed", "current"]
 
 MOST_POINTS = 10  # of a force-based element in OpenSees, which shares those between two pieces
 PROJECTS = Path(__file__).resolve().parents[2] / "projects"
@@ -84,8 +85,8 @@ class PeerBuilding:
     mass: (n_nodes + n_diaphragms, 6) of nodes and masters, kg and kg m2, nodes of rigid floors have none; nodal:
     (n_nodes, 6) gravity loads, N and N m, those along members and on bars included; uniform: (n_members, 3) those along
     local x, y, z, N/m; points: those at places; steel: law of the fibres; hardening: E_t / E; geometry: of columns and
-    beams; stations: Gauss-Lobatto points of a member; damping: ratio of Rayleigh damping by mass and initial stiffness;
-    damped_modes: two modes under gravity that have it, from 1.
+    beams; stations: Gauss-Lobatto points of a member; damping: ratio of Rayleigh damping by mass and stiffness;
+    damped_modes: two modes under gravity that have it, from 1; damping_stiffness: of which state.
     """
 
     title: str
@@ -106,6 +107,7 @@ class PeerBuilding:
     stations: int = 5
     damping: float = 0.02
     damped_modes: tuple[int, int] = (1, 4)
+    damping_stiffness: DampingStiffness = "initial"
 
     @property
     def n_nodes(self) -> int:
@@ -168,7 +170,8 @@ class BuildingHistory:
     """What a program found; rows begin after gravity, at the time 0.
 
     status: "completed" or "failed"; steps: done; cpu_s: of their loop; cost: what it went into, for people; bare,
-    loaded: periods without loads and under gravity, s; rayleigh: factors of mass and stiffness, 1/s and s; floors:
+    loaded: periods without loads and under gravity, s; rayleigh: factors of mass and stiffness, 1/s and s; frozen:
+    steps of edesign whose damping has the stiffness of their start; floors:
     (steps + 1, n_floors, 3) ux, uy, rz of the masters from the ground, m and rad; accelerations: (steps + 1, n_floors,
     2) total ones along x and y, m/s2; base_shear: (steps + 1, 2) reactions to the members' forces, N; column: (steps +
     1, 3) N, M_y, M_z at the start of the watched column, N and N m.
@@ -181,6 +184,7 @@ class BuildingHistory:
     bare: Array = field(default_factory=lambda: np.zeros(0))
     loaded: Array = field(default_factory=lambda: np.zeros(0))
     rayleigh: tuple[float, float] = (0.0, 0.0)
+    frozen: tuple[int, ...] = ()
     floors: Array = field(default_factory=lambda: np.zeros((0, 0, 3)))
     accelerations: Array = field(default_factory=lambda: np.zeros((0, 0, 2)))
     base_shear: Array = field(default_factory=lambda: np.zeros((0, 2)))

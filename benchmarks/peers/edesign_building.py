@@ -92,9 +92,11 @@ def history(
     w1, w2 = (float(modes.omega[mode - 1]) for mode in building.damped_modes)
     result.loaded = modes.period
     result.rayleigh = 2.0 * building.damping * w1 * w2 / (w1 + w2), 2.0 * building.damping / (w1 + w2)
-    analysis.rayleigh(*result.rayleigh, "initial")
+    analysis.rayleigh(*result.rayleigh, building.damping_stiffness)
     channels = _channels(building) if sampled else []
     run = analysis.history(motion[0], dt, channels=channels, every=1 if sampled else 0, along_y=motion[1])
+    held = [event for event in run.events if str(event["fallback"]).startswith("damping")]
+    result.frozen = tuple(int(str(event["step"])) for event in held)
     result.status, result.steps = run.status, int(run.statistics["steps"])
     result.cpu_s, result.cost = float(run.statistics["cpu_s"]), describe(run)
     if sampled:

@@ -210,7 +210,10 @@ def prepare_history(
     result.loaded = periods(count)
     omega = [2.0 * np.pi / float(result.loaded[mode - 1]) for mode in building.damped_modes]
     result.rayleigh = rayleigh_factors(omega, building.damping)
-    ops.rayleigh(result.rayleigh[0], 0.0, result.rayleigh[1], 0.0)
+    a0, a1 = result.rayleigh
+    ops.rayleigh(
+        a0, *(a1 if kind == building.damping_stiffness else 0.0 for kind in ("current", "initial", "committed"))
+    )
     for direction, (tag, values) in enumerate(zip(QUAKE, motion, strict=True), start=1):
         ops.timeSeries("Path", tag, "-dt", dt, "-values", *map(float, values))
         ops.pattern("UniformExcitation", tag, direction, "-accel", tag)
