@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from edesign.codes.ec3.section import SteelSection
@@ -29,17 +30,19 @@ class IShape:
 
 def i_shape(project: Project, run: ColumnRun | BeamRun) -> IShape | None:
     """Return the plates of a member's section; None if it is no I section, or bends about its weak axis."""
-    own = project.sections.get(run.section)
-    if run.axis == "weak":
-        return None
+    return None if run.axis == "weak" else plates_of(run.section, project.sections)
+
+
+def plates_of(name: str, sections: Mapping[str, object]) -> IShape | None:
+    """Return the plates of an I section of a file or of the catalogue; None if it is none.
+
+    Args:
+        sections: own ones of the file, by name.
+    """
+    own = sections.get(name)
     if isinstance(own, PlateSection):
         return IShape(own.height, own.width, own.flange, own.web, 0.0)
-    return None if own is not None else rolled_i_shape(run.section)
-
-
-def rolled_i_shape(name: str) -> IShape | None:
-    """Return the plates of a rolled I section of the catalogue; None if it is none."""
-    if not is_i_section(name):
+    if own is not None or profile_names().canonical(name) is None:
         return None
     rolled = profile(name)
     return IShape(rolled.h, rolled.b, rolled.tf, rolled.tw, rolled.r)

@@ -25,7 +25,6 @@ from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
-from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, keys_text, listed
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived

@@ -17,6 +17,7 @@ from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.response.torsion_tables import torsion_tables
+from edesign.report.response.use_tables import use_tables
 from edesign.report.tables.table import Table
 from edesign.study.results.warnings import warning_lines
 
@@ -38,6 +39,7 @@ def project_tables(archive: Archive) -> list[Table]:
     tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
     tables += ground_tables(groups)
     tables += torsion_tables(history_sets(groups))
+    tables += use_tables(history_sets(groups))
     tables.append(statistics_table(entries))
     return [table for table in tables if table.rows or table.notes]
 

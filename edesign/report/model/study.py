@@ -150,6 +150,7 @@ def _same(one: Project, other: Project, parts: Collection[str]) -> bool:
 def _planned_dampers(project: Project, design: Design) -> Dampers:
     """Dampers in the places of a design that has found no sizes; of a placement in all its candidate places."""
     dampers = dampers_at_temperature(project, design)
+    assert design.bays is not None, "it is of a plane frame"
     runs = [
         DamperRun.model_construct(kind=design.kind, bays=design.bays, storeys=design.storeys, law=law)
         for law in laws_of_design(design)

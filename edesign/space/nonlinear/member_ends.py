@@ -7,7 +7,8 @@ from functools import cached_property
 
 from edesign.codes.fema356.sections import ISection
 from edesign.frame.hinges import Ends, MemberEnd, ends_of_members
-from edesign.frame.sections.i_shape import IShape, rolled_i_section, rolled_i_shape
+from edesign.frame.sections.i_shape import IShape, full_i_section, plates_of
+from edesign.frame.sections.own_section import section_of
 from edesign.project.building.building import Building
 from edesign.project.building.hinges import BuildingHinges, BuildingJoints
 from edesign.project.building.members import End
@@ -40,7 +41,7 @@ class BuildingSites:
 
     def i_shape(self, name: str) -> IShape | None:
         """Return the plates of a member's section; None if it is no I section."""
-        return rolled_i_shape(self._layout.members[name].section)
+        return plates_of(self._layout.members[name].section, self._building.sections)
 
     def i_section(self, name: str) -> ISection | None:
         """Return the properties of a member's I section; None if it has none, or its steel does not yield."""
@@ -48,7 +49,7 @@ class BuildingSites:
         law = self._building.steels[run.material]
         if isinstance(law, ElasticMaterial) or self.i_shape(name) is None:
             return None
-        return rolled_i_section(run.section, law.E, law.fy)
+        return full_i_section(section_of(self._building, run.section), law.E, law.fy)
 
     def columns_at(self, node: str, beam: str) -> list[IShape | None]:
         """Return the plates of the columns at the node of a beam's end; None: it is bent about its weak axis."""
@@ -57,7 +58,7 @@ class BuildingSites:
         line, floor = self._lines[node]
         along = self._beams[beam].along
         return [
-            rolled_i_shape(section) if axis == "strong" else None
+            plates_of(section, self._building.sections) if axis == "strong" else None
             for section, axis in columns_at(self._building, line, floor, along)
         ]
 

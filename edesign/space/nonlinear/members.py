@@ -247,6 +247,7 @@ class BuildingMembers:
             axial = law.E * self._frame.section(placed.section).A
             return _Section(self._model.elastic_section(axial, about_z, about_y, torsion))
         own = building.sections.get(placed.section)
+        assert not isinstance(own, SpaceElasticSection), "it is elastic"
         fibres = space_section(own or placed.section, building.fibres.half_flange)
         where = building.where("fibres", "residual_stress")
         rolled = pattern_of(building.fibres, placed.section, own is not None, placed.material, law, where)

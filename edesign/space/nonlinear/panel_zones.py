@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from edesign.frame.hinges import Axis, tie_but, turn_terms, turned_degree
 from edesign.frame.panel_zones import ARM_STIFFNESS, BuiltPanel, Panel, panel_at
-from edesign.frame.sections.i_shape import rolled_i_shape
+from edesign.frame.sections.i_shape import plates_of
 from edesign.project.building.building import Building
 from edesign.project.building.names import Direction, node_name
 from edesign.space.nonlinear.rigid_ends import beams_at
@@ -45,8 +45,8 @@ def panels_of(building: Building) -> dict[str, tuple[Direction, Panel]]:
                 beams = beams_at(building, line, floor, [runs[0].strong]) if runs else []
                 if not beams:
                     continue
-                node, column = node_name(line, floor), rolled_i_shape(runs[0].section)
-                shapes = [rolled_i_shape(layout.beam_at[place].section) for place in beams]
+                node, column = node_name(line, floor), plates_of(runs[0].section, building.sections)
+                shapes = [plates_of(layout.beam_at[place].section, building.sections) for place in beams]
                 found[node] = runs[0].strong, panel_at(building, i, node, shapes, column, runs[0].material)
     return found
 

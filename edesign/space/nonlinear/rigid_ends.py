@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from edesign.frame.rigid_ends import Ends, Meeting, Met, lengths_of_ends
-from edesign.frame.sections.hollow_section import hollow_section
-from edesign.frame.sections.profiles import profile
+from edesign.frame.sections.own_section import section_of
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import BeamPlace, ColumnLine, Direction, column_name
@@ -25,17 +24,12 @@ def rigid_ends(building: Building) -> dict[str, Ends]:
     Raises:
         InputError: rigid ends leave nothing of a member.
     """
-    return lengths_of_ends(building, _meetings(building), section_depth)
 
+    def depth(name: str, axis: SectionAxis) -> float | None:
+        section = section_of(building, name)
+        return (section.b if axis == "weak" else section.h) or None
 
-def section_depth(name: str, axis: SectionAxis) -> float:
-    """Return the depth of a section in the plane in which it bends about an axis, m.
-
-    Args:
-        name: of the catalogue, or of a hollow section.
-    """
-    shape = hollow_section(name) or profile(name)
-    return shape.b if axis == "weak" else shape.h
+    return lengths_of_ends(building, _meetings(building), depth)
 
 
 def columns_at(building: Building, line: ColumnLine, floor: int, along: Direction) -> list[Met]:

@@ -17,8 +17,8 @@ from edesign.archive.dataset import Group
 from edesign.codes.ec3.member import Stability
 from edesign.core.member_checks import FORCES, MEMBER_CHECKS, Check, MemberTable, mask, member_checks
 from edesign.frame.frame_model import FrameModel
-from edesign.frame.sections.section_class import section_class
 from edesign.frame.sections.own_section import section_of
+from edesign.frame.sections.section_class import section_class
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.space.analysis.response import STATIONS
@@ -170,7 +170,7 @@ class MemberUse:
 
 
 def member_use(project: AnalysisFile, frame: FrameModel) -> MemberUse | None:
-    """Return what finds the use of the members of a building in a run; None of a plane frame, or if none has a class."""
+    """Return what finds the use of members in a run; None of a plane frame, or if no section has a class."""
     if not isinstance(project, Building):
         return None
     judged = any(section_of(project, one.section).has_class for one in bending_members(frame))

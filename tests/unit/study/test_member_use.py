@@ -9,12 +9,14 @@ import pytest
 from building_examples import SMALL, building, design_of
 
 from edesign.archive.dataset import Group
+from edesign.assess.sets import history_sets
 from edesign.assess.verdicts import judge
 from edesign.codes.ec3.member import Stability
 from edesign.core.member_checks import MEMBER_CHECKS, Check, MemberTable, mask, member_checks
 from edesign.frame.sections.section_class import section_class
 from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
+from edesign.report.response.use_tables import use_tables
 from edesign.space.analysis.response import static_response
 from edesign.space.checks.member_checks import as_checked
 from edesign.space.checks.steel_member import SteelMember
@@ -211,6 +213,12 @@ def test_a_column_of_a_history_by_hand() -> None:
 
     (verdict,) = judge(part(criteria).criteria, (), {"shaken": group}, whole)
     assert verdict.value == group.variables["member_use_max"].values[at] and verdict.place == "C_B2_1"
+    group.attributes["kind"] = "history"
+    (table,) = use_tables(history_sets({"shaken": group}))
+    assert [row[:2] for row in table.texts] == [["column", "1"], ["column", "2"], ["beam", "1"], ["beam", "2"]]
+    uses = np.where([str(name)[0] == "B" for name in group.coords["member"].values], 0.0, 1.0)
+    first = uses * [str(name).endswith("_1") for name in group.coords["member"].values]
+    assert table.texts[0][4] == f"{(first * group.variables['member_use_max'].values).max():.2f}"
 
 
 def test_pushovers_have_uses_and_files_without_design_those_of_sections() -> None:

@@ -12,6 +12,7 @@ from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.orbits import orbit_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.response.torsion_tables import torsion_tables
+from edesign.report.response.use_tables import use_tables
 
 SHOWN = 2  # tables of statistics, mean and maximum; the others on demand
 
@@ -33,6 +34,7 @@ def response(source: Source) -> Section:
         table = measures_table(source.entries)
         parts += [table] if table.rows else []
     parts += torsion_tables(sets)
+    parts += use_tables(sets)
     parts += _profiles(source)
     orbits = source.pictures(orbit_figures)
     parts += [Folded("Orbits in plan", orbits)] if len(orbits) > 1 else orbits
