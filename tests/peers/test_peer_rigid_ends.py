@@ -1,4 +1,4 @@
-"""Periods of a loaded frame with rigid ends side by side with OpenSees, whose transformations have joint offsets."""
+"""Periods of frames with rigid ends side by side with OpenSees, whose transformations have joint offsets."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from edesign import load_project
+from edesign.core import Analysis, Model
 from edesign.study.run.analyses import run_analysis
 
 ops = pytest.importorskip("openseespy.opensees", reason="OpenSeesPy (extra 'peers') is not installed")
@@ -117,3 +118,34 @@ def opensees(transformation: str, offsets: bool) -> np.ndarray:
     periods = 2.0 * np.pi / np.sqrt(np.array(ops.eigen("-fullGenLapack", 2)))
     ops.wipe()
     return periods
+
+
+def test_offset_ends_in_space() -> None:
+    """Periods of a bent of two columns and a beam, all of them beside their nodes, about both axes: rounding."""
+    EA, EI_z, EI_y, GJ = 2e9, 8e6, 3e7, 4e6
+    places = ((0.0, 0.0, 0.0), (5.0, 0.5, 0.0), (0.0, 0.0, 4.0), (5.0, 0.5, 4.0))
+    members = (  # nodes, web, offsets
+        (0, 2, (1.0, 0.0, 0.0), (0.3, -0.2, 0.0), (0.3, -0.2, -0.25)),
+        (1, 3, (1.0, 0.0, 0.0), (-0.1, 0.2, 0.1), (-0.1, 0.2, -0.3)),
+        (2, 3, (0.0, 0.0, 1.0), (0.2, 0.02, -0.3), (-0.4, -0.04, -0.3)),
+    )
+    model = Model(3)
+    section = model.elastic_section(EA, EI_z, EI_y, GJ)
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    for tag, place in enumerate(places):
+        node = model.node(str(tag), *place)
+        ops.node(tag, *place)
+        if tag < 2:
+            model.fix(node, True, True, True, uz=True, rx=True, ry=True)
+            ops.fix(tag, 1, 1, 1, 1, 1, 1)
+        else:
+            model.mass(node, 2e4, 2e4, 1e3, mz=2e4, mrx=1e3, mry=1e3)
+            ops.mass(tag, 2e4, 2e4, 2e4, 1e3, 1e3, 1e3)
+    for tag, (i, j, web, at_i, at_j) in enumerate(members):
+        element = model.beam_column(str(tag), i, j, section, 2, "linear", (False,) * 4, web=web)
+        model.offset_ends(element, at_i, at_j)
+        ops.geomTransf("Linear", tag, *web, "-jntOffset", *at_i, *at_j)
+        ops.element("elasticBeamColumn", tag, i, j, EA, 1.0, 1.0, GJ, EI_y, EI_z, tag)
+    theirs = 2.0 * np.pi / np.sqrt(ops.eigen("-fullGenLapack", 6))
+    np.testing.assert_allclose(Analysis(model).modes(6).period, theirs, rtol=1e-9)

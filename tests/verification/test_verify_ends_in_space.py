@@ -24,8 +24,8 @@ ENDS = {
     "joints of columns": "joints: [{columns: {storeys: 1}, ends: start, stiffness: 30 MN*m/rad, resistance: 60 kN*m}]",
     "hinges of beams": "hinges: [{beams: {along: @a@, floors: 1}, parameters: @hinge@}]",
     "hinges beside columns": "hinges: [{beams: {along: @a@, floors: 1}, distance: 0.4 m, parameters: @hinge@}]",
-    "hinges of columns": "hinges: [{columns: {storeys: 1}, parameters: @plain@}, {columns: {storeys: 2}, distance: 0.2 m,"
-    " parameters: @plain@}]",
+    "hinges of columns": "hinges: [{columns: {storeys: 1}, parameters: @plain@},"
+    " {columns: {storeys: 2}, distance: 0.2 m, parameters: @plain@}]",
     "panels": "panel_zones: [{floors: all, doubler: 1 mm}]",
     "panels that turn far": "panel_zones: [{floors: all, hardening: 0.02}]\nelements: {geometry: @far@}",
     "panels and hinges": "panel_zones: [{floors: all}]\nhinges: [{beams: {along: @a@, floors: 1}, distance: 0.4 m,"
