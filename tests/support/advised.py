@@ -938,6 +938,16 @@ BUILDINGS = (
         "beams are without a section: ",
         ("braces:\n", "  - {along: y, section: IPE240, material: S275, ends: pinned}\nbraces:\n"),
     ),
+    _row(
+        "building",
+        (
+            ("ends: pinned", "ends: 9 MN*m/rad"),
+            ("materials: {", "joints: [{beams: {along: y}, stiffness: 8 MN*m/rad}]\nmaterials: {"),
+        ),
+        "has ends with a stiffness already (`beams: ends`); leave out one of both",
+        (", ends: 9 MN*m/rad", ""),
+        ("joints: [{beams: {along: y}, stiffness: 8 MN*m/rad}]\n", ""),
+    ),
 )
 
 TESTS = (
