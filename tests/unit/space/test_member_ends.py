@@ -11,6 +11,7 @@ from messages import says
 
 from edesign.core import Analysis, Channel
 from edesign.errors import InputError
+from edesign.exchange.opensees.limits import refuse
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.panel_zones import panel_of
 from edesign.frame.sections.i_shape import rolled_i_shape
@@ -168,3 +169,18 @@ def _rotations(frame: FrameModel) -> list[float]:
     analysis = Analysis(frame.model, tolerance=1e-12)
     analysis.static(frame.gravity, 0.2)
     return list(analysis.static(push, channels=channels).final.values())
+
+
+@pytest.mark.parametrize(
+    ("more", "keys"),
+    [
+        (f"hinges: [{{columns: {{at: A1}}, parameters: {HINGE}}}]", "hinges[0]"),
+        ("joints: [{beams: {along: x}, stiffness: 20 MN*m/rad}]", "joints[0]"),
+        ("panel_zones: [{floors: 1}]", "panel_zones[0]"),
+        ("", "beams[1].ends"),
+    ],
+)
+def test_springs_are_not_translated_for_opensees(more: str, keys: str) -> None:
+    soft = () if more else (("ends: pinned", "ends: 20 MN*m/rad"),)
+    with pytest.raises(InputError, match=rf":\d+:\d+: {re.escape(keys)}: .*E-OPS-06"):
+        refuse(building(f"{SMALL}{more}\n", *soft), without_dampers=False)
