@@ -22,6 +22,7 @@ soils:
   clay: {density: 1800 kg/m^3, shear_modulus: 60 MPa, poisson: 0.45, damping: 5 %,
     strain: {code: given, modulus_ratio: 0.7}}
 diaphragms: 1-3
+partial_diaphragms: [{floors: 1, bays: {x: 1-2, y: 1}}]
 columns:
   - {at: all, storeys: 1, section: HEB300, material: S355, strong: x, group: C1}
   - {at: all, storeys: 2-3, section: HEB260, material: S355, strong: x, group: C2}
@@ -165,3 +166,13 @@ OTHER_FORMS = (
     .replace("interaction: annex_b", "interaction: annex_a")
     .replace("{beams: ends, columns: floors}", "{beams: slab, columns: floors}")
 )
+
+HELD = (
+    EVERY_KEY[: EVERY_KEY.index("design:\n  code")]
+    + """\
+restrained_floors:
+  - {floors: 1}
+  - {floors: 2, ux: 80 MN/m, uy: 60 MN/m, rz: 9000 MN*m/rad}
+"""
+)
+"""The same without its design, with floors that the ground holds."""

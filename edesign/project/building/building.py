@@ -20,11 +20,11 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.building.design import Design
 from edesign.project.building.hinges import BuildingHinges, BuildingJoints, BuildingPanelZones
-from edesign.project.building.layout import Layout
+from edesign.project.building.layout import Layout, Panel
 from edesign.project.building.loads import Loads, Masses
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
 from edesign.project.building.names import ColumnLine, Direction
-from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
+from edesign.project.building.places import Bays, ColumnLineSelection, panels_in, parse_column_lines
 from edesign.project.building.steel import Steel
 from edesign.project.building.supports import RestrainedFloors, Springs, Support, springs_of
 from edesign.project.dampers.dampers import DamperRun, Dampers
@@ -90,6 +90,18 @@ class Setback(Model):
     bays: Bays
 
 
+class PartialDiaphragm(Model):
+    """Floors of which a part alone is rigid in its plane.
+
+    Attributes:
+        floors: floors that are rigid in part.
+        bays: bays of the rigid part.
+    """
+
+    floors: Numbers
+    bays: Bays
+
+
 class Building(spacing.Storeys, AnalysisFile):
     """A building file: a building in three dimensions, what acts on it, what it is designed for, and what is analysed.
 
@@ -107,6 +119,7 @@ class Building(spacing.Storeys, AnalysisFile):
         restrained_floors: floors above the base that the ground holds in plan; in analyses alone.
         soils: soils by name, on which footings stand.
         diaphragms: floors that are rigid in their plane.
+        partial_diaphragms: those of these floors of which a part alone is rigid.
         columns: runs of columns; a later one overrides an earlier one.
         beams: runs of beams; a later one overrides an earlier one.
         braces: runs of pin-ended braces.
@@ -146,6 +159,7 @@ class Building(spacing.Storeys, AnalysisFile):
     restrained_floors: tuple[RestrainedFloors, ...] = ()
     soils: dict[Identifier, Soil] = {}
     diaphragms: NumbersOrNone = ALL_NUMBERS
+    partial_diaphragms: tuple[PartialDiaphragm, ...] = ()
     columns: Annotated[tuple[ColumnRun, ...], Field(min_length=1)]
     beams: Annotated[tuple[BeamRun, ...], Field(min_length=1)]
     braces: tuple[BraceRun, ...] = ()
@@ -200,6 +214,15 @@ class Building(spacing.Storeys, AnalysisFile):
     def rigid_floors(self) -> tuple[int, ...]:
         """The floors that are rigid in plan, whose masses may stand beside their places."""
         return tuple(self.diaphragms.numbers(1, self.n_storeys))
+
+    def rigid_bays(self, floor: int) -> frozenset[Panel]:
+        """Return the bays of the rigid part of a floor; none of one that is not rigid."""
+        if floor not in self.rigid_floors:
+            return frozenset()
+        for part in self.partial_diaphragms:
+            if floor in part.floors.numbers(1, self.n_storeys):
+                return panels_in(part.bays, self.n_bays("x"), self.n_bays("y"))
+        return self.layout.floors[floor]
 
     @property
     def held_floors(self) -> tuple[int, ...]:

@@ -103,9 +103,9 @@ def _apart(building: Building, problems: Problems, keys: Keys, device: DamperBet
     if None in ends or device.nodes[0] == device.nodes[1]:
         return
     floors = {layout.levels.index(end[2]) for end in ends if end is not None}
-    rigid = building.diaphragms.numbers(1, building.n_storeys)
+    rigid = {layout.tied.get(name) for name in device.nodes}
     what = ""
-    if len(floors) == 1 and floors <= set(rigid):
+    if len(rigid) == 1 and rigid != {None}:
         what = f"both are on floor {floors.pop()}, which is rigid in its plane"
     elif floors == {0}:
         bases = {node_name(line, 0): building.support(line) for line in layout.node_lines[0]}

@@ -11,7 +11,7 @@ from edesign.project.building.checks_selections import Selections
 from edesign.project.building.layout import DIRECTIONS, Panel, met_beam, ways
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
-from edesign.project.building.places import parse_column_lines
+from edesign.project.building.places import panels_in, parse_column_lines
 from edesign.project.checks.sections import check_own_sections
 from edesign.project.frame.sections import Catalogue, SpaceElasticSection, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -56,6 +56,9 @@ def _selections(building: Building, problems: Problems, check: Selections) -> bo
     """Everything that is named is on the grid."""
     before = len(problems.found)
     check.numbers(("diaphragms",), building.diaphragms, "floor", building.n_storeys)
+    for i, part in enumerate(building.partial_diaphragms):
+        check.numbers(("partial_diaphragms", i, "floors"), part.floors, "floor", building.n_storeys)
+        check.bays(("partial_diaphragms", i, "bays"), part.bays)
     for i, setback in enumerate(building.setbacks):
         check.floors(("setbacks", i), setback.floors)
         check.bays(("setbacks", i, "bays"), setback.bays)
@@ -127,12 +130,34 @@ def _floors(building: Building, problems: Problems) -> bool:
     bare = [floor for floor, panels in layout.floors.items() if not panels]
     for floor in bare:
         problems.at_key(("setbacks",), f"floor {floor} covers no bay [E-NAME-01]")
-    for floor in building.diaphragms.numbers(1, building.n_storeys):
-        if not _connected(layout.floors[floor]):
+    in_part = _partial(building, problems)
+    for floor in building.rigid_floors:
+        if floor not in in_part and not _connected(layout.floors[floor]):
             parts = f"floor {floor} is in parts that do not touch, which one diaphragm would tie"
             message = f"{parts}; leave it out of `diaphragms` [E-VALUE-04]"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
+
+
+def _partial(building: Building, problems: Problems) -> set[int]:
+    """Floors that are rigid in part have one rigid part, which they cover; returns their numbers."""
+    found: set[int] = set()
+    for i, part in enumerate(building.partial_diaphragms):
+        keys: Keys = ("partial_diaphragms", i)
+        panels = panels_in(part.bays, building.n_bays("x"), building.n_bays("y"))
+        for floor in part.floors.numbers(1, building.n_storeys):
+            if floor in found:
+                message = f"floor {floor} has a rigid part by an entry before this one; one on each floor is possible"
+                problems.at_value((*keys, "floors"), f"{message} [E-NAME-02]")
+            elif floor not in building.rigid_floors:
+                problems.at_value((*keys, "floors"), f"floor {floor} is not among `diaphragms` [E-NAME-01]")
+            elif panels - building.layout.floors[floor]:
+                problems.at_key((*keys, "bays"), f"floor {floor} does not cover all of these bays [E-NAME-01]")
+            elif not _connected(panels):
+                message = "the bays are in parts that do not touch, which one diaphragm would tie [E-VALUE-04]"
+                problems.at_key((*keys, "bays"), message)
+            found.add(floor)
+    return found
 
 
 def _connected(panels: frozenset[Panel]) -> bool:

@@ -146,6 +146,20 @@ class Layout(Storeys):
                 found[str(beam)] = (0.5 * (x0 + x1), 0.5 * (y0 + y1), level)
         return found
 
+    @cached_property
+    def tied(self) -> dict[str, int]:
+        """By the name of each node that a rigid floor ties, or the rigid part of one, the number of the floor."""
+        found: dict[str, int] = {}
+        for floor in self._building.rigid_floors:
+            panels = self._building.rigid_bays(floor)
+            lines = {line for panel in panels for line in corners(panel)} & set(self.node_lines[floor])
+            beams = {edge for panel in panels for edge in edges(panel, floor)} & self.halved_beams
+            if panels == self.floors[floor]:
+                lines = set(self.node_lines[floor])
+                beams = {beam for beam in self.halved_beams if beam.floor == floor}
+            found |= dict.fromkeys([*(node_name(line, floor) for line in lines), *map(str, beams)], floor)
+        return found
+
     def beam_members(self, place: BeamPlace) -> tuple[str, ...]:
         """Return the name of a beam, or those of the two halves of one that braces meet in the middle."""
         return (f"{place}_1", f"{place}_2") if place in self.halved_beams else (str(place),)

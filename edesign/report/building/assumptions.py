@@ -42,6 +42,8 @@ def _floors(building: Building) -> str:
     if not stiff:
         return "Floors are no diaphragms."
     which = "All floors are" if len(stiff) == building.n_storeys else f"Floors {building.diaphragms} are"
+    if building.partial_diaphragms:
+        which = f"{which} in part" if len(stiff) == 1 else f"{which}, some in part alone,"
     return f"{which} rigid in their plane; beams in them have no axial forces. Slabs add no strength to beams."
 
 

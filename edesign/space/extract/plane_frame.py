@@ -172,12 +172,15 @@ class PlaneFrame:
             alone: whether it stands alone, so that it must resist something itself.
 
         Raises:
-            InputError: it has floors that the ground holds, no column, nodes without a member of its own, or nothing
-                that resists while other frames do.
+            InputError: it has floors that the ground holds or that are rigid in part, no column, nodes without a member of
+                its own, or nothing that resists while other frames do.
         """
         if self.building.held_floors:
             message = "project files have no floors that the ground holds [E-SPACE-04]"
             raise self._refuse(message, "restrained_floors")
+        if self.building.partial_diaphragms:
+            message = "project files have no floors that are rigid in part [E-SPACE-04]"
+            raise self._refuse(message, "partial_diaphragms")
         if not self.columns:
             raise self._refuse("no column stands in it [E-SPACE-05]", "missing", "columns")
         if loose := self._loose_nodes():

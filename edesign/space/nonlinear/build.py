@@ -18,7 +18,7 @@ from edesign.space.file_places import telling_member
 from edesign.space.nonlinear.bays import building_sites
 from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys
 from edesign.space.nonlinear.gravity import gravity_loads
-from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, still_beams
+from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, rides, still_beams
 from edesign.space.nonlinear.members import BuildingMembers
 from edesign.space.nonlinear.supports import add_supports, weights_of
 from edesign.space.structure.geometry import space_frame
@@ -102,7 +102,7 @@ def _build(
     devices = () if laws is None else add_devices(building, model, nodes, laws, building_sites(building), outside)
     attached = {}
     for item in attachments:
-        node = masters[item.floor] if item.floor in masters else nodes[node_name(item.at, item.floor)]
+        node = masters[item.floor] if rides(frame, item) else nodes[node_name(item.at, item.floor)]
         attached[item.name] = add_attachment(model, item, node, attachment_place(frame, item).tolist())
     floors = building_floors(building, frame, loads, nodes, masters)
     places = dict(zip(model.node_names, model.node_places, strict=True))

@@ -11,7 +11,7 @@ from edesign.frame.tuned_masses import Attached
 from edesign.project.building.building import Building
 from edesign.project.building.names import node_name
 from edesign.space.nonlinear.gravity import GravityLoads
-from edesign.space.structure.frame import SpaceFrame
+from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 from edesign.space.structure.load_cases import on_members
 from edesign.space.structure.masses import mass_shift
 from edesign.space.structure.model import diaphragm_floors, masters
@@ -49,7 +49,7 @@ def add_masses(
     single, shift = frame.node_mass.copy(), mass_shift(frame, eccentricity)
     for floor, centre in zip(diaphragm_floors(frame), masters(frame), strict=True):
         nodes = np.flatnonzero(frame.node_floor == floor)
-        riders = [item for item in attachments if item.floor == floor]
+        riders = [item for item in attachments if item.floor == floor and rides(frame, item)]
         at = [attachment_place(frame, item)[:2] for item in riders]
         plan = np.vstack([frame.coordinates[nodes, :2] + shift[nodes], *at])
         own, centre = frame.node_mass[nodes], centre + shift[nodes[0]]
@@ -66,7 +66,7 @@ def add_masses(
             masses[master_name(floor)], turning[master_name(floor)] = float(own.sum()), inertia
         single[nodes] = 0.0
     for item in attachments:
-        if item.floor not in found:
+        if not rides(frame, item):
             model.mass(_line_node(frame, item), *(item.mass * (item.direction != axis) for axis in (0, 1)))
     upright = vertical_masses(building, frame)
     for node, name in enumerate(frame.node_names):
@@ -83,6 +83,11 @@ def attachment_place(frame: SpaceFrame, item: Attached) -> np.ndarray:
         return np.asarray(frame.coordinates[_line_node(frame, item)])
     centre = masters(frame)[diaphragm_floors(frame).index(item.floor)]
     return np.append(centre, frame.levels[item.floor])
+
+
+def rides(frame: SpaceFrame, item: Attached) -> bool:
+    """Return whether a tuned mass stands on a rigid floor, and not at a node of its own."""
+    return not item.at or bool(frame.node_floor[_line_node(frame, item)] != NO_DIAPHRAGM)
 
 
 def _line_node(frame: SpaceFrame, item: Attached) -> int:

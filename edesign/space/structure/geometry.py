@@ -38,15 +38,13 @@ def space_frame(building: Building) -> SpaceFrame:
     layout = building.layout
     nodes = {name: number for number, name in enumerate(layout.nodes)}
     coordinates = np.array(list(layout.nodes.values()))
-    floors = np.searchsorted(building.levels, coordinates[:, 2])
-    stiff = np.isin(floors, building.diaphragms.numbers(1, building.n_storeys))
     fixed, springs = _supports(building, nodes)
     ends = {name: (nodes[start], nodes[end]) for name, (start, end) in layout.ends.items()}
     members = (*_columns(building, ends), *_beams(building, ends), *_braces(building, ends, coordinates))
     bare = SpaceFrame(
         node_names=tuple(nodes),
         coordinates=coordinates,
-        node_floor=np.where(stiff, floors, NO_DIAPHRAGM),
+        node_floor=np.array([layout.tied.get(name, NO_DIAPHRAGM) for name in nodes]),
         levels=np.array(building.levels),
         fixed=fixed,
         springs=springs,

@@ -234,6 +234,32 @@ def test_mistakes_of_held_floors_are_reported_with_their_place(new: str, said: s
     _is_reported(UNDESIGNED, FOOT, f"restrained_floors: {new}\n{FOOT}", said)
 
 
+@pytest.mark.parametrize(
+    ("new", "said"),
+    [  # of two floors with two bays along x and y each
+        ("[{floors: @3, bays: all}]", "partial_diaphragms[0].floors 3 E-NAME-01"),
+        ("[{floors: 1, bays: {x: @1-3, y: 1}}]", "partial_diaphragms[0].bays.x 3 E-NAME-01"),
+        ("[{floors: 1, bays: all}, {floors: @1, bays: {x: 1, y: 1}}]", "partial_diaphragms[1].floors E-NAME-02"),
+        ("[{floors: 1, @bays: [{x: 1, y: 1}, {x: 2, y: 2}]}]", "partial_diaphragms[0].bays touch E-VALUE-04"),
+        ("[{floors: @1, bays: all}]\ndiaphragms: none", "partial_diaphragms[0].floors `diaphragms` E-NAME-01"),
+        (
+            "[{floors: 2, @bays: all}]\nsetbacks: [{floors: 2, bays: {x: 1, y: all}}]",
+            "partial_diaphragms[0].bays cover E-NAME-01",
+        ),
+    ],
+)
+def test_mistakes_of_partial_diaphragms_are_reported_with_their_place(new: str, said: str) -> None:
+    base = building_text_without_braces()
+    _is_reported(base, FOOT, f"partial_diaphragms: {new}\n{FOOT}", said)
+
+
+def building_text_without_braces() -> str:
+    """SMALL without its design, whose braces stand on both floors."""
+    whole = SMALL[: SMALL.index("hazard:")]
+    start, end = whole.index("braces:"), whole.index("materials:")
+    return (whole[:start] + whole[end:]).replace(", ends: pinned", "")
+
+
 def test_waves_do_not_know_when_they_reach_held_floors() -> None:
     held = UNDESIGNED.replace(FOOT, f"restrained_floors: [{{floors: 1}}]\n{FOOT}")
     said = "analyses[3].wave_passage `restrained_floors` E-BLDG-04"
