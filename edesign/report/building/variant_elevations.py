@@ -17,7 +17,6 @@ def variant_elevations(study: Study, designed: Mapping[str, Dampers], heading: S
     """Yield the frames with dampers of each variant that has designs; of variants with the same designs the first.
 
     Args:
-        study: of a building.
         designed: dampers by name of the design, as far as they are known.
         heading: lines above each drawing; (): none.
     """
