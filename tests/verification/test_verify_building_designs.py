@@ -7,6 +7,7 @@ eigenvalues; the same building turned by a quarter.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from edesign.study.analysis.structure import make_structure
 from edesign.study.design.building import make_building
 from edesign.study.design.condensed import condense
 from edesign.study.design.design import DesignResult, run_design
+from edesign.study.design.plausibility import shared_mode
 from edesign.study.design.viscous.dashpot_modes import dashpot_modes
 
 COMMON = """\
@@ -229,7 +231,8 @@ def test_an_eccentric_floor_has_the_damping_of_the_design(frames: str, target: f
     mass = np.abs(shapes @ M[0]) ** 2 / np.einsum("mi,ij,mj->m", shapes.conj(), M, shapes).real
     assert ratios[mass.argmax()] == pytest.approx(target, rel=1e-7)
     omega2, undamped = linalg.eigh(K, M)
-    assert found.attributes["leading_mode"] == np.abs(undamped.T @ M[0]).argmax() + 1
+    share = (undamped.T @ M[0]) ** 2 / M[0, 0]
+    assert found.attributes["leading_mode"] == share.argmax() + 1
     assert found.variables["plan_period"].values == pytest.approx(2.0 * np.pi / np.sqrt(omega2), rel=1e-7)
 
 
@@ -254,6 +257,18 @@ def test_all_modes_of_an_eccentric_building_are_those_of_its_matrices() -> None:
     modes = dashpot_modes(found.frame, found.frame.modes(), c, np.zeros(1))
     ratios, _ = damping_ratios(*by_hand({"X1": 2e5}))
     assert modes.damping == pytest.approx(ratios, rel=1e-7)
+
+
+def test_modes_that_share_the_direction_are_warned_of() -> None:
+    spec: Any = design("method: viscous, law: oil, kind: storey, along: x, frames: X1, bays: 1, damping: 5 %", table())
+    frame = make_building(table(), "tried", spec.model_copy(update={"state": "initial"})).frame
+    bare, whole = frame.modes(), np.sqrt(38e3)
+    assert list(shared_mode(frame, bare)) == []  # 90 % and 9 %
+    mixed = replace(bare, participation=whole * np.sqrt([0.01, 0.35, 0.64]))
+    (text,) = shared_mode(frame, mixed)
+    assert text.startswith(
+        "modes 3 and 2 without dampers both move along the direction, with 64 % and 35 % of the mass"
+    )
 
 
 def test_modes_of_one_frequency_are_turned_into_the_direction() -> None:

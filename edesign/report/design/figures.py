@@ -13,6 +13,7 @@ from edesign.report.archived import archived_base
 from edesign.report.design.heights import heights_caption, heights_figure, size_of
 from edesign.report.design.hysteretic_figures import hysteretic_figures
 from edesign.report.design.placement_figures import placement_figures
+from edesign.report.design.storeys import first_mode
 from edesign.report.design.tables import round_damping, round_sizes
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.drawing.captions import file_name
@@ -179,7 +180,7 @@ def _period(axis: Axes, group: Group, rounds: np.ndarray) -> None:
         axis.axhline(
             float(_along(group, "bare_period")[_first(group)]), color=BEFORE, ls="--", lw=1.0, label="without dampers"
         )
-    axis.set_ylabel("first period (s)")
+    axis.set_ylabel(f"period of the {first_mode(group)} (s)" if "along" in group.attributes else "first period (s)")
     _from_zero(axis)
 
 

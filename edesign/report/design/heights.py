@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.report.design.storeys import first_mode
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.drawing.captions import plain
 from edesign.report.drawing.style import (
@@ -63,14 +64,14 @@ def heights_caption(group: Group) -> str:
     if size == "device_coefficient":
         return (
             "damping coefficient of a damper of each storey, and its drift estimated by the response spectrum. "
-            f"The first mode has {damping} % of added damping."
+            f"The {first_mode(group)} has {damping} % of added damping."
         )
     share = plain(100.0 * float(str(group.attributes["share"])))
     given = group.attributes["shear_of"] == "given"
     shear = "given shear of each storey" if given else "shear of each storey without dampers"
     return (
-        f"{shear}, yield force of its dampers, and its drift. The dampers have {share} % of the shears; the first mode "
-        f"has {damping} % of added damping."
+        f"{shear}, yield force of its dampers, and its drift. The dampers have {share} % of the shears; the "
+        f"{first_mode(group)} has {damping} % of added damping."
     )
 
 

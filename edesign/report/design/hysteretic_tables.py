@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from edesign.archive.dataset import Group
-from edesign.report.design.storeys import MODE, STOREY, heading
+from edesign.report.design.storeys import MODE, STOREY, first_mode, heading
 from edesign.report.tables.column import col
 from edesign.report.tables.items import Place, at, places
 from edesign.report.tables.table import Table, TableSpec
@@ -67,7 +67,7 @@ def _damping(group: Group) -> str:
     counts, other = f"{at_amplitude} at the amplitude", f"{average} on average up to it"
     if about["equivalent_damping"] != "amplitude":
         counts, other = f"{average} on average up to the amplitude", f"{at_amplitude} at it"
-    return f"added equivalent damping of the first mode: {counts}, {other}; the former counts"
+    return f"added equivalent damping of the {first_mode(group)}: {counts}, {other}; the former counts"
 
 
 def _percent(value: object) -> str:

@@ -10,6 +10,12 @@ STOREY: Column[Place] = count("storey", lambda storey: int(storey.name))
 MODE: Column[Place] = count("mode", lambda mode: int(mode.name))
 
 
+def first_mode(group: Group) -> str:
+    """Return what the mode of a design is called: of a building it is the one that leads along its direction."""
+    along = group.attributes.get("along")
+    return f"mode along {along}" if along else "first mode"
+
+
 def heading(group: Group) -> str:
     """Return what titles say of a design: its name, method and status."""
     about = group.attributes

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.report.design.storeys import MODE, STOREY, heading
+from edesign.report.design.storeys import MODE, STOREY, first_mode, heading
 from edesign.report.tables.column import col
 from edesign.report.tables.items import Place, at, places
 from edesign.report.tables.table import Table, TableSpec
@@ -46,8 +46,8 @@ def viscous_storeys_table(group: Group) -> Table:
     roof = about.get("roof_displacement_m")
     amplitude = "" if roof is None else f", roof {1e3 * float(str(roof)):.4g} mm"
     note = (
-        f"alpha {float(str(about['alpha'])):g}, {about['places']} places with {about['number']} each; first mode "
-        f"{float(str(about['frequency_Hz'])):.4g} Hz{amplitude}"
+        f"alpha {float(str(about['alpha'])):g}, {about['places']} places with {about['number']} each; "
+        f"{first_mode(group)} {float(str(about['frequency_Hz'])):.4g} Hz{amplitude}"
     )
     units = {"coefficient": kilonewtons(group.variables["device_coefficient"].unit)}
     return VISCOUS_STOREYS.of(places({"": group}, "storey"), units=units, notes=[note], design=heading(group))
@@ -59,8 +59,8 @@ def viscous_damping_table(group: Group) -> Table:
     if modes:
         formula, law = (float(str(group.attributes[key])) for key in ("damping_fema356", "law_damping_strain_energy"))
         notes.append(
-            f"first mode by FEMA 356, Eq. 9-32 (rigid braces): {100.0 * formula:.4g} %; by the law's own steady "
-            f"vibration: {100.0 * law:.4g} %"
+            f"{first_mode(group)} by FEMA 356, Eq. 9-32 (rigid braces): {100.0 * formula:.4g} %; by the law's own "
+            f"steady vibration: {100.0 * law:.4g} %"
         )
     return VISCOUS_DAMPING.of(modes, notes=notes)
 
