@@ -1170,6 +1170,9 @@ LEFT = {
         "write `design: ", "give plates or `rectangles`", "see `integration: time_step` and `outputs: every`",
         "`statistic: maximum` is on the safe side", "and the project has no `hazard`; give it one with such a level",
     ),
+    "it is of places in buildings; tests/unit/project/test_placement_in_buildings.py, test_placement_designs.py provoke it": (
+        "give `places` with their bays", "give `bays`, this is of a building",
+    ),
     "it is of analyses of buildings; tests/unit/project/test_shaking_keys.py, test_criteria_in_space.py provoke it": (
         "name a side across it, or one along both axes as `+x+y`",
         "name by `eccentricity` where they stand beside it", "; write `x` or `y`",

@@ -79,7 +79,6 @@ def placement_warnings(spec: PlacementDesign, project: AnalysisFile) -> list[str
     """Return one sentence for each value of a placement that may not be meant.
 
     Args:
-        spec: checked.
         project: that is studied.
     """
     found: dict[str, None] = {}

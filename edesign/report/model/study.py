@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.report.drawing.captions import file_name, some_names
@@ -150,9 +151,10 @@ def _same(one: Project, other: Project, parts: Collection[str]) -> bool:
 def _planned_dampers(project: Project, design: Design) -> Dampers:
     """Dampers in the places of a design that has found no sizes; of a placement in all its candidate places."""
     dampers = dampers_at_temperature(project, design)
-    assert design.bays is not None, "it is of a plane frame"
+    places = design.candidates if isinstance(design, PlacementDesign) else (design,)
     runs = [
-        DamperRun.model_construct(kind=design.kind, bays=design.bays, storeys=design.storeys, law=law)
+        DamperRun.model_construct(kind=design.kind, bays=at.bays, storeys=at.storeys, law=law)
         for law in laws_of_design(design)
+        for at in places
     ]
     return dampers.model_copy(update={"devices": tuple(runs)})

@@ -93,7 +93,6 @@ class Candidates:
 
         Args:
             option: number of the item, from 1.
-            place: of a candidate.
         """
         item = list(self.spec.catalogue.values())[option - 1]
         return _kind_at(item.kind or self.spec.kind, place in self._leaning)
@@ -113,7 +112,6 @@ def make_stacks(project: AnalysisFile, spec: PlacementDesign) -> Iterator[Stack]
 
     Args:
         project: that is studied.
-        spec: the design.
     """
     mirrored = spec.limits.mirrored
     for run in spec.candidates:

@@ -51,11 +51,7 @@ class LinearResponse:
         return 3 if len(self.frames) == 1 else 3 * (1 + len(self.frames)) + sum(map(len, self.of_frames))
 
     def with_devices(self, rows: np.ndarray) -> LinearResponse:
-        """Return the frame with some of its dampers' places.
-
-        Args:
-            rows: numbers of these.
-        """
+        """Return the frame with some of its dampers' places."""
         return replace(self, frames=tuple(_with_devices(frame, rows) for frame in self.frames))
 
     def leading_frequencies(self) -> tuple[float, ...]:

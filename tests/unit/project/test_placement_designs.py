@@ -79,6 +79,8 @@ def test_placement_in_si() -> None:
         ),
         (A, "a: {law: oil, scale: 1, cost: 1}, b: {law: oil, cost: 2}", "designs.tried.catalogue.b E-NAME-02"),
         (A, "", "designs.tried.catalogue E-VALUE-01"),
+        ("bays: 1, ", "", "designs.tried.bays E-KEY-02"),
+        ("bays: 1", "bays: 1, places: [{along: x, frames: 1, bays: 1}]", "designs.tried.places `bays` E-KEY-03"),
         ("bays: 1", "bays: 2", "designs.tried.bays 1 to 1 E-NAME-01"),
         ("bays: 1", "bays: 1, storeys: 1-3", "designs.tried.storeys E-NAME-01"),
         ("levels: DBE", "levels: DBF", "designs.tried.verify.levels `DBE` E-NAME-01"),
