@@ -11,7 +11,7 @@ from edesign.project.checks.names import check_names, check_records
 from edesign.project.checks.selections import GridSelections, Selections
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness
 from edesign.project.dampers.designs import Design
-from edesign.project.dampers.placement import Candidates, PlacementDesign
+from edesign.project.dampers.placement import CandidateBays, PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
@@ -156,7 +156,7 @@ def _limits(keys: Keys, spec: PlacementDesign, project: AnalysisFile, problems: 
             problems.at_value(where, message)
 
 
-def _mirrored(keys: Keys, spec: PlacementDesign, run: Candidates, last: int, problems: Problems) -> None:
+def _mirrored(keys: Keys, spec: PlacementDesign, run: CandidateBays, last: int, problems: Problems) -> None:
     """Bays have mirror images among the candidates, and diagonals a bay beside the middle one."""
     bays = run.bays.numbers(1, last)
     alone = [bay for bay in bays if last + 1 - bay not in bays]

@@ -102,7 +102,7 @@ class CandidatePlaces(Model):
     tied: bool = False
 
 
-class Candidates(NamedTuple):
+class CandidateBays(NamedTuple):
     """Candidate places in bays and storeys, of a building in frames of one direction.
 
     Attributes:
@@ -159,12 +159,12 @@ class PlacementDesign(Model):
     verify: PlacementVerify
 
     @property
-    def candidates(self) -> tuple[Candidates, ...]:
+    def candidates(self) -> tuple[CandidateBays, ...]:
         """The candidate places: one entry of a plane frame, of a building those of `places`."""
         if self.bays is not None:
-            return (Candidates(None, None, self.bays, self.storeys),)
+            return (CandidateBays(None, None, self.bays, self.storeys),)
         return tuple(
-            Candidates(at.along, at.frames, at.bays, at.storeys or self.storeys, at.tied) for at in self.places
+            CandidateBays(at.along, at.frames, at.bays, at.storeys or self.storeys, at.tied) for at in self.places
         )
 
     def kinds_of(self, item: CatalogueItem) -> tuple[Kind, ...]:
