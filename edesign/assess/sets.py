@@ -77,11 +77,7 @@ class HistorySet:
         return {name: first[name.removesuffix(end)] for name, end in ends.items()}
 
     def by_motion(self, chosen: Mapping[str, Group]) -> list[list[Group]]:
-        """Return histories of the set by motion.
-
-        Args:
-            chosen: by name.
-        """
+        """Return histories of the set by motion."""
         of: dict[str, list[Group]] = {}
         for name, group in chosen.items():
             of.setdefault(self.motion_of[name], []).append(group)
