@@ -172,8 +172,8 @@ class PlaneFrame:
             alone: whether it stands alone, so that it must resist something itself.
 
         Raises:
-            InputError: it has floors that the ground holds or that are rigid in part, no column, nodes without a member of
-                its own, or nothing that resists while other frames do.
+            InputError: it has floors that the ground holds or that are rigid in part, no column, nodes without a
+                member of its own, or nothing that resists while other frames do.
         """
         if self.building.held_floors:
             message = "project files have no floors that the ground holds [E-SPACE-04]"

@@ -14,7 +14,7 @@ from edesign.errors import InputError
 from edesign.exchange.opensees.limits import refuse
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.panel_zones import panel_of
-from edesign.frame.sections.i_shape import rolled_i_shape
+from edesign.frame.sections.i_shape import plates_of
 from edesign.project.building import BuildingError
 from edesign.report.building.assumptions import building_assumption_rows
 from edesign.space.nonlinear import build_building
@@ -82,7 +82,7 @@ def test_a_support_feels_what_stands_on_a_joint() -> None:
 def test_panels_shear_where_columns_bend_about_their_strong_axis() -> None:
     """By Krawinkler's model of the column and the beams along its strong axis; other joints have none."""
     frame = built("panel_zones: [{at: [A1, B2], floors: 1, doubler: 5 mm}]")
-    column = rolled_i_shape("HEB200")
+    column = plates_of("HEB200", {})
     assert column is not None and set(frame.panels) == {"A1.1", "B2.1"}
     assert frame.panels["A1.1"].panel == panel_of(0.3, column, 5e-3, 210e9, 275e6, 0.03)
     assert frame.members["C_A1_1"].stretches.arms == (0.0, 0.15)
