@@ -59,7 +59,7 @@ def _height(event: Place) -> float:
 
 
 def _worst_line(target: Analysis) -> int:
-    return int(target.group.variables["n2_torsional_amplification"].values.argmax())
+    return int(target.group.variables["torsional_amplification"].values.argmax())
 
 
 def _amplified(name: str) -> Callable[[Analysis], float]:
@@ -68,7 +68,7 @@ def _amplified(name: str) -> Callable[[Analysis], float]:
 
 
 def _where_drift(target: Analysis) -> str:
-    return str(target.group.coords["drift_line"].values[target.group.variables["n2_line_drift"].values.argmax()])
+    return str(target.group.coords["drift_line"].values[target.group.variables["amplified_line_drift"].values.argmax()])
 
 
 EVENTS = TableSpec[Place](
@@ -123,14 +123,14 @@ ASCE41 = TableSpec[Analysis](
 )
 TORSION = TableSpec[Analysis](
     "target_torsion",
-    "Torsion at the target displacements, EN 1998-1, 4.3.3.4.2.7",
+    f"Torsion at the target displacements, {METHODS['n2']}",
     (
         *_NAMED,
-        col("elastic", ONE, _amplified("n2_line_ratio_elastic")),
-        col("push", ONE, _amplified("n2_line_ratio_push")),
-        col("factor", ONE, _amplified("n2_torsional_amplification")),
+        col("elastic", ONE, _amplified("line_ratio_elastic")),
+        col("push", ONE, _amplified("line_ratio_push")),
+        col("factor", ONE, _amplified("torsional_amplification")),
         text("column line", lambda target: target.group.coords["amplified_line"].values[_worst_line(target)]),
-        col("drift", PERCENT, lambda target: target.group.variables["n2_line_drift"].values.max()),
+        col("drift", PERCENT, lambda target: target.group.variables["amplified_line_drift"].values.max()),
         text("at", _where_drift),
     ),
     keys=2,
@@ -184,7 +184,7 @@ def target_tables(project: AnalysisFile | None, groups: Mapping[str, Group], stu
     for method, spec in TARGETS.items():
         reached = (one for one in found if f"{method}_d_t" in one.group.variables)
         tables.append(spec.of(one for one in reached if one.group.attributes.get("method") == method))
-    tables.append(TORSION.of(one for one in found if "n2_torsional_amplification" in one.group.variables))
+    tables.append(TORSION.of(one for one in found if "torsional_amplification" in one.group.variables))
     return [table for table in (*tables, states_table(project, groups, study)) if table.rows]
 
 

@@ -111,23 +111,23 @@ def _amplified(project: AnalysisFile, spec: TargetAnalysis, found: Capacity, pus
     group = pushed.group
     coordinate(group, "amplified_line", list(made.lines), "", "column line whose upper end is on a rigid floor")
     label = "displacement at the upper end of the column line over that of the centre of mass"
-    group.add("n2_line_ratio_elastic", ("amplified_line",), made.elastic, "1", f"{label}, elastic modal analysis")
-    group.add("n2_line_ratio_push", ("amplified_line",), made.pushed, "1", f"{label}, push")
+    group.add("line_ratio_elastic", ("amplified_line",), made.elastic, "1", f"{label}, elastic modal analysis")
+    group.add("line_ratio_push", ("amplified_line",), made.pushed, "1", f"{label}, push")
     label = "torsional amplification of displacements and deformations on the column line"
-    group.add("n2_torsional_amplification", ("amplified_line",), made.factor, "1", label)
+    group.add("torsional_amplification", ("amplified_line",), made.factor, "1", label)
     factors = dict(zip(made.lines, made.factor.tolist(), strict=True))
     of_lines = [factors.get(str(name).partition(".")[0], 1.0) for name in group.coords["drift_line"].values]
     drifts = np.maximum(*(abs(group.variables[f"line_drift_{which}"].values) for which in ("max", "min")))
     label = "largest drift ratio of the storey on the column line in the direction of the push, torsion amplified"
-    group.add("n2_line_drift", ("drift_line",), drifts[:, pushed.direction] * of_lines, "1", label)
+    group.add("amplified_line_drift", ("drift_line",), drifts[:, pushed.direction] * of_lines, "1", label)
     worst = int(made.factor.argmax())
     return [
         AnalysisWarning(
             "target_torsion",
             f"mode {mode} is mostly a turn of the building about the vertical ({100 * part:.3g} % of its moment of "
             f"inertia): deformations on column lines are up to {made.factor[worst]:.3g} times those of the push, at "
-            f"{made.lines[worst]} (EN 1998-1, 4.3.3.4.2.7); drifts with this factor are in `n2_line_drift`, members "
-            "are without it",
+            f"{made.lines[worst]} (EN 1998-1, 4.3.3.4.2.7); drifts with this factor are in `amplified_line_drift`, "
+            "members are without it",
             part,
         )
         for mode, part in found.basis.torsional_modes.items()
