@@ -104,6 +104,11 @@ int ed_model_damping_factor(ed_model *model, int element, double factor);
 int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters, const double *parameters, double brace,
                     double play, double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
                     const double *coefficient);
+/* A bearing: the damper acts across its own direction too, with forces that lie within a circle, and the number of this second
+ * direction is returned; in any single direction it has the force of its law. Of laws FRICTION, ELASTIC_PLASTIC, LEAD_RUBBER and
+ * FRICTION_PENDULUM, without brace and effects; the terms are those of two deformations at right angles. */
+int ed_model_damper_across(ed_model *model, int damper, const char *name, int n_terms, const int *node, const int *degree,
+                           const double *coefficient);
 /* The damper acts from the beginning, under gravity too: a bearing that holds what stands on it. In static steps it answers slowly, and
  * with its slope there it counts in the check whether the structure stands. */
 int ed_model_damper_carries(ed_model *model, int damper);

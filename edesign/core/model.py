@@ -508,6 +508,7 @@ class Model:
         play: float = 0.0,
         carries: bool = False,
         pressed_by: tuple[int, float] | None = None,
+        across: tuple[str, Sequence[tuple[float, int, int]]] | None = None,
     ) -> int:
         """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
@@ -522,6 +523,8 @@ class Model:
             carries: whether it acts from the beginning, gravity included: a bearing that holds what stands on it.
             pressed_by: a spring and a weight (N): in histories the force is multiplied by the compression of the spring
                 over the weight, none where it is pulled.
+            across: name and terms of a second deformation at right angles to the first: a bearing, whose forces in both
+                directions lie within a circle. It is the damper of the next number. The law is one of `CIRCULAR`.
 
         Returns:
             Number of the damper.
@@ -552,6 +555,14 @@ class Model:
             self._checked(lib.ed_model_add_damper_effect(self._c, number, form, place, len(values), values))
         self.damper_names.append(name)
         self.damper_terms.append(self.on_masters(terms))
+        if across is not None:
+            name, terms = across
+            nodes, degrees = [node for _, node, _ in terms], [degree for _, _, degree in terms]
+            coefficients = [coefficient for coefficient, _, _ in terms]
+            arguments = (number, name.encode(), len(terms), nodes, degrees, coefficients)
+            self._checked(lib.ed_model_damper_across(self._c, *arguments))
+            self.damper_names.append(name)
+            self.damper_terms.append(self.on_masters(terms))
         return number
 
     def pattern(self) -> int:

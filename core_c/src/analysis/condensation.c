@@ -36,8 +36,9 @@ int ed_condensation_allocate(ed_analysis *a)
   /* A solution here saves an iteration of the frame and its factors at best. Those that SUNDIALS integrates cost more than a frame. */
   if (dampers == 0 || a->devices.n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->factors.solver))
     return ED_OK;
-  for (int i = 0; i < a->model->n_devices; i++) /* whose force depends on one of the frame has to look at it in each iteration */
-    if (a->model->devices[i].axial_spring >= 0)
+  /* One whose force depends on one of the frame has to look at it in each iteration; for bearings balances know no cross slopes. */
+  for (int i = 0; i < a->model->n_devices; i++)
+    if (a->model->devices[i].axial_spring >= 0 || a->model->devices[i].other >= 0)
       return ED_OK;
   ed_condensation *condensation = &a->condensation;
   condensation->response = malloc(dampers * n * sizeof(double));

@@ -1,6 +1,7 @@
 /* Elastic-plastic device with kinematic hardening: F = k (u - p), |F - b k u| <= (1 - b) Fy, return mapping of the plastic
  * deformation p. Along a monotone motion that is exact in one step. Coulomb friction in series with the stiffness of its
  * connection is the same without hardening; a lead-rubber bearing the same by its characteristic strength. Memory: p. */
+#include "damper/circular.h"
 #include "damper/laws.h"
 #include "damper/motions.h"
 #include "edcore.h"
@@ -72,15 +73,27 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   return isfinite(out->force + plastic) ? ED_OK : ED_E_NOT_FINITE;
 }
 
+/* In two directions: the linear hardening is isotropic, and what is beyond it lies within a circle. Memory: that part of the force. */
+static int step_pair(const ed_damper *damper, const double *const committed[2], const ed_path path[2], const ed_path direction[2],
+                     double *const trial[2], ed_pair_force *out)
+{
+  const double hardening = damper->derived[HARDENING];
+  const ed_circle circle = {.stiffness = damper->derived[STIFFNESS] - hardening, .limit = damper->derived[LIMIT]};
+  return ed_circle_beside_spring(&circle, hardening, committed, path, direction, trial, out);
+}
+
 const ed_law ed_friction = {.name = "friction",
                             .rate_independent = 1,
                             .prepare = prepare_friction,
-                            .step = step};
+                            .step = step,
+                            .step_pair = step_pair};
 const ed_law ed_elastic_plastic = {.name = "elastic_plastic",
                                    .rate_independent = 1,
                                    .prepare = prepare_elastic_plastic,
-                                   .step = step};
+                                   .step = step,
+                                   .step_pair = step_pair};
 const ed_law ed_lead_rubber = {.name = "lead_rubber",
                                .rate_independent = 1,
                                .prepare = prepare_lead_rubber,
-                               .step = step};
+                               .step = step,
+                               .step_pair = step_pair};

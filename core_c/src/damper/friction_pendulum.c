@@ -4,6 +4,7 @@
  *
  * where Q rises with mu(0) W / Y before it slips. Return mapping of the slip p at the turns of the path, where v = 0, and at its end. In
  * slip that is exact; where mu falls between them more than at both, the step is too long anyway. Memory: p. */
+#include "damper/circular.h"
 #include "damper/laws.h"
 #include "damper/motions.h"
 #include "edcore.h"
@@ -52,7 +53,20 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   return isfinite(out->force) ? ED_OK : ED_E_NOT_FINITE;
 }
 
+/* In two directions: a pendulum in both, friction within a circle. Memory: the friction. */
+static int step_pair(const ed_damper *damper, const double *const committed[2], const ed_path path[2], const ed_path direction[2],
+                     double *const trial[2], ed_pair_force *out)
+{
+  const double *p = damper->parameter;
+  const ed_circle circle = {.stiffness = p[F_SLOW] * p[W] / p[Y],
+                            .limit = p[F_FAST] * p[W],
+                            .fading = (p[F_FAST] - p[F_SLOW]) * p[W],
+                            .rate = p[A]};
+  return ed_circle_beside_spring(&circle, p[W] / p[R], committed, path, direction, trial, out);
+}
+
 const ed_law ed_friction_pendulum = {.name = "friction_pendulum",
                                      .rate_independent = 1,
                                      .prepare = prepare,
-                                     .step = step};
+                                     .step = step,
+                                     .step_pair = step_pair};

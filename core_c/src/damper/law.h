@@ -27,6 +27,12 @@ typedef struct {
   double chord[2];
 } ed_damper_force;
 
+/* Of a bearing in two directions: derivatives [of the force along][to the motion along][to the two unknowns of its path]. */
+typedef struct {
+  double force[2];
+  double slope[2][2][2];
+} ed_pair_force;
+
 /* Right-hand side at one instant with all its partial derivatives. */
 typedef struct {
   double force, force_u, force_v;
@@ -79,6 +85,10 @@ struct ed_law {
    * path begins where the last one ended in u; its velocity there may differ. */
   int (*step)(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
               ed_damper_force *out);
+  /* The same of a bearing whose forces in two directions depend on each other, alike in all directions of the plane, and in each single
+   * one are those of `step`: committed and trial are of n_memory numbers of each direction. NULL: the law is of one direction. */
+  int (*step_pair)(const ed_damper *damper, const double *const committed[2], const ed_path path[2], const ed_path direction[2],
+                   double *const trial[2], ed_pair_force *out);
   /* Differential equations at deformation u, velocity v, y (n_ode), memory (n_memory): smooth between events. NULL where the
    * law has none. Running extremes: memory holds those of the segment's start; inside a segment the law takes the larger of the
    * memory and the present value. */

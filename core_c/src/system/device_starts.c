@@ -37,7 +37,7 @@ int ed_first_slopes(ed_analysis *a)
   }
   for (int i = 0; i < a->model->n_devices; i++) {
     double *first = ed_device_block(&a->devices, &a->committed, i), *slow = ed_device_block(&a->devices, &a->trial, i);
-    memcpy(first + ED_DEVICE_SLOPE, slow + ED_DEVICE_SLOPE, 2 * sizeof *first);
+    memcpy(first + ED_DEVICE_SLOPE, slow + ED_DEVICE_SLOPE, (ED_DEVICE_WORK - ED_DEVICE_SLOPE) * sizeof *first);
     memcpy(slow, first, (size_t)ed_device_block_size(&a->model->devices[i]) * sizeof *slow);
   }
   return ED_OK;

@@ -126,6 +126,12 @@ double ed_device_slope(const ed_devices *devices, const ed_state *trial, int i)
   return devices->oscillating && devices->oscillates[i] ? tangent + chord[0] + devices->velocity_factor * chord[1] : tangent;
 }
 
+double ed_device_cross_slope(const ed_devices *devices, const ed_state *trial, int i)
+{
+  const double *cross = ed_device_block(devices, trial, i) + ED_DEVICE_CROSS;
+  return cross[0] + devices->velocity_factor * cross[1];
+}
+
 /* The law's path over this step, from the degrees. A static step goes slowly from rest to rest, also after a history that ended in
  * motion: its velocities would lead far away in so long a time. */
 static void set_path(ed_analysis *a, int i, ed_path *path)
@@ -175,6 +181,30 @@ static void take(ed_analysis *a, int i, const ed_damper_force *out)
   }
 }
 
+/* A bearing, by the first of its directions. */
+static int update_bearing(ed_analysis *a, int first)
+{
+  const int both[2] = {first, a->model->devices[first].other};
+  const double *committed[2];
+  double *trial[2];
+  ed_path path[2];
+  ed_pair_force found;
+  for (int c = 0; c < 2; c++) {
+    set_path(a, both[c], &path[c]);
+    committed[c] = ed_device_block(&a->devices, &a->committed, both[c]) + ED_DEVICE_LAW_STATE;
+    trial[c] = ed_device_block(&a->devices, &a->trial, both[c]) + ED_DEVICE_LAW_STATE;
+  }
+  const ed_device *device = &a->model->devices[first];
+  const int status = device->damper.law->step_pair(&device->damper, committed, path, a->devices.direction, trial, &found);
+  const double scale = device->force_scale * device->deformation_scale * pressed(a, device);
+  for (int c = 0; status == ED_OK && c < 2; c++) {
+    take(a, both[c], &(ed_damper_force){.force = found.force[c], .slope = {found.slope[c][c][0], found.slope[c][c][1]}});
+    for (int j = 0; j < 2; j++)
+      ed_device_block(&a->devices, &a->trial, both[c])[ED_DEVICE_CROSS + j] = scale * found.slope[c][1 - c][j];
+  }
+  return status;
+}
+
 static int update_by_ode(ed_analysis *a)
 {
   for (int k = 0; k < a->devices.n_by_ode; k++) {
@@ -211,6 +241,12 @@ int ed_update_devices(ed_analysis *a, int rough)
     const ed_device *device = &a->model->devices[i];
     if (!ed_damper_has_exact_step(&device->damper) || ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_INSTALLED] == 0.0)
       continue;
+    if (device->other >= 0) {
+      const int status = device->other > i ? update_bearing(a, i) : ED_OK;
+      if (status != ED_OK)
+        return fail(a, i, status);
+      continue;
+    }
     ed_damper_force out = {0};
     ed_path path;
     set_path(a, i, &path);
@@ -263,6 +299,13 @@ void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix)
     for (int p = 0; p < device->n_terms; p++)
       for (int q = 0; q < device->n_terms; q++)
         matrix[*place++] += slope * device->coefficient[p] * device->coefficient[q];
+    if (device->other < 0)
+      continue;
+    const double cross = k * ed_device_cross_slope(&a->devices, &a->trial, i), *across = a->model->devices[device->other].coefficient;
+    place -= device->n_terms * device->n_terms;
+    for (int q = 0; q < device->n_terms; q++) /* columns, as ed_build_pattern has them */
+      for (int p = 0; p < device->n_terms; p++)
+        matrix[*place++] += cross * device->coefficient[p] * across[q];
   }
   matrix[a->matrix.nnz] = 0.0;
 }

@@ -36,7 +36,8 @@ enum {
   ED_DEVICE_FORCE_PACE,        /* change of the force over the step, per time */
   ED_DEVICE_FORCE_PACE_BEFORE, /* and over the one before */
   ED_DEVICE_SLOPE,             /* dF/du, dF/dv */
-  ED_DEVICE_WORK = ED_DEVICE_SLOPE + 2,
+  ED_DEVICE_CROSS = ED_DEVICE_SLOPE + 2, /* of a bearing, to the motion across */
+  ED_DEVICE_WORK = ED_DEVICE_CROSS + 2,
   ED_DEVICE_LAW_STATE
 };
 
@@ -59,6 +60,8 @@ double ed_device_force(const ed_devices *devices, const ed_state *state, int dev
 double ed_expected_device_force(const ed_devices *devices, const ed_state *committed, int device);
 /* dF/du + (dv/du of the attempt) dF/dv at the trial state. */
 double ed_device_slope(const ed_devices *devices, const ed_state *trial, int device);
+/* The same to what its bearing does across; 0 where it is none. */
+double ed_device_cross_slope(const ed_devices *devices, const ed_state *trial, int i);
 void ed_name_damper(const ed_model *model, const ed_devices *devices, char *buffer, int size); /* that failed, and why */
 void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
 void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix);

@@ -77,9 +77,10 @@ typedef struct {
   double force_scale, deformation_scale; /* F = force_scale * law(deformation_scale * u) */
   int axial_spring;             /* spring by whose axial force its own goes in histories; -1: none */
   double weight;                /* compression of that spring at which it has the force of its law */
+  int other;                    /* damper that is the same bearing across it, whose force depends on both; -1: none */
   int carries;                  /* it acts from the beginning, under loads that come before ed_install_dampers too */
   int n_terms;
-  int degree[ED_MAX_TERMS];     /* over all degrees of all nodes */
+  int degree[ED_MAX_TERMS];     /* over all degrees of all nodes; of a bearing those of both its directions, in one order */
   double coefficient[ED_MAX_TERMS];
 } ed_device;
 

@@ -29,10 +29,14 @@ static void add_pull(ed_analysis *a, int support, double *pull)
           pull[a->numbering.equation[e->dof[i]]] -= t[e->degrees * i + j];
   }
   for (int i = 0; ed_installed(a) && i < a->model->n_devices; i++) {
-    const ed_device *device = &a->model->devices[i];
-    for (int k = 0; k < device->n_terms; k++)
-      if (a->numbering.support[device->degree[k]] == support)
-        ed_add_along_device(&a->numbering, device, -ed_device_slope(&a->devices, &a->trial, i) * device->coefficient[k], pull);
+    const ed_device *device = &a->model->devices[i], *other = device->other < 0 ? NULL : &a->model->devices[device->other];
+    for (int k = 0; k < device->n_terms; k++) {
+      if (a->numbering.support[device->degree[k]] != support)
+        continue;
+      ed_add_along_device(&a->numbering, device, -ed_device_slope(&a->devices, &a->trial, i) * device->coefficient[k], pull);
+      if (other)
+        ed_add_along_device(&a->numbering, device, -ed_device_cross_slope(&a->devices, &a->trial, i) * other->coefficient[k], pull);
+    }
   }
 }
 
