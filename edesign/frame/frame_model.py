@@ -319,8 +319,8 @@ class FrameModel:
         loads it at a support goes there at once. A rigid floor of a building that the ground holds has at its master
         what members hand over to it; its own inertia goes into the ground at once.
         """
-        if degree == 0 and self.isolated is not None:
-            return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support))
+        if degree < self.up and self.isolated is not None:
+            return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support, degree))
         ground = self.grounds[support][degree] if support in self.grounds else None
         if ground is not None:
             return ((1.0, "reaction", ground, degree),)

@@ -106,9 +106,14 @@ def _word(model: Model, degree: int) -> str:
     return _WORDS[degree] if model.dimension == 2 else model.degrees[degree]
 
 
-def vertical_spring(name: str) -> str:
-    """Return the name of the element that supports a node vertically, if a spring does."""
-    return f"{name}.vertical"
+def vertical_spring(name: str, dimension: int) -> str:
+    """Return the name of the element that supports a node vertically, if a spring does.
+
+    Args:
+        name: of the node.
+        dimension: of the model, 2 or 3.
+    """
+    return f"{name}.vertical" if dimension == 2 else f"{name}.uz"
 
 
 def _law(spring: float | SpringValues) -> SpringLaw:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Protocol, S
 from pydantic import Field, PrivateAttr
 
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.isolation import Isolation
+from edesign.project.dampers.isolation import AnyIsolation
 from edesign.project.notation.frames import Direction
 from edesign.project.notation.grid import Grid
 from edesign.project.reading.base import Model
@@ -187,7 +187,7 @@ class AnalysisFile(RecordFiles, FileModel):
         return None if self.elements.geometry.columns == "corotational" else self.validity.geometric_drift
 
     @property
-    def isolation(self) -> Isolation | None:
+    def isolation(self) -> AnyIsolation | None:
         """The isolated base of the building; None: it stands on its supports."""
         return self.dampers.isolation if self.dampers is not None else None
 

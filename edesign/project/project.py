@@ -18,6 +18,7 @@ from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.dampers.dampers import DamperRun, Dampers
+from edesign.project.dampers.isolation import Isolation
 from edesign.project.document import Document
 from edesign.project.frame.elements import Elements
 from edesign.project.frame.foundations import Footing, Soil
@@ -131,6 +132,11 @@ class Project(AnalysisFile):
         """Return the place of the support that a line of columns takes."""
         named = self.frame.supports if isinstance(self.frame.supports, dict) else ()
         return ("frame", "supports", line if line in named else "default")
+
+    @property
+    def isolation(self) -> Isolation | None:
+        """The isolated base of the frame; None: it stands on its supports."""
+        return self.dampers.isolation if self.dampers is not None else None
 
     @property
     def grid(self) -> Grid:

@@ -20,6 +20,7 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.analysis_file import AnalysisFile, Identifier
 from edesign.project.building.design import Design
 from edesign.project.building.hinges import BuildingHinges, BuildingJoints, BuildingPanelZones
+from edesign.project.building.isolation import Isolation
 from edesign.project.building.layout import Layout, Panel
 from edesign.project.building.loads import Loads, Masses
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
@@ -102,6 +103,16 @@ class PartialDiaphragm(Model):
     bays: Bays
 
 
+class BuildingDampers(Dampers):
+    """All dampers of a building, and its isolators; analyses with `dampers: false` leave them out.
+
+    Attributes:
+        isolation: isolators under the columns, and the base on them.
+    """
+
+    isolation: Isolation | None = None  # type: ignore[assignment]
+
+
 class Building(spacing.Storeys, AnalysisFile):
     """A building file: a building in three dimensions, what acts on it, what it is designed for, and what is analysed.
 
@@ -133,7 +144,7 @@ class Building(spacing.Storeys, AnalysisFile):
         hinges: plastic hinges lumped at the ends of members, in analyses.
         joints: semi-rigid joints in analyses, as springs between the ends of members and their nodes.
         panel_zones: joints whose panel shears, in analyses.
-        dampers: dampers and tuned masses of the building; its elastic design is without them.
+        dampers: dampers, tuned masses and isolators of the building; its elastic design is without them.
         damping: inherent damping of the building; histories need it.
         integration: time integration; histories need it.
         validity: errors and drifts beyond which a result does not count.
@@ -173,7 +184,7 @@ class Building(spacing.Storeys, AnalysisFile):
     hinges: tuple[BuildingHinges, ...] = ()
     joints: tuple[BuildingJoints, ...] = ()
     panel_zones: tuple[BuildingPanelZones, ...] = ()
-    dampers: Dampers | None = None
+    dampers: BuildingDampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None
     validity: Validity = Validity()
@@ -238,6 +249,11 @@ class Building(spacing.Storeys, AnalysisFile):
     def layout(self) -> Layout:
         """The members at each place of the grid."""
         return Layout(self)
+
+    @property
+    def isolation(self) -> Isolation | None:
+        """The isolated base of the building; None: it stands on its supports."""
+        return self.dampers.isolation if self.dampers is not None else None
 
     @property
     def grid(self) -> Grid:

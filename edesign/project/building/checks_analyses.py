@@ -121,6 +121,3 @@ def plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
     Args:
         building: its members and loads are right.
     """
-    dampers = building.dampers
-    if dampers is not None and dampers.isolation is not None:
-        yield ("dampers", "isolation"), "isolators are"

@@ -8,6 +8,7 @@ from typing import TypeVar
 from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_analyses
 from edesign.project.building.checks_dampers import check_dampers
+from edesign.project.building.checks_isolation import check_isolation
 from edesign.project.building.checks_design import check_design
 from edesign.project.building.checks_ends import check_building_ends
 from edesign.project.building.checks_layout import check_layout
@@ -79,6 +80,7 @@ def parse_building(
             check_design(building, problems, files)
             check_dampers(building, problems, profiles)
             check_building_ends(building, problems)
+            check_isolation(building, problems, profiles)
             check_analyses(building, problems, files)
     if building is None or problems.found:
         raise BuildingError(path, problems.found)

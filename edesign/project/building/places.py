@@ -137,3 +137,10 @@ def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
         else None
     )
     return ColumnLineItem(str(item).strip(), x, y)
+
+
+def named_line(name: str) -> ColumnLine:
+    """Return the column line of a name that is right, such as `B3`."""
+    match = _LINES.fullmatch(name)
+    assert match is not None
+    return ColumnLine(line_index(match[1]), int(match[2]) - 1)

@@ -3,9 +3,19 @@
 from __future__ import annotations
 
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis
+from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.selections import Selections
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
-from edesign.project.dampers.isolation import NEEDS_STIFFNESS, WEIGHED, BaseDevice, Isolation, Isolator
+from edesign.project.dampers.isolation import (
+    CIRCULAR,
+    NEEDS_STIFFNESS,
+    UNCOUPLED,
+    WEIGHED,
+    AnyBaseDevice,
+    AnyIsolator,
+    Isolation,
+    not_in_all_directions,
+)
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.supports import SupportKind, SupportSprings, springs_of, support_name
 from edesign.project.notation import names
@@ -29,20 +39,11 @@ def check_isolation(project: Project, problems: Problems) -> None:
     inside = True
     for i, isolator in enumerate(isolation.isolators):
         keys: Keys = (*_AT, "isolators", i)
-        inside &= _device(project, problems, keys, isolator)
-        _weight(project, problems, keys, isolator)
-        if isolator.vertical == "free":
-            problems.at_value(
-                (*keys, "vertical"), "an isolator carries the column; it is `fixed` or has a stiffness [E-KEY-03]"
-            )
-        for line in isolator.lines.names(project.frame.lines):
-            if line in taken:
-                message = f"line {line} has an isolator already, isolators[{taken[line]}]; one carries the column"
-                problems.at_value((*keys, "lines"), f"{message} (give what acts beside it under `beside`) [E-ISOL-04]")
-                break
-            taken[line] = i
+        inside &= Selections(project.frame, problems).lines((*keys, "lines"), isolator.lines)
+        check_isolator(project, problems, i, isolator, taken, "lines")
     for i, item in enumerate(isolation.beside):
-        inside &= _device(project, problems, (*_AT, "beside", i), item)
+        inside &= Selections(project.frame, problems).lines((*_AT, "beside", i, "lines"), item.lines)
+        check_law(project, problems, (*_AT, "beside", i), item)
     if inside:
         _other_bases(project, problems, isolation, taken)
     _base(project, problems, isolation)
@@ -52,11 +53,7 @@ def check_isolation(project: Project, problems: Problems) -> None:
             " [E-FRAME-04]"
         )
         problems.at_key(("frame", "leaning_column"), message)
-    for i, analysis in enumerate(project.analyses):
-        if isinstance(analysis, PushoverAnalysis) and analysis.dampers:
-            problems.at_key(("analyses", i, "kind"), NO_PUSHOVER)
-        if isinstance(analysis, HistoryAnalysis) and analysis.dampers and analysis.wave_passage is not None:
-            problems.at_key(("analyses", i, "wave_passage"), NO_WAVE_PASSAGE)
+    check_isolated_analyses(project, problems)
 
 
 NO_WAVE_PASSAGE = "the ground under isolators moves as one; wave passage needs fixed supports [E-ISOL-03]"
@@ -66,17 +63,65 @@ NO_PUSHOVER = (
 )
 
 
-def _device(project: Project, problems: Problems, keys: Keys, item: BaseDevice) -> bool:
-    """Lines of the grid and a law that exists, with a size that it knows; returns whether the lines are so."""
+def check_isolated_analyses(project: AnalysisFile, problems: Problems) -> None:
+    """Check that nothing is asked of a file with an isolated base that is not offered for one.
+
+    Args:
+        problems: collects what is wrong.
+    """
+    for i, analysis in enumerate(project.analyses):
+        if isinstance(analysis, PushoverAnalysis) and analysis.dampers:
+            problems.at_key(("analyses", i, "kind"), NO_PUSHOVER)
+        if isinstance(analysis, HistoryAnalysis) and analysis.dampers and analysis.wave_passage is not None:
+            problems.at_key(("analyses", i, "wave_passage"), NO_WAVE_PASSAGE)
+
+
+def check_isolator(
+    project: AnalysisFile, problems: Problems, i: int, isolator: AnyIsolator, taken: dict[str, int], lines: str
+) -> None:
+    """Check law, weight and vertical direction of an isolator, and that its lines have no other one.
+
+    Args:
+        problems: collects what is wrong.
+        i: its number in the file.
+        isolator: of a plane frame or a building.
+        taken: numbers of isolators by column line, to which those of its lines are added.
+        lines: key of its column lines.
+    """
+    keys: Keys = (*_AT, "isolators", i)
+    check_law(project, problems, keys, isolator)
+    _weight(project, problems, keys, isolator)
+    if isolator.vertical == "free":
+        problems.at_value(
+            (*keys, "vertical"), "an isolator carries the column; it is `fixed` or has a stiffness [E-KEY-03]"
+        )
+    for line in isolator.under(project.grid.lines):
+        if line in taken:
+            message = f"line {line} has an isolator already, isolators[{taken[line]}]; one carries the column"
+            problems.at_value((*keys, lines), f"{message} (give what acts beside it under `beside`) [E-ISOL-04]")
+            break
+        taken[line] = i
+
+
+def check_law(project: AnalysisFile, problems: Problems, keys: Keys, item: AnyBaseDevice) -> None:
+    """Check that a law exists, with a size that it knows, and acts in the directions of what has it.
+
+    Args:
+        problems: collects what is wrong.
+        keys: place of what has it.
+        item: an isolator, or what acts beside isolators.
+    """
     assert project.dampers is not None
     laws = project.dampers.laws
-    inside = Selections(project.frame, problems).lines((*keys, "lines"), item.lines)
     if item.law not in laws:
         problems.at_value((*keys, "law"), unknown_name("damper law", item.law, laws))
-        return inside
+        return
     law = laws[item.law]
     if law.type == "buckling_restrained":
         message = f"the law `{item.law}` is of a buckling-restrained brace, which acts along its own length [E-ISOL-03]"
+        problems.at_value((*keys, "law"), message)
+    elif len(item.axes) == 2 and law.type is not None and (law.effects or law.type not in CIRCULAR + UNCOUPLED):
+        message = not_in_all_directions(item.law, law.type, bool(law.effects))
         problems.at_value((*keys, "law"), message)
     if law.prototype is None and law.file is None:
         for key in ("layers", "layer_area", "layer_thickness"):
@@ -86,10 +131,9 @@ def _device(project: Project, problems: Problems, keys: Keys, item: BaseDevice) 
                 )
     elif law.prototype is not None and item.scale is not None:
         problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(item.law))
-    return inside
 
 
-def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator) -> None:
+def _weight(project: AnalysisFile, problems: Problems, keys: Keys, isolator: AnyIsolator) -> None:
     """A weight belongs to friction pendulums, whose forces follow from it or from a scale."""
     assert project.dampers is not None
     law = project.dampers.laws.get(isolator.law)
@@ -123,7 +167,7 @@ def _other_bases(project: Project, problems: Problems, isolation: Isolation, tak
             (*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller` [E-ISOL-01]"
         )
     for i, isolator in enumerate(isolation.isolators):
-        bare = [line for line in isolator.lines.names(frame.lines) if line not in column_bases]
+        bare = [line for line in isolator.under(frame.lines) if line not in column_bases]
         if bare and not isolator.lines.is_all:
             message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one [E-NAME-01]"
             problems.at_value((*_AT, "isolators", i, "lines"), message)

@@ -202,15 +202,28 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         FORCE, "support", "gravity included", kept="supports", in_space=("direction", "at")
     ),
     "support_moment": ArchivedQuantity(MOMENT, "support", "gravity included", kept="supports", in_space=("at",)),
-    "isolator_axial_force": ArchivedQuantity(FORCE, "isolator", "gravity included", sides=True, isolated=True),
+    "isolator_axial_force": ArchivedQuantity(
+        FORCE, "isolator", "gravity included", sides=True, isolated=True, in_space=("at",)
+    ),
+    "isolator_displacement": ArchivedQuantity(
+        LENGTH,
+        "isolator",
+        "horizontal, of an isolator of a building",
+        isolated=True,
+        in_space=("direction", "at"),
+        of_buildings=True,
+    ),
+    "base_rotation": ArchivedQuantity(
+        ROTATION, "frame", "of the isolated base of a building about the vertical", isolated=True, of_buildings=True
+    ),
     "base_displacement": ArchivedQuantity(
-        LENGTH, "frame", "horizontal, of an isolated base, relative to the ground", isolated=True
+        LENGTH, "frame", "horizontal, of an isolated base, relative to the ground", isolated=True, in_space=DIRECTED
     ),
     "residual_base_displacement": ArchivedQuantity(
-        LENGTH, "frame", "of an isolated base, mean over the last fundamental period", isolated=True
+        LENGTH, "frame", "of an isolated base, mean over the last fundamental period", isolated=True, in_space=DIRECTED
     ),
     "base_acceleration": ArchivedQuantity(
-        ACCELERATION, "frame", "horizontal, total, of an isolated base", isolated=True
+        ACCELERATION, "frame", "horizontal, total, of an isolated base", isolated=True, in_space=DIRECTED
     ),
     "base_shear": ArchivedQuantity(
         FORCE, "frame", "sum of the horizontal reactions, those of dampers included", in_space=DIRECTED

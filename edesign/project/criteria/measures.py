@@ -57,6 +57,9 @@ RESULTANTS = (
     "point_acceleration",
     "storey_shear",
     "base_shear",
+    "base_displacement",
+    "base_acceleration",
+    "isolator_displacement",
 )
 """Quantities of buildings that have resultants of both directions."""
 

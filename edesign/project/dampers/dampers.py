@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field
 
-from edesign.project.dampers.isolation import Isolation
+from edesign.project.dampers.isolation import AnyBaseDevice, Isolation
 from edesign.project.notation.frames import Direction, Frames
 from edesign.project.notation.selections import Numbers
 from edesign.project.notation.temperature import Temperature
@@ -306,5 +306,7 @@ class Dampers(Model):
     @property
     def used_laws(self) -> frozenset[str]:
         """The names of the laws that some damper or isolator has."""
-        base = () if self.isolation is None else (*self.isolation.isolators, *self.isolation.beside)
+        base: tuple[AnyBaseDevice, ...] = ()
+        if self.isolation is not None:
+            base = (*self.isolation.isolators, *self.isolation.beside)
         return frozenset(item.law for item in (*self.devices, *base))

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from edesign.project.dampers.dampers import DamperBetween, Dampers, Device
 from edesign.project.dampers.designs import Design
+from edesign.project.dampers.isolation import AnyBaseDevice
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.notation import names
 from edesign.project.notation.grid import Grid, InBays
@@ -35,15 +36,16 @@ def names_of_dampers(grid: Grid, dampers: Dampers | None) -> tuple[str, ...]:
         dampers: the dampers; None: the project has none.
     """
     base: list[str] = []
+    items: Sequence[AnyBaseDevice]
     isolation = dampers.isolation if dampers is not None else None
     if isolation is not None:
         for named, items in (
             (names.isolator_name, isolation.isolators),
             (names.base_device_name, isolation.beside),
         ):
-            for line in (line for item in items for line in item.lines.names(grid.lines)):
+            for item, line in ((item, line) for item in items for line in item.under(grid.lines)):
                 if grid.node_name(line, 0) in grid.nodes:
-                    base.append(names.free_name(named(line), base))
+                    base += [names.free_name(names.of_axis(named(line), axis), base) for axis in item.axes]
     return (*base, *devices_by_name(grid, dampers))
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from abc import abstractmethod
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
@@ -11,21 +13,32 @@ from edesign.project.frame.supports import Turning, Vertical
 from edesign.project.notation.selections import ALL_LINES, Lines
 from edesign.project.notation.units import LineLoad, PositiveArea, PositiveFactor, PositiveLength, PositiveMass
 from edesign.project.reading.base import Model
+from edesign.project.reading.problems import listed
 
 Count = Annotated[int, Field(ge=1, le=1000)]
 
 WEIGHED = "friction_pendulum"
 """The law whose forces are proportional to the weight on it, which is its first parameter."""
+CIRCULAR = ("lead_rubber", "elastic_plastic", "friction", "friction_pendulum")
+"""The laws whose forces along x and y lie within a circle."""
+UNCOUPLED = (
+    "kelvin_voigt",
+    "zener",
+    "generalised_maxwell",
+    "fractional_kelvin",
+    "fractional_zener",
+    "linearised",
+)
+"""The linear laws with a stiffness at rest, of which one along x and one along y are alike in all directions."""
 NEEDS_STIFFNESS = (
     "what presses on the isolator at every moment is known where its `vertical` has a stiffness [E-KEY-02]"
 )
 
 
-class BaseDevice(Model):
-    """A law between the ground and the base, horizontally, at some column lines.
+class AnyBaseDevice(Model):
+    """A law between the ground and the base, horizontally, at some column lines of a plane frame or a building.
 
     Attributes:
-        lines: column lines; without the key all that have a column.
         law: one of `dampers.laws`.
         number: devices side by side at each line.
         layers: layers of elastomer; without the key those of the prototype.
@@ -34,7 +47,6 @@ class BaseDevice(Model):
         scale: factor on the forces of a law without prototype.
     """
 
-    lines: Lines = ALL_LINES
     law: str
     number: Count = 1
     layers: Count | None = None
@@ -42,8 +54,17 @@ class BaseDevice(Model):
     layer_thickness: PositiveLength | None = None
     scale: PositiveFactor | None = None
 
+    @abstractmethod
+    def under(self, lines: Sequence[str]) -> tuple[str, ...]:
+        """Return those of some column lines, by name, at which it stands."""
 
-class Isolator(BaseDevice):
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """The horizontal directions in which it acts, "x" and "y"; of a plane frame one without a name."""
+        return ("",)
+
+
+class AnyIsolator(AnyBaseDevice):
     """An isolator under some column lines, which carries the column.
 
     Attributes:
@@ -54,6 +75,39 @@ class Isolator(BaseDevice):
 
     vertical: Vertical = "fixed"
     weight: Literal["gravity", "varying", "law"] | None = None
+
+
+class AnyIsolation(Model):
+    """An isolated base of a plane frame or a building.
+
+    Attributes:
+        isolators: what carries the columns; each line has one of them at most.
+        beside: what else acts between ground and base horizontally: dampers, stops of a moat.
+        design_displacement: displacement of the base at which the isolators count in natural modes.
+    """
+
+    if TYPE_CHECKING:
+        isolators: tuple[AnyIsolator, ...]
+        beside: tuple[AnyBaseDevice, ...]
+        design_displacement: PositiveLength
+
+
+class BaseDevice(AnyBaseDevice):
+    """A law between the ground and the base, horizontally, at some column lines.
+
+    Attributes:
+        lines: column lines; without the key all that have a column.
+    """
+
+    lines: Lines = ALL_LINES
+
+    def under(self, lines: Sequence[str]) -> tuple[str, ...]:
+        """Return those of some column lines, by name, at which it stands."""
+        return self.lines.names(lines)
+
+
+class Isolator(AnyIsolator, BaseDevice):
+    """An isolator under some column lines, which carries the column."""
 
 
 class BaseBeams(Model):
@@ -88,7 +142,7 @@ class IsolatedBase(Model):
     rotation: Turning | None = None
 
 
-class Isolation(Model):
+class Isolation(AnyIsolation):
     """An isolated base.
 
     Attributes:
@@ -102,3 +156,18 @@ class Isolation(Model):
     beside: tuple[BaseDevice, ...] = ()
     base: IsolatedBase
     design_displacement: PositiveLength
+
+
+def not_in_all_directions(name: str, law: str, effects: bool) -> str:
+    """Say why no isolator of a building can have a law, and which ones it can have.
+
+    Args:
+        name: of the law in the file.
+        law: its type.
+        effects: whether it is refused for its effects.
+    """
+    what = "has effects, which act in one direction alone" if effects else f"({law}) acts in one direction alone"
+    return (
+        f"the law `{name}` {what}; isolators of buildings have {listed(CIRCULAR)}, whose forces lie within a circle, or "
+        f"as linear laws {listed(UNCOUPLED)} [E-ISOL-05]"
+    )

@@ -148,6 +148,11 @@ def base_device_name(line: str) -> str:
     return f"G_{line}"
 
 
+def of_axis(name: str, axis: str) -> str:
+    """Return the name of what acts at an isolated base of a building along an axis: I_A1_x; without an axis the name."""
+    return f"{name}_{axis}" if axis else name
+
+
 def tuned_mass_name(floor: int, number: int) -> str:
     """Tuned mass or tanks on a floor, with its number in the project: T_10_1."""
     return f"T_{floor}_{number}"

@@ -16,10 +16,10 @@ from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import label, missing_notes
 from edesign.report.response.histories import names_of
 from edesign.report.tables.column import col, count, text
-from edesign.report.tables.items import Analysis, Place, at, overall, places
+from edesign.report.tables.items import Analysis, Place, overall, places
 from edesign.report.tables.number import significant
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.unit import KN, M_S2, MM, PERCENT, S
+from edesign.report.tables.unit import KN, M_S2, MM, MRAD, PERCENT, S
 
 
 class _Statistic(NamedTuple):
@@ -31,7 +31,51 @@ class _Statistic(NamedTuple):
 
 def _residual(analysis: Analysis) -> float | None:
     found = residual(analysis.group, "base_displacement")
-    return None if found is None else float(found)
+    return None if found is None else float(np.linalg.norm(found))
+
+
+def _resultant(quantity: str) -> Callable[[Analysis], float | None]:
+    """The function that gives the largest value of a quantity, in a building of its resultant of both directions."""
+
+    def of(analysis: Analysis) -> float | None:
+        stored = analysis.group.variables.get(f"{quantity}_resultant_max")
+        return overall(quantity)(analysis) if stored is None else float(np.max(stored.values))
+
+    return of
+
+
+def _isolators(analysis: Analysis) -> np.ndarray | None:
+    """Largest resultant displacement of each isolator of a building."""
+    stored = analysis.group.variables.get("isolator_displacement_resultant_max")
+    return None if stored is None else np.asarray(stored.values)
+
+
+def _farthest(analysis: Analysis) -> str | None:
+    found = _isolators(analysis)
+    return None if found is None else names_of(analysis.group, "isolator")[found.argmax()]
+
+
+class _Estimate(NamedTuple):
+    """The estimate of a modal analysis at a level, in a building along a direction."""
+
+    level: Place
+    direction: tuple[int, ...]
+
+    def value(self, name: str) -> float:
+        """What the estimate has of a variable."""
+        return self.level.known(name, *self.direction)
+
+
+def _axis(row: _Estimate) -> str | None:
+    return str(row.level.group.coords["direction"].values[row.direction[0]]) if row.direction else None
+
+
+def _largest(values: np.ndarray | None) -> float | None:
+    return None if values is None else float(values.max())
+
+
+def _of(name: str) -> Callable[[_Estimate], float | None]:
+    return lambda row: row.value(name)
 
 
 def _forces(analysis: Analysis, end: str) -> np.ndarray:
@@ -52,18 +96,19 @@ def _over(measure: Callable[[Analysis], float | None], sign: float = 1.0) -> Cal
     return of
 
 
-ESTIMATE = TableSpec[Place](
+ESTIMATE = TableSpec[_Estimate](
     "isolated_base_design",
     "{whose}: isolated base, equivalent linear (EN 1998-1, 10.9)",
     (
-        text("level", "name"),
-        col("d", MM, at("isolation_displacement")),
-        col(f"{GAMMA_X:g} d", MM, lambda level: GAMMA_X * level.known("isolation_displacement")),
-        col("T_eff", S, at("isolation_period")),
-        col("xi_eff", PERCENT, at("isolation_damping")),
-        col("S_e", M_S2, at("isolation_acceleration")),
-        col("F", KN, at("isolation_shear")),
-        col("F/W", PERCENT, lambda level: level.known("isolation_acceleration") / STANDARD_GRAVITY),
+        text("level", lambda row: row.level.name),
+        text("along", _axis, optional=True),
+        col("d", MM, _of("isolation_displacement")),
+        col(f"{GAMMA_X:g} d", MM, lambda row: GAMMA_X * row.value("isolation_displacement")),
+        col("T_eff", S, _of("isolation_period")),
+        col("xi_eff", PERCENT, _of("isolation_damping")),
+        col("S_e", M_S2, _of("isolation_acceleration")),
+        col("F", KN, _of("isolation_shear")),
+        col("F/W", PERCENT, lambda row: row.value("isolation_acceleration") / STANDARD_GRAVITY),
     ),
     each="Isolated base, equivalent linear (EN 1998-1, 10.9)",
     formulas=True,
@@ -74,10 +119,13 @@ ISOLATED_BASE = TableSpec[Analysis](
     "Isolated base",
     (
         text("analysis", "name"),
-        col("u", MM, overall("base_displacement"), negligible=ROUNDING),
+        col("u", MM, _resultant("base_displacement"), negligible=ROUNDING),
         col("residual u", MM, _residual, negligible=ROUNDING),
-        col("base a", M_S2, overall("base_acceleration")),
-        col("base shear", KN, overall("base_shear"), negligible=ROUNDING),
+        col("base turn", MRAD, overall("base_rotation"), negligible=ROUNDING, optional=True),
+        col("isolator u", MM, lambda one: _largest(_isolators(one)), negligible=ROUNDING, optional=True),
+        text("farthest", _farthest, optional=True),
+        col("base a", M_S2, _resultant("base_acceleration")),
+        col("base shear", KN, _resultant("base_shear"), negligible=ROUNDING),
         col("N max", KN, lambda one: _forces(one, "max").max(), negligible=ROUNDING),
         text("isolator", lambda one: names_of(one.group, "isolator")[_forces(one, "max").argmax()]),
         col("N min", KN, lambda one: _forces(one, "min").min()),
@@ -92,10 +140,12 @@ STATISTICS = TableSpec[_Statistic](
         text("variant, level", lambda row: label(row.found)),
         text("statistic", "name"),
         count("of", lambda row: f"{len(row.found.completed)}/{len(row.found.histories)}"),
-        col("u", MM, _over(overall("base_displacement")), negligible=ROUNDING),
+        col("u", MM, _over(_resultant("base_displacement")), negligible=ROUNDING),
         col("residual u", MM, _over(_residual), negligible=ROUNDING),
-        col("base a", M_S2, _over(overall("base_acceleration"))),
-        col("base shear", KN, _over(overall("base_shear")), negligible=ROUNDING),
+        col("base turn", MRAD, _over(overall("base_rotation")), negligible=ROUNDING, optional=True),
+        col("isolator u", MM, _over(lambda one: _largest(_isolators(one))), negligible=ROUNDING, optional=True),
+        col("base a", M_S2, _over(_resultant("base_acceleration"))),
+        col("base shear", KN, _over(_resultant("base_shear")), negligible=ROUNDING),
         col("N max", KN, _over(lambda one: _forces(one, "max").max()), negligible=ROUNDING),
         col("N min", KN, _over(lambda one: _forces(one, "min").min(), sign=-1.0)),
     ),
@@ -112,13 +162,15 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
         name: of the modal analysis.
     """
     levels, notes = list(places({name: group}, "hazard_level", "isolation_displacement")), []
+    along = range(len(group.coords["direction"].values)) if "direction" in group.coords else ()
+    rows = [_Estimate(level, way) for level in levels for way in ([(i,) for i in along] or [()])]
     if levels:
         period, mass = (float(str(group.attributes[key])) for key in ("fixed_base_period_s", "mass_kg"))
         above = f"a rigid body of {significant(mass / 1e3)} t above the isolators"
         notes.append(f"T_f = {period:.4g} s on a fixed base; {above}")
         missed = group.attributes.get("isolation_not_met")
         notes += [f"not met: {text}" for text in missed] if isinstance(missed, list) else []
-    return ESTIMATE.of(levels, whose=name, notes=notes)
+    return ESTIMATE.of(rows, whose=name, notes=notes)
 
 
 def isolation_table(groups: Mapping[str, Group]) -> Table:

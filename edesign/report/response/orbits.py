@@ -1,4 +1,4 @@
-"""Orbits of a building: roof and base shear along x against those along y."""
+"""Orbits of a building: roof, base shear and isolated base along x against those along y."""
 
 from __future__ import annotations
 
@@ -19,13 +19,15 @@ if TYPE_CHECKING:
 _PANELS = (
     ("floor_displacement", "roof displacement", "mm", 1e3),
     ("base_shear", "base shear", "kN", 1e-3),
+    ("base_displacement", "base displacement", "mm", 1e3),
+    ("isolator_displacement", "farthest isolator", "mm", 1e3),
 )
 Orbits = Mapping[str, np.ndarray]
 """Of each panel by its variable, (nt, 2)."""
 
 
 def orbit_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Yield the orbits of each motion of a building whose floors or storeys were kept over time.
+    """Yield the orbits of each motion of a building whose floors, storeys or isolators were kept over time.
 
     Yields:
         Name of the file, caption and figure.
@@ -49,7 +51,10 @@ def _orbits(group: Group) -> dict[str, np.ndarray]:
     for name, _, _, factor in _PANELS:
         if name in group.variables:
             values = factor * np.asarray(group.variables[name].values, dtype=float)
-            found[name] = values[:, -1] if name.startswith("floor") else values
+            if values.ndim == 3:  # of floors the roof, of isolators the one that moves farthest
+                at = -1 if name.startswith("floor") else int(np.hypot(*np.moveaxis(values, -1, 0)).max(axis=0).argmax())
+                values = values[:, at]
+            found[name] = values
     return found
 
 

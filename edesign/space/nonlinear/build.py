@@ -10,6 +10,7 @@ from edesign.core import Analysis, Model
 from edesign.frame.devices import DeviceLaw, add_devices
 from edesign.frame.footings import FootingSprings, footings_of
 from edesign.frame.frame_model import FrameModel, Sinking
+from edesign.frame.isolation import add_isolation
 from edesign.frame.tuned_masses import Attached, add_attachment
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS as PLAN
@@ -18,6 +19,7 @@ from edesign.space.file_places import telling_member
 from edesign.space.nonlinear.bays import building_sites
 from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys
 from edesign.space.nonlinear.gravity import gravity_loads
+from edesign.space.nonlinear.isolation import add_building_base_beams, isolated_base, support_base
 from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, rides, still_beams
 from edesign.space.nonlinear.members import BuildingMembers
 from edesign.space.nonlinear.supports import add_supports, weights_of
@@ -33,6 +35,7 @@ def build_building(
     outside: Collection[str] = (),
     eccentricity: tuple[float, float] = IN_PLACE,
     footings: Mapping[str, FootingSprings] | None = None,
+    weights: Mapping[str, float] | None = None,
 ) -> FrameModel:
     """Build the model of a building with its masses and gravity loads.
 
@@ -50,6 +53,8 @@ def build_building(
             places; tuned masses stay where they are.
         footings: by lines of columns; without one that is a footing in the file, the line is fixed. None: those of the
             file.
+        weights: on the column bases of an isolated base under the gravity combination, N, by node, where its isolators
+            need them; None: the base is fixed in plan, and has no isolators.
 
     Returns:
         The model, with the numbers of its parts in the core.
@@ -62,7 +67,8 @@ def build_building(
     with telling_member(building):
         if footings is None:
             footings = _footings(whole, laws or {})
-        return _build(whole, model or Model(dimension=3), laws, attachments, outside, eccentricity, footings)
+        built = model or Model(dimension=3)
+        return _build(whole, built, laws, attachments, outside, eccentricity, footings, weights)
 
 
 def _footings(building: Building, laws: Mapping[str, DeviceLaw]) -> dict[str, FootingSprings]:
@@ -70,7 +76,7 @@ def _footings(building: Building, laws: Mapping[str, DeviceLaw]) -> dict[str, Fo
     braces = {name: law for name, law in laws.items() if law.restrained is not None}
 
     def first_period(found: Mapping[str, FootingSprings]) -> float:
-        built = _build(building, Model(dimension=3), braces, (), (), IN_PLACE, found)
+        built = _build(building, Model(dimension=3), braces, (), (), IN_PLACE, found, None)
         return float(Analysis(built.model).modes(1, built.brace_stiffness).period[0])
 
     return footings_of(building, first_period, dimension=3)
@@ -84,22 +90,40 @@ def _build(
     outside: Collection[str],
     eccentricity: tuple[float, float],
     footings: Mapping[str, FootingSprings],
+    weights: Mapping[str, float] | None,
 ) -> FrameModel:
     frame = space_frame(building)
+    isolation = building.isolation if laws is not None else None
+    base = None if isolation is None else isolated_base(building, isolation, frame, fixed_base=weights is None)
+    frame = frame if base is None else base.frame
     loads = gravity_loads(building, frame)
     nodes = {
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
     masters, masses, turning = add_masses(building, frame, model, attachments, eccentricity)
     supports = add_supports(building, frame, model, footings, masters)
-    weights = weights_of(supports.footings, building.loads.gravity.G)
+    if base is not None:
+        support_base(base, model, supports.restrained, supports.grounds)
+    blocks = weights_of(supports.footings, building.loads.gravity.G)
     members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()
     for node, (fx, fy, fz, mx, my, mz) in enumerate(loads.on_nodes.tolist()):
-        model.nodal_load(gravity, node, fx, fy, mz, fz=fz - weights.get(frame.node_names[node], 0.0), mx=mx, my=my)
+        model.nodal_load(gravity, node, fx, fy, mz, fz=fz - blocks.get(frame.node_names[node], 0.0), mx=mx, my=my)
     for number, uniform in enumerate(loads.uniform):
         members.add_loads(gravity, number, uniform, loads.points.get(number, ()))
+    on_bases = {
+        name: -float(loads.on_nodes[nodes[name], UP]) for name, held in supports.restrained.items() if held[UP]
+    }
+    isolated = None
+    if isolation is not None and base is not None and laws is not None:
+        for name, load in base.loads.items():
+            model.nodal_load(gravity, nodes[name], fz=-load)
+            on_bases[name] += load
+        add_building_base_beams(building, isolation, model, nodes)
+        if weights is not None:
+            isolated = add_isolation(building, model, nodes, laws, weights)
     devices = () if laws is None else add_devices(building, model, nodes, laws, building_sites(building), outside)
+    devices = (*(isolated.devices if isolated is not None else ()), *devices)
     attached = {}
     for item in attachments:
         node = masters[item.floor] if rides(frame, item) else nodes[node_name(item.at, item.floor)]
@@ -112,7 +136,7 @@ def _build(
         model=model,
         gravity=gravity,
         sinking=Sinking(
-            float(np.abs(loads.of_levels).sum()),
+            float(np.abs(loads.of_levels).sum()) + (0.0 if base is None else sum(map(abs, base.loads.values()))),
             members.work_inside,
             0.5 * float(np.mean([width for along in PLAN for width in building.widths(along)])),
         ),
@@ -130,12 +154,10 @@ def _build(
         supports=supports.restrained,
         devices=devices,
         attached=attached,
-        grounds=supports.grounds,
         footings=supports.footings,
+        isolated=isolated,
         moving_with=members.moving_with,
         turning_apart=members.turning_apart,
         panels=members.panels,
-        on_bases={
-            name: -float(loads.on_nodes[nodes[name], UP]) for name, held in supports.restrained.items() if held[UP]
-        },
+        on_bases=on_bases,
     )

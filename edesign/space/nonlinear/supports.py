@@ -17,6 +17,7 @@ from edesign.space.nonlinear.gravity import member_axes
 from edesign.space.nonlinear.masses import master_name
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 
+_IN_PLAN = np.array([True, True, False, False, False, True])
 _SETTLED = 0.5  # of the component of a local axis along the global one that it is
 
 
@@ -59,9 +60,9 @@ def add_supports(
     on_footings = {node_name(line, 0): footings.get(line) for line in building.footings}
     for node, name in enumerate(frame.node_names):
         fixed = frame.fixed[node].copy()
-        if (floor := int(frame.node_floor[node])) in masters and fixed.any():
-            of_floors[floor] = fixed.copy()
-            fixed[:] = False
+        if (floor := int(frame.node_floor[node])) in masters and (fixed & _IN_PLAN).any():
+            of_floors[floor] = fixed & _IN_PLAN
+            fixed &= ~_IN_PLAN
         held = fixed.copy()
         held[3:] |= loose[node]
         held |= name in on_footings and on_footings[name] is None

@@ -100,7 +100,7 @@ def mass_shift(frame: SpaceFrame, eccentricity: tuple[float, float]) -> np.ndarr
     Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3.
     """
     found = np.zeros((len(frame.node_names), 2))
-    for level in range(1, frame.n_floors + 1):
+    for level in range(frame.n_floors + 1):
         at_floor = frame.level_of_nodes == level
         for axis, share in enumerate(eccentricity):
             if share != 0.0:

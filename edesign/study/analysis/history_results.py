@@ -25,6 +25,7 @@ from edesign.study.results.dampers import damper_quantities, tuned_mass_displace
 from edesign.study.results.floors import (
     base_acceleration,
     base_displacement,
+    base_rotation,
     floor_accelerations,
     floor_displacements,
     floor_relative_accelerations,
@@ -48,7 +49,7 @@ from edesign.study.results.storeys import (
     storey_shears,
     storey_torques,
 )
-from edesign.study.results.supports import base_shear, isolator_axial_forces, support_reactions
+from edesign.study.results.supports import base_shear, isolator_axial_forces, isolator_displacements, support_reactions
 from edesign.study.results.validity import judged, rotation_limits, rotation_names
 from edesign.study.results.warnings import store_warnings
 
@@ -110,6 +111,8 @@ class HistoryResults:
             *damper_quantities(frame, "dampers" in self._wanted),
             *tuned_mass_displacements(frame, floors),
             *base_acceleration(frame, floors),
+            *base_rotation(frame, floors),
+            *isolator_displacements(frame, "dampers" in self._wanted),
             *isolator_axial_forces(frame),
             *(support_reactions(frame, self._group) if "supports" in self._wanted else []),
             *requested_quantities(project, frame, self._group),
@@ -186,7 +189,7 @@ class HistoryResults:
             for base in self._base:
                 left = residual(base.last_values(response), time_step, period)
                 label = f"residual displacement of the isolated base: {DEFINITION}"
-                group.add("residual_base_displacement", (), left, "m", label)
+                group.add("residual_base_displacement", base.dims, left, "m", label)
         store_run(group, response, "time", "s")
         return group
 

@@ -18,7 +18,7 @@ from edesign.ground_motion.hazard import action_of
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.study.analysis.structure import Structure, make_structure
-from edesign.study.results.recording import coordinate
+from edesign.study.results.recording import coordinate, directed
 
 _COLUMNS = (
     ("displacement", "m", "displacement of the isolated base by the equivalent linear analysis, d_dc"),
@@ -47,22 +47,29 @@ def store_isolation_estimate(group: Group, project: AnalysisFile, structure: Str
     fixed = make_structure(project)
     fixed.apply_gravity()
     fixed_period = float(fixed.modes(1).period[0])
-    loop, mass = system_loop(isolated.devices), structure.frame.mass
+    directions, mass = structure.frame.directions, structure.frame.mass
+    loops = [
+        system_loop([device for device in isolated.devices if device.direction == direction.degree])
+        for direction in directions
+    ]
     rows: list[EquivalentLinear | None] = []
     notes = []
     for level in hazard.levels:
-        try:
-            found = equivalent_linear(loop, mass, action_of(hazard).elastic(level), STANDARD_GRAVITY)
-        except InputError as error:
-            rows.append(None)
-            notes.append(f"{level}: {error}")
-            continue
-        rows.append(found)
-        notes += [f"{level}: {text}" for text in found.not_met(fixed_period)]
+        for direction, loop in zip(directions, loops, strict=True):
+            along = f"{level}, along {direction.name}" if direction.name else level
+            try:
+                found = equivalent_linear(loop, mass, action_of(hazard).elastic(level), STANDARD_GRAVITY)
+            except InputError as error:
+                rows.append(None)
+                notes.append(f"{along}: {error}")
+                continue
+            rows.append(found)
+            notes += [f"{along}: {text}" for text in found.not_met(fixed_period)]
     coordinate(group, "hazard_level", list(hazard.levels), "", "level of the hazard")
+    dims, shape = directed(structure.frame)
     for name, unit, label in _COLUMNS:
-        values = [np.nan if row is None else getattr(row, name) for row in rows]
-        group.add(f"isolation_{name}", ("hazard_level",), values, unit, label)
+        values = np.array([np.nan if row is None else getattr(row, name) for row in rows])
+        group.add(f"isolation_{name}", ("hazard_level", *dims), values.reshape(-1, *shape), unit, label)
     group.attributes |= {"fixed_base_period_s": fixed_period, "isolation_not_met": notes}
 
 
@@ -70,7 +77,7 @@ def system_loop(devices: Sequence[Device]) -> Loop:
     """Return the function that gives effective stiffness and energy of a cycle of an isolated base.
 
     Args:
-        devices: isolators and dampers without braces, all with the displacement of the base.
+        devices: isolators and dampers without braces, all with the displacement of the base along one direction.
 
     Returns:
         The function of amplitude (m), frequency (Hz) and speed at which friction counts (m/s), which returns N/m and J.

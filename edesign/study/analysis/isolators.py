@@ -8,10 +8,11 @@ from edesign.archive.dataset import Group
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.isolation import IsolatedBases, isolator_under
 from edesign.project.analysis_file import AnalysisFile
-from edesign.project.dampers.isolation import Isolation
-from edesign.project.frame.frame import Frame
+from edesign.project.building.building import Building
+from edesign.project.dampers.isolation import AnyIsolation
 from edesign.project.frame.supports import VerticalSpring
 from edesign.project.notation import names
+from edesign.project.notation.grid import Grid
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.study.results.couples import NEGLECTED
@@ -30,27 +31,26 @@ def isolator_warnings(project: AnalysisFile, group: Group, frame: FrameModel) ->
     isolated, isolation = frame.isolated, project.isolation
     if isolated is None or isolation is None:
         return []
-    assert isinstance(project, Project), "a building has no isolators"
     most, least = (np.asarray(group.variables[f"isolator_axial_force_{which}"].values) for which in ("max", "min"))
     most = np.where(np.abs(most) <= _ROUNDING * np.abs(least).max(), 0.0, most)
     most_of = {isolator.name: float(force) for isolator, force in zip(isolated.isolators, most, strict=True)}
     pressed = float(np.abs(least).max())
     return [
-        *_pulled(project.frame, isolation, isolated, most_of, pressed),
-        *_moments_in_the_ground(project.frame, isolation, group, isolated, most_of, pressed),
-        *_moments_of_displacement(project.frame, group, isolated),
+        *_pulled(project.grid, isolation, isolated, most_of, pressed),
+        *_moments_in_the_ground(project, group, isolated, most_of, pressed),
+        *_moments_of_displacement(project.grid, group, isolated),
         *_weights(group, isolated, most_of, pressed),
     ]
 
 
 def _pulled(
-    frame: Frame, isolation: Isolation, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
+    grid: Grid, isolation: AnyIsolation, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
     """Isolators that are pulled and as stiff then as under pressure; pendulums that slide on are reported elsewhere."""
     pulled = []
     for device in isolated.isolators:
-        line = next(line for line in frame.lines if names.node_name(line, 0) == device.column_base)
-        isolator = isolator_under(frame, isolation, line)
+        line = next(line for line in grid.lines if grid.node_name(line, 0) == device.column_base)
+        isolator = isolator_under(isolation, line)
         lifts = isolator is not None and isinstance(isolator.vertical, VerticalSpring) and isolator.vertical.uplift
         if most_of[device.name] > 0.0 and not lifts and device.name not in isolated.weighed:
             pulled.append(device.name)
@@ -65,12 +65,23 @@ def _pulled(
     return [AnalysisWarning("isolator_tension", text, 1.0 + most_of[worst] / max(pressed, most_of[worst]))]
 
 
+_LEFT_OUT = (
+    "the axial forces of the isolators leave out the moments of the column bases, which `rotation` lets into the ground"
+)
+_BROUGHT = "`base.beams` brings them to the isolators"
+
+
 def _moments_in_the_ground(
-    frame: Frame, isolation: Isolation, group: Group, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
+    project: AnalysisFile, group: Group, isolated: IsolatedBases, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
     """What the axial forces of isolators leave out, where moments of column bases go into the ground by `rotation`."""
-    if isolation.base.beams is not None or isolation.base.rotation == "free":
+    assert isinstance(project, Project | Building) and project.isolation is not None
+    base = project.isolation.base
+    if base.beams is not None or base.rotation == "free":
         return []
+    if isinstance(project, Building):
+        return [AnalysisWarning("isolator_foot_moments", f"{_LEFT_OUT}; {_BROUGHT}", 1.0)]
+    frame = project.frame
     most, least = (
         np.asarray(group.variables[f"member_bending_moment_{which}"].values)[:, 0] for which in ("max", "min")
     )
@@ -87,31 +98,33 @@ def _moments_in_the_ground(
     if change[worst] <= _ROUNDING * pressed:
         return []
     text = (
-        "the axial forces of the isolators leave out the moments of the column bases, which `rotation` lets into the "
-        f"ground: {moments.sum() / 1e3:.4g} kNm in all, about {change[worst] / 1e3:.4g} kN more and less at {worst}"
+        f"{_LEFT_OUT}: {moments.sum() / 1e3:.4g} kNm in all, about {change[worst] / 1e3:.4g} kN more and less at {worst}"
     )
     near = [name for name, force in most_of.items() if -change[name] < force <= 0.0]
     if near:
         first = max(near, key=lambda name: most_of[name] + change[name])
         text += f"; they may pull at {first}, which is pressed by {max(0.0, -most_of[first]) / 1e3:.4g} kN at least"
-    text += "; `base.beams` brings them to the isolators"
+    text += f"; {_BROUGHT}"
     return [AnalysisWarning("isolator_foot_moments", text, change[worst] / pressed)]
 
 
-def _moments_of_displacement(frame: Frame, group: Group, isolated: IsolatedBases) -> list[AnalysisWarning]:
+def _moments_of_displacement(grid: Grid, group: Group, isolated: IsolatedBases) -> list[AnalysisWarning]:
     """What the base would get of the moments N u of weights and displacement, if the isolators had a height.
 
-    Half of them above a bearing of rubber, whose ends turn alike; all of them above a pendulum with the dish on top.
+    Half of them above a bearing of rubber, whose ends turn alike; all of them above a pendulum with the dish on top. In
+    a building that is along the direction in which they are most.
     """
     at_rest = np.asarray(group.variables["isolator_axial_force_final"].values)
     shares = np.array([1.0 if device.name in isolated.weighed else 0.5 for device in isolated.isolators])
-    moved = _largest(group, "base_displacement")
-    moment = float(shares @ np.maximum(-at_rest, 0.0) * moved)
-    overturning = float(_largest(group, "storey_shear") @ np.asarray(frame.storey_heights))
+    moved = np.atleast_1d(_largest(group, "base_displacement"))
+    moments = shares @ np.maximum(-at_rest, 0.0) * moved
+    of_storeys = np.atleast_1d(np.asarray(grid.storey_heights) @ _largest(group, "storey_shear"))
+    worst = int(np.argmax(moments - NEGLECTED * of_storeys))
+    moment, overturning = float(moments[worst]), float(of_storeys[worst])
     if moment <= NEGLECTED * overturning:
         return []
     text = (
-        f"isolators have no height: moments of their axial forces and the displacement of {1e3 * float(moved):.3g} mm, "
+        f"isolators have no height: moments of their axial forces and the displacement of {1e3 * float(moved[worst]):.3g} mm, "
         f"up to {moment / 1e3:.4g} kNm beside {overturning / 1e3:.4g} kNm of overturning, go into the ground and not "
         "into base and columns"
     )

@@ -16,6 +16,7 @@ from edesign.study.analysis.isolation_estimate import store_isolation_estimate
 from edesign.study.analysis.leading_mode import leading_mode, torsional_ratios
 from edesign.study.analysis.structure import Structure, frame_alone, make_structure
 from edesign.study.results.coordinates import direction_coordinate
+from edesign.study.results.floors import of_base
 from edesign.study.results.recording import coordinate, directed
 
 _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one
@@ -115,8 +116,10 @@ def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     dims, shape = directed(frame, "floor")
     group.add("floor_shape", ("mode", *dims), (floors / scale[:, None]).reshape(-1, *shape), "1", label)
     if frame.isolated is not None:
-        base = modes.shapes[:, frame.nodes[frame.isolated.isolators[0].column_base], 0] / scale
-        group.add("base_shape", ("mode",), base, "1", "horizontal displacement of the isolated base in the mode")
+        moved = np.array([modes.moved(one) for one in of_base(frame)]).T / scale[:, None]
+        along, shape = directed(frame)
+        label = "horizontal displacement of the isolated base in the mode"
+        group.add("base_shape", ("mode", *along), moved.reshape(-1, *shape), "1", label)
     where = list(frame.nodes.values())
     if frame.model.dimension == 3:
         coordinate(group, "degree", list(frame.model.degrees), "", "displacement along an axis or turn about it")

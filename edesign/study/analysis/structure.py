@@ -17,7 +17,6 @@ from edesign.frame.frame_model import FrameModel
 from edesign.frame.isolation import goes_with_weight, isolator_under
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
-from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.space.nonlinear.build import build_building
 from edesign.space.nonlinear.masses import IN_PLACE
@@ -151,13 +150,13 @@ def build(project: AnalysisFile, eccentricity: tuple[float, float] = IN_PLACE, *
 
     Args:
         eccentricity: of the masses of a building; see `build_building`.
-        more: arguments of `build_frame`; a building has no isolators.
+        more: arguments of `build_frame`.
 
     Raises:
         InputError, CoreError: as `build_frame` and `build_building`.
     """
     if isinstance(project, Building):
-        of_building = {key: value for key, value in more.items() if key != "weights"}
+        return build_building(project, eccentricity=eccentricity, **more)
         return build_building(project, eccentricity=eccentricity, **of_building)
     assert isinstance(project, Project)
     return build_frame(project, **more)
@@ -258,18 +257,18 @@ def _weights_on_isolators(project: AnalysisFile, laws: Mapping[str, DeviceLaw]) 
         AnalysisError: no equilibrium was found.
     """
     isolation = project.isolation
-    assert isolation is not None and isinstance(project, Project), "a building has no isolators"
+    assert isolation is not None
     bases = [
-        names.node_name(line, 0)
-        for line in project.frame.lines
-        if (isolator := isolator_under(project.frame, isolation, line)) is not None
+        project.grid.node_name(line, 0)
+        for line in project.grid.lines
+        if (isolator := isolator_under(isolation, line)) is not None
         and goes_with_weight(isolator, laws[isolator.law])
     ]
     if not bases:
         return {}
     frame = build(project, laws=laws)
     structure = make_structure(project, frame)
-    channels = [Channel(base, frame.reaction(base, 1)) for base in bases if base in frame.supports]
+    channels = [Channel(base, frame.reaction(base, frame.up)) for base in bases if base in frame.supports]
     return dict(structure.apply_gravity(channels).final)
 
 

@@ -7,8 +7,11 @@ floor are means over its nodes (with a diaphragm all are the same).
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.frame.frame_model import FrameModel
+from edesign.frame.frame_model import FrameModel, Sum
 from edesign.study.results.recording import Quantity, Terms, coordinate, directed, recorded
+
+_BASE = "floor.0"
+"""The node at the centre of mass of an isolated base of a building."""
 
 
 def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
@@ -102,7 +105,19 @@ def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:
     """
     name = "horizontal displacement of the isolated base relative to the ground"
     terms = _of_base(frame, "displacement")
-    return [Quantity("base_displacement", (), (), terms, "m", name, history, tail=True)] if terms else []
+    return [Quantity("base_displacement", *directed(frame), terms, "m", name, history, tail=True)] if terms else []
+
+
+def base_rotation(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Return the turn of an isolated base of a building about the vertical, rad; nothing for other frames.
+
+    Args:
+        history: whether values over time are kept.
+    """
+    if frame.isolated is None or frame.model.dimension == 2:
+        return []
+    terms = (((1.0, "displacement", frame.nodes[_BASE], len(frame.model.degrees) - 1),),)
+    return [Quantity("base_rotation", (), (), terms, "rad", "turn of the isolated base about the vertical", history)]
 
 
 def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
@@ -113,14 +128,20 @@ def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
     """
     name, keep = "total horizontal acceleration of the isolated base", ("max", "min")
     terms = _of_base(frame, "total_acceleration")
-    return [Quantity("base_acceleration", (), (), terms, "m/s^2", name, history, keep)] if terms else []
+    return [Quantity("base_acceleration", *directed(frame), terms, "m/s^2", name, history, keep)] if terms else []
+
+
+def of_base(frame: FrameModel) -> tuple[Sum, ...]:
+    """Return the displacements of an isolated base by direction, at the centre of mass of a building's."""
+    if frame.isolated is None:
+        return ()
+    node = frame.nodes[frame.isolated.isolators[0].column_base if frame.model.dimension == 2 else _BASE]
+    return tuple(((1.0, node, direction.degree),) for direction in frame.directions)
 
 
 def _of_base(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
-    """A horizontal quantity of the base that all column bases share; none of a frame on its supports."""
-    if frame.isolated is None:
-        return ()
-    return (((1.0, kind, frame.nodes[frame.isolated.isolators[0].column_base], 0),),)
+    """A horizontal quantity of an isolated base; none of a frame on its supports."""
+    return tuple(recorded(moved, kind) for moved in of_base(frame))
 
 
 def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:

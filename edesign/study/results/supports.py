@@ -114,6 +114,20 @@ def _reactions_in_space(frame: FrameModel, group: Group) -> list[Quantity]:
     return [*found, Quantity("overturning_moment", *directed(frame), tuple(moments), "N*m", label, history=True)]
 
 
+def isolator_displacements(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Return the displacement of each isolator of a building along x and y, m; nothing for other frames.
+
+    Args:
+        history: whether values over time are kept.
+    """
+    if frame.isolated is None or frame.model.dimension == 2:
+        return []
+    bases = [frame.nodes[isolator.column_base] for isolator in frame.isolated.isolators]
+    cells = tuple(((1.0, "displacement", base, axis.degree),) for base in bases for axis in frame.directions)
+    shape, label = (len(bases), len(frame.directions)), "horizontal displacement of the isolator"
+    return [Quantity("isolator_displacement", ("isolator", "direction"), shape, cells, "m", label, history)]
+
+
 def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "min", "final")) -> list[Quantity]:
     """Return the axial force of each isolator, positive in tension, N; nothing for a frame on its supports.
 
@@ -123,6 +137,6 @@ def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "mi
     if frame.isolated is None:
         return []
     bases = [isolator.column_base for isolator in frame.isolated.isolators]
-    cells = tuple(tuple((-c, kind, i, at) for c, kind, i, at in frame.reaction(base, 1)) for base in bases)
+    cells = tuple(tuple((-c, kind, i, at) for c, kind, i, at in frame.reaction(base, frame.up)) for base in bases)
     name = "axial force of the isolator, positive in tension"
     return [Quantity("isolator_axial_force", ("isolator",), (len(bases),), cells, "N", name, keep=keep)]
