@@ -125,6 +125,7 @@ class Device:
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
         design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
         restrained: all braces that stand at its place, of its length; None: its law is another.
+        across: number of the other direction of an isolator of a building; None: it has one direction alone.
         column_base: name of the node of an isolated base that it acts on from the ground; "": it is no such one.
         carries: whether it acts from the beginning, under the gravity loads too.
         frame: name of the plane frame of a building that it stands in; "": of none, or of a plane frame.
@@ -149,6 +150,7 @@ class Device:
     brace_bar: BraceBar | None = None
     design_deformation: float | None = None
     restrained: RestrainedBrace | None = None
+    across: int | None = None
     column_base: str = ""
     carries: bool = False
     frame: str = ""

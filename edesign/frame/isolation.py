@@ -231,6 +231,7 @@ def add_isolation(
                         0.0,
                         tested_strain=law.tested_strain,
                         design_deformation=isolation.design_displacement,
+                        across=numbers[1 - at] if len(along) == 2 else None,
                         column_base=column_base,
                         direction=degree,
                     )

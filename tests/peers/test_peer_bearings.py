@@ -1,9 +1,9 @@
-"""Bearings in two directions beside OpenSeesPy: a mass on one of them under a pair of motions, the same step and method.
+"""Bearings in two directions beside OpenSeesPy: a mass on one of them under a pair, the same step and method.
 
-`elastomericBearingPlasticity` has the circle of `lead_rubber`, `singleFPBearing` that of the friction pendulum; both go
-from one step to the next by a radial return along the chord, where edesign follows the way on the circle: they differ by
-the order of the step, which a smaller step shows. `ElastomericBearingBoucWen` is a smooth law that comes close to the
-circle for large exponents.
+`elastomericBearingPlasticity` has the circle of `lead_rubber`, `singleFPBearing` that of the friction pendulum. Both go
+from one step to the next by a radial return along the chord, where edesign follows the way on the circle. They differ
+by the order of the step, which a smaller step shows. `elastomericBearingBoucWen` is a smooth law that comes close to
+the circle for large exponents.
 """
 
 from __future__ import annotations
@@ -112,9 +112,7 @@ def plasticity() -> None:
 
 def bouc_wen() -> None:
     # exponent, eta, beta, gamma: A = 1 and beta + gamma = 1, so that z reaches 1
-    ops.element(
-        "elastomericBearingBoucWen", 1, 1, 2, STIFF, Q, K_D / STIFF, 0.0, 2.0, 5.0, 0.5, 0.5, *ENDS, *UPRIGHT
-    )
+    ops.element("elastomericBearingBoucWen", 1, 1, 2, STIFF, Q, K_D / STIFF, 0.0, 2.0, 5.0, 0.5, 0.5, *ENDS, *UPRIGHT)
 
 
 def pendulum() -> None:

@@ -143,9 +143,7 @@ def both(frame: FrameModel) -> list[Channel]:
         for at, axis in enumerate("xy")
     ]
     numbers = [*frame.isolated.at("B2.0", 0), *frame.isolated.at("B2.0", 1)]
-    found += [
-        Channel(f"force {axis}", ((1.0, "damper_force", n, 0),)) for n, axis in zip(numbers, "xy", strict=True)
-    ]
+    found += [Channel(f"force {axis}", ((1.0, "damper_force", n, 0),)) for n, axis in zip(numbers, "xy", strict=True)]
     return [*found, *(Channel(f"turn {name}", ((1.0, "displacement", places[name], 5),)) for name in ("base", "roof"))]
 
 
@@ -202,7 +200,11 @@ def test_circle_of_a_friction_pendulum() -> None:
     r, omega, dt, steps = 0.15, 2.0, 0.005, 1600
     t = np.arange(steps) * dt
     s = np.clip(t / 2.0, 0.0, 1.0)
-    grow, grown, growth = s**3 * (10 - 15 * s + 6 * s**2), 30 * s**2 * (1 - s) ** 2 / 2, 60 * s * (1 - s) * (1 - 2 * s) / 4
+    grow, grown, growth = (
+        s**3 * (10 - 15 * s + 6 * s**2),
+        30 * s**2 * (1 - s) ** 2 / 2,
+        60 * s * (1 - s) * (1 - 2 * s) / 4,
+    )
     e = np.array([np.cos(omega * t), np.sin(omega * t)])
     n = np.array([-e[1], e[0]])
     u = r * grow * e

@@ -1,4 +1,4 @@
-"""Base isolation of a building: isolators under column lines, what acts beside them, and the base that stands on them."""
+"""Base isolation of a building: isolators under column lines, what acts beside them, and the base on them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class BaseDevice(AnyBaseDevice):
 
 
 class Isolator(AnyIsolator):
-    """An isolator under some column lines of a building, which carries the column and acts in all horizontal directions.
+    """An isolator under some column lines of a building, which carries the column and acts along x and y at once.
 
     Attributes:
         at: column lines; without the key all that have a column.

@@ -8,9 +8,9 @@ from typing import TypeVar
 from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_analyses
 from edesign.project.building.checks_dampers import check_dampers
-from edesign.project.building.checks_isolation import check_isolation
 from edesign.project.building.checks_design import check_design
 from edesign.project.building.checks_ends import check_building_ends
+from edesign.project.building.checks_isolation import check_isolation
 from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun

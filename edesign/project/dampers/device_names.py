@@ -43,9 +43,10 @@ def names_of_dampers(grid: Grid, dampers: Dampers | None) -> tuple[str, ...]:
             (names.isolator_name, isolation.isolators),
             (names.base_device_name, isolation.beside),
         ):
-            for item, line in ((item, line) for item in items for line in item.under(grid.lines)):
-                if grid.node_name(line, 0) in grid.nodes:
-                    base += [names.free_name(names.of_axis(named(line), axis), base) for axis in item.axes]
+            for item in items:
+                for line in item.under(grid.lines):
+                    if grid.node_name(line, 0) in grid.nodes:
+                        base += [names.free_name(names.of_axis(named(line), axis), base) for axis in item.axes]
     return (*base, *devices_by_name(grid, dampers))
 
 

@@ -168,6 +168,6 @@ def not_in_all_directions(name: str, law: str, effects: bool) -> str:
     """
     what = "has effects, which act in one direction alone" if effects else f"({law}) acts in one direction alone"
     return (
-        f"the law `{name}` {what}; isolators of buildings have {listed(CIRCULAR)}, whose forces lie within a circle, or "
-        f"as linear laws {listed(UNCOUPLED)} [E-ISOL-05]"
+        f"the law `{name}` {what}; isolators of buildings have {listed(CIRCULAR)}, whose forces lie within a circle, "
+        f"or as linear laws {listed(UNCOUPLED)} [E-ISOL-05]"
     )

@@ -149,7 +149,7 @@ def base_device_name(line: str) -> str:
 
 
 def of_axis(name: str, axis: str) -> str:
-    """Return the name of what acts at an isolated base of a building along an axis: I_A1_x; without an axis the name."""
+    """Return the name of what acts at the base of a building along an axis: I_A1_x; without an axis the name."""
     return f"{name}_{axis}" if axis else name
 
 

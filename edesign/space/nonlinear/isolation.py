@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from edesign.core import Model
 from edesign.frame.isolation import isolator_under
 from edesign.frame.sections.steel_section import steel_section
@@ -29,8 +27,8 @@ class BuildingBase:
     """The isolated base of a building.
 
     Attributes:
-        frame: the building on it: a rigid floor 0, with the mass of the base and without supports in plan; with the base
-            fixed it has these, and no rigid floor.
+        frame: the building on it: a rigid floor 0, with the mass of the base and without supports in plan; with the
+            base fixed it has these, and no rigid floor.
         directions: by column base what supports each of its degrees beside the isolators.
         loads: of the gravity combination on the base, N downwards, by column base.
     """

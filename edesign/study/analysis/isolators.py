@@ -97,9 +97,8 @@ def _moments_in_the_ground(
     worst = max(change, key=lambda name: change[name])
     if change[worst] <= _ROUNDING * pressed:
         return []
-    text = (
-        f"{_LEFT_OUT}: {moments.sum() / 1e3:.4g} kNm in all, about {change[worst] / 1e3:.4g} kN more and less at {worst}"
-    )
+    beside = f"about {change[worst] / 1e3:.4g} kN more and less at {worst}"
+    text = f"{_LEFT_OUT}: {moments.sum() / 1e3:.4g} kNm in all, {beside}"
     near = [name for name, force in most_of.items() if -change[name] < force <= 0.0]
     if near:
         first = max(near, key=lambda name: most_of[name] + change[name])
@@ -123,10 +122,10 @@ def _moments_of_displacement(grid: Grid, group: Group, isolated: IsolatedBases) 
     moment, overturning = float(moments[worst]), float(of_storeys[worst])
     if moment <= NEGLECTED * overturning:
         return []
+    far, beside = 1e3 * float(moved[worst]), f"{moment / 1e3:.4g} kNm beside {overturning / 1e3:.4g} kNm of overturning"
     text = (
-        f"isolators have no height: moments of their axial forces and the displacement of {1e3 * float(moved[worst]):.3g} mm, "
-        f"up to {moment / 1e3:.4g} kNm beside {overturning / 1e3:.4g} kNm of overturning, go into the ground and not "
-        "into base and columns"
+        f"isolators have no height: moments of their axial forces and the displacement of {far:.3g} mm, up to {beside}, "
+        "go into the ground and not into base and columns"
     )
     return [AnalysisWarning("isolator_height", text, moment / max(NEGLECTED * overturning, _ROUNDING * moment))]
 

@@ -22,6 +22,7 @@ from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import RecordSet, record_of
 from edesign.project.study.study import Study
 from edesign.space.check import check_building
+from edesign.space.nonlinear.isolation import base_mass
 from edesign.study.analysis.dampers import (
     device_laws,
     laws_that_stand,
@@ -197,10 +198,13 @@ def _scales(project: AnalysisFile, plan: Sequence[Task], found: Mapping[str, Fou
 def _dampers(project: AnalysisFile) -> str:
     """How many dampers there are of each law, and the tuned masses."""
     frame = make_frame(project, dampers=True)
-    laws = Counter(device.law for device in frame.devices)
-    isolators = Counter(device.law for device in frame.isolated.isolators) if frame.isolated is not None else Counter()
+    of_base = frame.isolated.isolators if frame.isolated is not None else ()
+    carrying = {device.number for device in of_base}
+    carrying |= {other for device in of_base for other in (device.across,) if other is not None}
+    isolators = Counter(device.law for device in of_base)
+    laws = Counter(device.law for device in frame.devices if device.number not in carrying)
     parts = [f"{counted(count, 'isolator')} `{name}`" for name, count in isolators.items()]
-    parts += [f"{counted(count, 'damper')} `{name}`" for name, count in (laws - isolators).items()]
+    parts += [f"{counted(count, 'damper')} `{name}`" for name, count in laws.items()]
     parts += [counted(len(frame.attached), "tuned mass")] if frame.attached else []
     return ", ".join(parts) or "none"
 
@@ -209,7 +213,17 @@ def _building_dampers(building: Building) -> str:
     """How many dampers of each law a building has, whether it can be built or not, and the tuned masses."""
     device_laws(building)
     laws = Counter(device.law for device, _ in devices_by_name(building.grid, building.dampers).values())
-    parts = [f"{counted(count, 'damper')} `{name}`" for name, count in laws.items()]
+    parts = []
+    if building.isolation is not None:
+        isolation, bases = building.isolation, [str(line) for line in building.layout.node_lines[0]]
+        for what, items in (("isolator", isolation.isolators), ("damper", isolation.beside)):
+            of_base = Counter(item.law for item in items for _ in item.under(bases))
+            parts += [
+                f"{counted(count, what)} `{name}`{' at the base' * (what == 'damper')}"
+                for name, count in of_base.items()
+            ]
+        parts.append(f"mass of the base {base_mass(building) / 1e3:.4g} t")
+    parts += [f"{counted(count, 'damper')} `{name}`" for name, count in laws.items()]
     masses = building.dampers.attachments if building.dampers is not None else ()
     return ", ".join([*parts, *([counted(len(masses), "tuned mass")] if masses else [])]) or "none"
 
