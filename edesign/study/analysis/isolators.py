@@ -124,8 +124,8 @@ def _moments_of_displacement(grid: Grid, group: Group, isolated: IsolatedBases) 
         return []
     far, beside = 1e3 * float(moved[worst]), f"{moment / 1e3:.4g} kNm beside {overturning / 1e3:.4g} kNm of overturning"
     text = (
-        f"isolators have no height: moments of their axial forces and the displacement of {far:.3g} mm, up to {beside}, go "
-        "into the ground and not into base and columns"
+        f"isolators have no height: moments of their axial forces and the displacement of {far:.3g} mm, up to "
+        f"{beside}, go into the ground and not into base and columns"
     )
     return [AnalysisWarning("isolator_height", text, moment / max(NEGLECTED * overturning, _ROUNDING * moment))]
 

@@ -1,0 +1,103 @@
+"""An isolated base in a building file: what is read, and what is refused where."""
+
+from __future__ import annotations
+
+import pytest
+from building_examples import SMALL, building
+from messages import says
+
+from edesign.errors import InputError
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.project.building import parse_building
+from edesign.project.dampers.device_names import names_of_dampers
+from edesign.project.reading.problems import FileProblems
+from edesign.study.analysis.structure import make_frame
+from edesign.study.check.summary import building_dampers
+
+ISOLATORS = "- {at: [A, C], law: lead, vertical: {stiffness: 900 kN/mm, uplift: true}}\n      - {at: B, law: dish}"
+BASE = "base: {G: 5 kN/m^2, beams: {section: HEB300, material: S275}}"
+TEXT = f"""{SMALL}\
+dampers:
+  laws:
+    lead: {{type: lead_rubber, parameters: {{Q: 20 kN, K_d: 400 kN/m, Y: 8 mm}}}}
+    dish: {{type: friction_pendulum, parameters: {{W: 1 MN, R: 2 m, f_slow: 2 %, f_fast: 5 %, a: 30 s/m, Y: 0.5 mm}}}}
+    oil: {{type: viscous_power, parameters: {{c: 12 kN*(s/m)^0.5, alpha: 0.5}}}}
+    worn:
+      type: lead_rubber
+      parameters: {{Q: 20 kN, K_d: 400 kN/m, Y: 8 mm}}
+      effects: [{{name: mullins, form: path, parameters: {{m: 0.5, s0: 1 m}}}}]
+  isolation:
+    isolators:
+      {ISOLATORS}
+    beside: [{{at: [A1, C3], direction: x, law: oil}}]
+    {BASE}
+    design_displacement: 100 mm
+analyses: [{{name: gravity, kind: gravity}}]
+"""
+
+
+def test_what_is_read() -> None:
+    whole = building(TEXT)
+    isolation = whole.isolation
+    assert isolation is not None and whole.dampers is not None
+    assert isolation.isolators[0].under(("A1", "B1", "C3")) == ("A1", "C3")
+    assert isolation.beside[0].axes == ("x",) and isolation.isolators[1].axes == ("x", "y")
+    named = names_of_dampers(whole.grid, whole.dampers)
+    frame = make_frame(whole, dampers=True)
+    assert frame.isolated is not None
+    assert {device.name for device in frame.devices} == set(named)
+    assert {"I_A1_x", "I_A1_y", "I_B2_y", "G_C3_x"} <= set(named) and len(named) == 2 * 9 + 2
+    assert [isolator.name for isolator in frame.isolated.isolators][:2] == ["I_A1", "I_A2"]
+    assert building_dampers(whole) == (
+        "6 isolators `lead`, 3 isolators `dish`, 2 dampers `oil` at the base, mass of the base 50.99 t"
+    )
+    assert frame.mass == pytest.approx(sum(make_frame(whole).masses.values()) + 5e3 * 100.0 / 9.80665, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place", "message"),
+    [
+        ("      - {at: B, law: dish}\n", "", "isolators", "lines B1, B2 and B3 `ux: free, uy: free` E-ISOL-01"),
+        ("{at: B, law: dish}", "{at: A1-B3, law: dish}", "isolators[1].at", "E-ISOL-04"),
+        ("{at: B, law: dish}", "{at: [B, D4], law: dish}", "isolators[1].at[1]", "C3 E-NAME-01"),
+        ("law: dish}", "law: dsh}", "isolators[1].law", "`dish` E-NAME-01"),
+        ("law: dish}", "law: oil}", "isolators[1].law", "viscous_power E-ISOL-05"),
+        ("law: dish}", "law: worn}", "isolators[1].law", "effects E-ISOL-05"),
+        ("law: dish}", "law: dish, weight: varying}", "isolators[1].weight", "`vertical` E-KEY-02"),
+        ("law: dish}", "law: dish, vertical: free}", "isolators[1].vertical", "E-KEY-03"),
+        ("direction: x, law", "law", "beside[0].direction", "E-KEY-02"),
+        (BASE, "base: {rotation: fixed}", "base", "E-MODAL-02"),
+        (BASE, "base: {mass: 50 t}", "base", "`beams` E-ISOL-02"),
+        (BASE, f"{BASE[:-1]}, rotation: free}}", "base.rotation", "E-KEY-03"),
+        (BASE, "base: {G: 5 kN/m^2, Q: 1 kN/m^2, rotation: free}", "base.category", "E-KEY-02"),
+        (BASE, BASE.replace("material: S275", "material: S27"), "base.beams.material", "`S275` E-NAME-01"),
+        (BASE, BASE.replace("HEB300", "HEB3000"), "base.beams.section", "`HEB300` E-NAME-01"),
+    ],
+)
+def test_refused_at_its_place(old: str, new: str, place: str, message: str) -> None:
+    assert TEXT.count(old) == 1, old
+    with pytest.raises(FileProblems) as caught:
+        parse_building(TEXT.replace(old, new), "building.yaml", BuildingSections())
+    said = f"dampers.isolation.{place}: {message}"
+    lines = [one for one in str(caught.value).splitlines() if says(one, said)]
+    assert len(lines) == 1, str(caught.value)
+    assert lines[0].startswith("building.yaml:")
+
+
+def test_what_else_does_not_go_with_it() -> None:
+    push = "{name: push, kind: pushover, pattern: uniform, direction: x, roof_drift: 2 %}"
+    gravity = "{name: gravity, kind: gravity}"
+    with pytest.raises(FileProblems, match=r"analyses\[0\]\.kind.*E-ISOL-03"):
+        building(TEXT.replace(gravity, push))
+    assert building(TEXT.replace(gravity, push.replace("}", ", dampers: false}"))).analyses[0].kind == "pushover"
+
+
+def test_laws_that_are_known_late() -> None:
+    """A law of a file is not known to the checks: the model refuses it where it is used."""
+    whole = building(TEXT)
+    assert whole.dampers is not None and whole.isolation is not None
+    one, other = whole.isolation.isolators
+    late = whole.isolation.model_copy(update={"isolators": (one, other.model_copy(update={"law": "oil"}))})
+    whole = whole.with_dampers(whole.dampers.model_copy(update={"isolation": late}))
+    with pytest.raises(InputError, match=r"isolators\[1\].*one direction alone.*E-ISOL-05"):
+        make_frame(whole, dampers=True)
