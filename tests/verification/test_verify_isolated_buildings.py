@@ -35,6 +35,9 @@ def isolation(isolators: str, base: str, beside: str = "") -> str:
     )
 
 
+OIL = "{at: A1, direction: y, law: pad, scale: 0.5}"
+
+
 # --- plane frames
 
 ROWS = {
@@ -107,7 +110,7 @@ storeys: [4 m, 3.5 m]
 columns: [{section: SHS300x12, material: S275, strong: x}]
 beams: [{along: x, section: IPE300, material: S275}, {along: y, section: IPE300, material: S275}]
 materials: {S275: {fy: 275 MPa, law: elastic}}
-loads: {nodes: [{at: all, floors: all, G: 150 kN}]}
+loads: {nodes: [{at: all, floors: all, G: 150 kN}], self_weight: false}
 masses: {from_loads: {}}
 elements: {geometry: {columns: linear, beams: linear}}
 """
@@ -162,6 +165,55 @@ def test_a_turned_pair_turns_the_response(isolator: str, degrees: float) -> None
     assert np.abs(plain.values["turn roof"]).max() < 1e-12
     assert np.hypot(plain.values["base x"], plain.values["base y"]).max() > 0.05
     assert plain.statistics["energy_error"] < 1e-6
+
+
+UNEQUAL = """\
+{at: [A1, A2], law: lead}, {at: B1, law: dish, weight: varying, vertical: 500 kN/mm}, {at: B2, law: pad}"""
+
+
+def test_inertia_balances_the_isolators() -> None:
+    """Unequal isolators, masses beside their places, no damping: forces along x and y and their moment, at every step.
+
+    Axial forces carry the weight and the overturning moment. 1e-9 of the largest: equilibrium to 1e-12 of the forces.
+    """
+    pair = np.array([motion(1, 1.2), motion(2, 0.9)])
+    text = SQUARE + isolation(UNEQUAL, "G: 5 kN/m^2, beams: {section: SHS300x12, material: S275}", OIL)
+    frame = make_frame(building(text), dampers=True, eccentricity=(0.05, -0.05))
+    isolated = frame.isolated
+    assert isolated is not None
+    masters = {name: (*frame.places[name], frame.nodes[name]) for name in ("floor.0", "floor.1", "floor.2")}
+    channels = [
+        Channel(f"{name} {at}", ((1.0, "total_acceleration", node, degree),))
+        for name, (*_, node) in masters.items()
+        for at, degree in enumerate((0, 1, 5))
+    ]
+    channels += [Channel(device.name, ((1.0, "damper_force", device.number, 0),)) for device in isolated.devices]
+    bases = [f"{line}.0" for line in ("A1", "A2", "B1", "B2")]
+    channels += [Channel(base, frame.reaction(base, frame.up)) for base in bases]
+    analysis = Analysis(frame.model, **SHARP)
+    completed(analysis.static(frame.gravity, 1.0, 5))
+    analysis.install_dampers()
+    values = completed(analysis.history(pair[0], STEP, channels=channels, along_y=pair[1])).values
+    force = {name: frame.masses[name] * np.array([values[f"{name} {at}"] for at in (0, 1)]) for name in masters}
+    sums = sum(force.values())
+    moment = sum(
+        x * force[name][1] - y * force[name][0] + frame.turning[name] * values[f"{name} 2"]
+        for name, (x, y, _, _) in masters.items()
+    )
+    scale = max(np.abs(part).max() for part in force.values())
+    for device in isolated.devices:
+        assert device.direction is not None
+        x, y, _ = frame.places[device.column_base]
+        sums[device.direction] += values[device.name]
+        moment = moment + (x if device.direction else -y) * values[device.name]
+    np.testing.assert_allclose(sums, 0.0, atol=1e-9 * scale)
+    np.testing.assert_allclose(moment, 0.0, atol=1e-9 * scale * 6.0)
+    weight = 8 * 150e3 + 5e3 * 36.0
+    np.testing.assert_allclose(sum(values[base] for base in bases), weight, rtol=1e-9)
+    overturning = sum(z * force[name][0] for name, (_, _, z, _) in masters.items())
+    by_axial = sum(frame.places[base][0] * values[base] for base in bases) - 3.0 * weight
+    np.testing.assert_allclose(-by_axial, overturning, atol=1e-9 * weight)
+    assert np.abs(values["floor.0 2"]).max() * frame.turning["floor.0"] > 1e-2 * scale  # it turns
 
 
 # --- a bearing by itself

@@ -36,16 +36,15 @@ int ed_condensation_allocate(ed_analysis *a)
   /* A solution here saves an iteration of the frame and its factors at best. Those that SUNDIALS integrates cost more than a frame. */
   if (dampers == 0 || a->devices.n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->factors.solver))
     return ED_OK;
-  /* One whose force depends on one of the frame has to look at it in each iteration; for bearings balances know no cross slopes. */
-  for (int i = 0; i < a->model->n_devices; i++)
-    if (a->model->devices[i].axial_spring >= 0 || a->model->devices[i].other >= 0)
+  for (int i = 0; i < a->model->n_devices; i++) /* whose force depends on one of the frame has to look at it in each iteration */
+    if (a->model->devices[i].axial_spring >= 0)
       return ED_OK;
   ed_condensation *condensation = &a->condensation;
   condensation->response = malloc(dampers * n * sizeof(double));
   condensation->flexibility = malloc(dampers * dampers * sizeof(double));
   condensation->balance = malloc(dampers * dampers * sizeof(double));
   condensation->pivot = malloc(dampers * sizeof(int));
-  condensation->work = malloc(7 * dampers * sizeof(double));
+  condensation->work = malloc(8 * dampers * sizeof(double));
   return condensation->response && condensation->flexibility && condensation->balance && condensation->pivot && condensation->work
              ? ED_OK
              : ED_E_MEMORY;
@@ -98,9 +97,10 @@ static int find_flexibility(ed_analysis *a)
   return ED_OK;
 }
 
-/* Deformations of the dampers, and the linear law f + s (x - at) of each about the last trial. */
+/* Deformations of the dampers, and the linear law f + s (x - at) of each about the last trial; of a bearing it has what comes of the motion
+ * across beside that, by the slope `cross`. */
 typedef struct {
-  double *free, *x, *at, *now, *force, *slope, *push;
+  double *free, *x, *at, *now, *force, *slope, *cross, *push;
 } condensed;
 
 static void linearise(const ed_analysis *a, condensed *c, const double *moved)
@@ -125,13 +125,21 @@ static void expect(const ed_analysis *a, condensed *c)
 static int take_slopes(ed_analysis *a, double k, condensed *c)
 {
   const int n = a->model->n_devices;
+  const double *in_factors = a->factors.device_slope, *cross_in_factors = in_factors + n;
   for (int j = 0; j < n; j++)
     c->slope[j] = ed_device_slope(&a->devices, &a->trial, j);
+  for (int j = 0; a->devices.bearings && j < n; j++)
+    c->cross[j] = ed_device_cross_slope(&a->devices, &a->trial, j);
   for (int i = 0; i < n; i++) {
     const double *row = a->condensation.flexibility + i * n;
     double *of = a->condensation.balance + i * n;
     for (int j = 0; j < n; j++)
-      of[j] = k * row[j] * (c->slope[j] - a->factors.device_slope[j]);
+      of[j] = k * row[j] * (c->slope[j] - in_factors[j]);
+    for (int j = 0; a->devices.bearings && j < n; j++) {
+      const int other = a->model->devices[j].other;
+      if (other >= 0)
+        of[other] += k * row[j] * (c->cross[j] - cross_in_factors[j]);
+    }
     of[i] += 1.0;
   }
   return ed_dense_factor(n, a->condensation.balance, a->condensation.pivot) ? ED_OK : ED_E_SINGULAR;
@@ -141,8 +149,14 @@ static int take_slopes(ed_analysis *a, double k, condensed *c)
 static void balance(const ed_analysis *a, double k, condensed *c)
 {
   const int n = a->model->n_devices;
+  const double *in_factors = a->factors.device_slope, *cross_in_factors = in_factors + n;
   for (int j = 0; j < n; j++)
     c->push[j] = k * (c->now[j] - c->force[j] + c->slope[j] * c->at[j]);
+  for (int j = 0; a->devices.bearings && j < n; j++) {
+    const int other = a->model->devices[j].other;
+    if (other >= 0)
+      c->push[j] += k * c->cross[j] * c->at[other];
+  }
   for (int i = 0; i < n; i++) {
     const double *row = a->condensation.flexibility + i * n;
     double sum = c->free[i];
@@ -152,7 +166,12 @@ static void balance(const ed_analysis *a, double k, condensed *c)
   }
   ed_dense_solve(n, a->condensation.balance, a->condensation.pivot, c->x);
   for (int j = 0; j < n; j++)
-    c->push[j] -= k * (c->slope[j] - a->factors.device_slope[j]) * c->x[j];
+    c->push[j] -= k * (c->slope[j] - in_factors[j]) * c->x[j];
+  for (int j = 0; a->devices.bearings && j < n; j++) {
+    const int other = a->model->devices[j].other;
+    if (other >= 0)
+      c->push[j] -= k * (c->cross[j] - cross_in_factors[j]) * c->x[other];
+  }
 }
 
 /* Largest share of a damper's force in the unbalance of a degree: as there, moments are divided by the mean length of elements. */
@@ -170,7 +189,10 @@ static double left(const ed_analysis *a, const condensed *c)
 {
   double largest = 0.0;
   for (int i = 0; i < a->model->n_devices; i++) {
-    const double linear = c->slope[i] * (c->x[i] - c->at[i]);
+    double linear = c->slope[i] * (c->x[i] - c->at[i]);
+    const int other = a->devices.bearings ? a->model->devices[i].other : -1;
+    if (other >= 0)
+      linear += c->cross[i] * (c->x[other] - c->at[other]);
     const double off = reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i) - c->force[i] - linear);
     if (!(off <= largest))
       largest = off;
@@ -204,7 +226,7 @@ int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
   const int dampers = a->model->n_devices;
   double *work = a->condensation.work, *moved = a->iteration.predicted, before = HUGE_VAL;
   condensed c = {.free = work, .x = work + dampers, .at = work + 2 * dampers, .now = work + 3 * dampers, .force = work + 4 * dampers,
-                 .slope = work + 5 * dampers, .push = work + 6 * dampers};
+                 .slope = work + 5 * dampers, .push = work + 6 * dampers, .cross = work + 7 * dampers};
   /* Behind the first iteration of the frame the dampers move so little that slopes need not be new for the first trial. */
   int slopes_known = !first && a->condensation.known, status = find_flexibility(a);
   if (status != ED_OK)

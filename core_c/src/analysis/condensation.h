@@ -9,7 +9,7 @@ typedef struct {
   double *flexibility;           /* n_devices x n_devices: b' A^-1 b */
   double *balance;               /* n_devices x n_devices: factors of the balance at the dampers */
   int *pivot;
-  double *work;                  /* 7 n_devices */
+  double *work;                  /* 8 n_devices */
   int known;                     /* response and flexibility of the present factors */
 } ed_condensation;
 

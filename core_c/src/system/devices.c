@@ -43,6 +43,7 @@ int ed_devices_allocate(ed_analysis *a)
   int status = by_ode ? allocate(&a->devices, n) : ED_E_MEMORY;
   for (int i = 0; status == ED_OK && i < n; i++) {
     const ed_device *device = &a->model->devices[i];
+    a->devices.bearings |= device->other >= 0;
     ed_damper_start(&device->damper, ed_device_block(&a->devices, &a->trial, i) + ED_DEVICE_LAW_STATE);
     ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_INSTALLED] = device->carries;
     if (!ed_damper_has_exact_step(&device->damper)) {

@@ -11,6 +11,7 @@ typedef struct {
   int *block;                    /* per device: offset of its block in the state */
   ed_ode_system *ode_system;
   int n_by_ode, *by_ode;         /* which */
+  int bearings;                  /* some act in two directions */
   ed_path *path, (*path_direction)[2]; /* of those by ODE */
   ed_path direction[2];
   ed_damper_force *out;          /* of those by ODE */

@@ -8,7 +8,7 @@
 static int allocate_kept(ed_kept_factors *kept, size_t terms, size_t devices)
 {
   kept->matrix = malloc(terms * sizeof(double));
-  kept->device_slope = calloc(devices, sizeof(double));
+  kept->device_slope = calloc(2 * devices, sizeof(double));
   return kept->matrix && kept->device_slope;
 }
 
@@ -18,7 +18,7 @@ int ed_factors_allocate(ed_analysis *a)
   ed_factors *factors = &a->factors;
   factors->stamp = -1;
   factors->effective = malloc(terms * sizeof(double));
-  factors->device_slope = calloc(devices, sizeof(double));
+  factors->device_slope = calloc(2 * devices, sizeof(double));
   if (!factors->effective || !factors->device_slope || !allocate_kept(&factors->kept, terms, devices) ||
       !allocate_kept(&factors->backed, terms, devices))
     return ED_E_MEMORY;
@@ -52,12 +52,17 @@ static int factor(ed_analysis *a, double k, double m, double c)
   return status == ED_OK ? ed_factor_modal(a, c) : status;
 }
 
+/* Of the dampers, and of bearings to what they do across. */
+static size_t slopes(const ed_analysis *a)
+{
+  return (a->devices.bearings ? 2 : 1) * (size_t)a->model->n_devices;
+}
+
 void ed_note_factors(const ed_analysis *a, ed_kept_factors *to)
 {
   to->valid = a->factors.stamp >= 0;
   memcpy(to->matrix, a->factors.effective, (size_t)a->matrix.nnz * sizeof(double));
-  for (int i = 0; i < a->model->n_devices; i++)
-    to->device_slope[i] = a->factors.device_slope[i];
+  memcpy(to->device_slope, a->factors.device_slope, slopes(a) * sizeof(double));
   to->k = a->factors.k;
   to->m = a->factors.m;
   to->c = a->factors.c;
@@ -75,8 +80,7 @@ void ed_restore_factors(ed_analysis *a)
   if (!a->factors.kept.valid)
     return;
   memcpy(a->factors.effective, a->factors.kept.matrix, (size_t)a->matrix.nnz * sizeof(double));
-  for (int i = 0; i < a->model->n_devices; i++)
-    a->factors.device_slope[i] = a->factors.kept.device_slope[i];
+  memcpy(a->factors.device_slope, a->factors.kept.device_slope, slopes(a) * sizeof(double));
   a->factors.kept.valid = 0;
   if (factor(a, a->factors.kept.k, a->factors.kept.m, a->factors.kept.c) == ED_OK)
     a->factors.stamp = 0; /* of an earlier tangent */
@@ -99,6 +103,8 @@ int ed_factor_effective(ed_analysis *a, double k, double m, double c)
   ed_add_device_tangent(a, k, a->factors.effective);
   for (int i = 0; i < a->model->n_devices; i++)
     a->factors.device_slope[i] = ed_device_slope(&a->devices, &a->trial, i);
+  for (int i = 0; a->devices.bearings && i < a->model->n_devices; i++)
+    a->factors.device_slope[a->model->n_devices + i] = ed_device_cross_slope(&a->devices, &a->trial, i);
   const double inertia = m + c * a->damping.rayleigh_mass;
   if (inertia != 0.0)
     for (int i = 0; i < a->numbering.n; i++)

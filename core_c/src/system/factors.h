@@ -9,7 +9,7 @@
 typedef struct {
   int valid;
   double *matrix;                /* nnz */
-  double *device_slope;          /* n_devices */
+  double *device_slope;          /* n_devices, and as many of bearings to what they do across */
   double k, m, c;
 } ed_kept_factors;
 

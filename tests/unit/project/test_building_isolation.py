@@ -57,7 +57,7 @@ def test_what_is_read() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "place", "message"),
     [
-        ("      - {at: B, law: dish}\n", "", "isolators", "lines B1, B2 and B3 `ux: free, uy: free` E-ISOL-01"),
+        ("      - {at: B, law: dish}\n", "", "isolators", "`B1` `B2` `B3` `ux: free, uy: free` E-ISOL-01"),
         ("{at: B, law: dish}", "{at: A1-B3, law: dish}", "isolators[1].at", "E-ISOL-04"),
         ("{at: B, law: dish}", "{at: [B, D4], law: dish}", "isolators[1].at[1]", "C3 E-NAME-01"),
         ("law: dish}", "law: dsh}", "isolators[1].law", "`dish` E-NAME-01"),
@@ -71,7 +71,7 @@ def test_what_is_read() -> None:
         (BASE, f"{BASE[:-1]}, rotation: free}}", "base.rotation", "E-KEY-03"),
         (BASE, "base: {G: 5 kN/m^2, Q: 1 kN/m^2, rotation: free}", "base.category", "E-KEY-02"),
         (BASE, BASE.replace("material: S275", "material: S27"), "base.beams.material", "`S275` E-NAME-01"),
-        (BASE, BASE.replace("HEB300", "HEB3000"), "base.beams.section", "`HEB300` E-NAME-01"),
+        (BASE, BASE.replace("HEB300", "HEB301"), "base.beams.section", "`HEB300` E-NAME-01"),
     ],
 )
 def test_refused_at_its_place(old: str, new: str, place: str, message: str) -> None:
