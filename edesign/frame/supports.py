@@ -110,7 +110,6 @@ def vertical_spring(name: str, dimension: int) -> str:
     """Return the name of the element that supports a node vertically, if a spring does.
 
     Args:
-        name: of the node.
         dimension: of the model, 2 or 3.
     """
     return f"{name}.vertical" if dimension == 2 else f"{name}.uz"

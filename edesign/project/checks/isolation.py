@@ -83,7 +83,6 @@ def check_isolator(
 
     Args:
         problems: collects what is wrong.
-        i: its number in the file.
         isolator: of a plane frame or a building.
         taken: numbers of isolators by column line, to which those of its lines are added.
         lines: key of its column lines.

@@ -162,7 +162,6 @@ def not_in_all_directions(name: str, law: str, effects: bool) -> str:
     """Say why no isolator of a building can have a law, and which ones it can have.
 
     Args:
-        name: of the law in the file.
         law: its type.
         effects: whether it is refused for its effects.
     """

@@ -163,7 +163,8 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
     """
     levels, notes = list(places({name: group}, "hazard_level", "isolation_displacement")), []
     along = range(len(group.coords["direction"].values)) if "direction" in group.coords else ()
-    rows = [_Estimate(level, way) for level in levels for way in ([(i,) for i in along] or [()])]
+    ways: list[tuple[int, ...]] = [(i,) for i in along] or [()]
+    rows = [_Estimate(level, way) for level in levels for way in ways]
     if levels:
         period, mass = (float(str(group.attributes[key])) for key in ("fixed_base_period_s", "mass_kg"))
         above = f"a rigid body of {significant(mass / 1e3)} t above the isolators"

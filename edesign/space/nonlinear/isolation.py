@@ -100,7 +100,6 @@ def add_building_base_beams(building: Building, isolation: Isolation, model: Mod
 
     Args:
         building: from `load_building`.
-        isolation: its base and isolators.
         model: has the nodes already.
         nodes: ids by name.
     """
