@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, get_args
 
 import pytest
-from building_examples import ANALYSED, DAMPED
+from building_examples import ANALYSED, DAMPED, ISOLATED
 from cases.mutated_commands import TooLong, fault, outcome
 from every_building_key import EVERY_KEY, HELD, OTHER_FORMS
 from file_mutants import MUTATIONS, mutants
@@ -53,12 +53,13 @@ def texts() -> dict[str, str]:
         "held": HELD,
         "analysed": ANALYSED,
         "damped": DAMPED,
+        "isolated": ISOLATED,
     }
 
 
 def commands(kind: str, path: Path, folder: Path) -> Iterator[list[str]]:
     yield ["check", str(path)]
-    if kind in ("analysed", "damped"):
+    if kind in ("analysed", "damped", "isolated"):
         return  # their histories take longer than a mutant is worth
     yield ["run", str(path), "--archive", str(folder / "run.h5"), "--overwrite", "--quiet"]
     if kind in SMALL:

@@ -75,6 +75,30 @@ dampers:
 )
 """The same building with dampers."""
 
+ISOLATED = (
+    SMALL
+    + """\
+dampers:
+  laws:
+    lead: {type: lead_rubber, parameters: {Q: 20 kN, K_d: 400 kN/m, Y: 8 mm}}
+    dish: {type: friction_pendulum, parameters: {W: 1 MN, R: 2 m, f_slow: 2 %, f_fast: 5 %, a: 30 s/m, Y: 0.5 mm}}
+    oil: {type: viscous_power, parameters: {c: 12 kN*(s/m)^0.5, alpha: 0.5}}
+    worn:
+      type: lead_rubber
+      parameters: {Q: 20 kN, K_d: 400 kN/m, Y: 8 mm}
+      effects: [{name: mullins, form: path, parameters: {m: 0.5, s0: 1 m}}]
+  isolation:
+    isolators:
+      - {at: [A, C], law: lead, vertical: {stiffness: 900 kN/mm, uplift: true}}
+      - {at: B, law: dish}
+    beside: [{at: [A1, C3], direction: x, law: oil}]
+    base: {G: 5 kN/m^2, beams: {section: HEB300, material: S275}}
+    design_displacement: 100 mm
+analyses: [{name: gravity, kind: gravity}]
+"""
+)
+"""The same building on isolators."""
+
 IRREGULAR = """\
 edesign_building: 1
 title: Hall with a tower

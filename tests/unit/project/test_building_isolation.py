@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from building_examples import SMALL, building
+from building_examples import ISOLATED, building
 from messages import says
 
 from edesign.errors import InputError
@@ -12,32 +12,13 @@ from edesign.project.building import parse_building
 from edesign.project.dampers.device_names import names_of_dampers
 from edesign.project.reading.problems import FileProblems
 from edesign.study.analysis.structure import make_frame
-from edesign.study.check.summary import building_dampers
+from edesign.study.check.summary import check_project
 
-ISOLATORS = "- {at: [A, C], law: lead, vertical: {stiffness: 900 kN/mm, uplift: true}}\n      - {at: B, law: dish}"
 BASE = "base: {G: 5 kN/m^2, beams: {section: HEB300, material: S275}}"
-TEXT = f"""{SMALL}\
-dampers:
-  laws:
-    lead: {{type: lead_rubber, parameters: {{Q: 20 kN, K_d: 400 kN/m, Y: 8 mm}}}}
-    dish: {{type: friction_pendulum, parameters: {{W: 1 MN, R: 2 m, f_slow: 2 %, f_fast: 5 %, a: 30 s/m, Y: 0.5 mm}}}}
-    oil: {{type: viscous_power, parameters: {{c: 12 kN*(s/m)^0.5, alpha: 0.5}}}}
-    worn:
-      type: lead_rubber
-      parameters: {{Q: 20 kN, K_d: 400 kN/m, Y: 8 mm}}
-      effects: [{{name: mullins, form: path, parameters: {{m: 0.5, s0: 1 m}}}}]
-  isolation:
-    isolators:
-      {ISOLATORS}
-    beside: [{{at: [A1, C3], direction: x, law: oil}}]
-    {BASE}
-    design_displacement: 100 mm
-analyses: [{{name: gravity, kind: gravity}}]
-"""
 
 
 def test_what_is_read() -> None:
-    whole = building(TEXT)
+    whole = building(ISOLATED)
     isolation = whole.isolation
     assert isolation is not None and whole.dampers is not None
     assert isolation.isolators[0].under(("A1", "B1", "C3")) == ("A1", "C3")
@@ -48,7 +29,7 @@ def test_what_is_read() -> None:
     assert {device.name for device in frame.devices} == set(named)
     assert {"I_A1_x", "I_A1_y", "I_B2_y", "G_C3_x"} <= set(named) and len(named) == 2 * 9 + 2
     assert [isolator.name for isolator in frame.isolated.isolators][:2] == ["I_A1", "I_A2"]
-    assert building_dampers(whole) == (
+    assert check_project(whole)["dampers"] == (
         "6 isolators `lead`, 3 isolators `dish`, 2 dampers `oil` at the base, mass of the base 50.99 t"
     )
     assert frame.mass == pytest.approx(sum(make_frame(whole).masses.values()) + 5e3 * 100.0 / 9.80665, rel=1e-9)
@@ -75,9 +56,9 @@ def test_what_is_read() -> None:
     ],
 )
 def test_refused_at_its_place(old: str, new: str, place: str, message: str) -> None:
-    assert TEXT.count(old) == 1, old
+    assert ISOLATED.count(old) == 1, old
     with pytest.raises(FileProblems) as caught:
-        parse_building(TEXT.replace(old, new), "building.yaml", BuildingSections())
+        parse_building(ISOLATED.replace(old, new), "building.yaml", BuildingSections())
     said = f"dampers.isolation.{place}: {message}"
     lines = [one for one in str(caught.value).splitlines() if says(one, said)]
     assert len(lines) == 1, str(caught.value)
@@ -88,13 +69,13 @@ def test_what_else_does_not_go_with_it() -> None:
     push = "{name: push, kind: pushover, pattern: uniform, direction: x, roof_drift: 2 %}"
     gravity = "{name: gravity, kind: gravity}"
     with pytest.raises(FileProblems, match=r"analyses\[0\]\.kind.*E-ISOL-03"):
-        building(TEXT.replace(gravity, push))
-    assert building(TEXT.replace(gravity, push.replace("}", ", dampers: false}"))).analyses[0].kind == "pushover"
+        building(ISOLATED.replace(gravity, push))
+    assert building(ISOLATED.replace(gravity, push.replace("}", ", dampers: false}"))).analyses[0].kind == "pushover"
 
 
 def test_laws_that_are_known_late() -> None:
     """A law of a file is not known to the checks: the model refuses it where it is used."""
-    whole = building(TEXT)
+    whole = building(ISOLATED)
     assert whole.dampers is not None and whole.isolation is not None
     one, other = whole.isolation.isolators
     late = whole.isolation.model_copy(update={"isolators": (one, other.model_copy(update={"law": "oil"}))})
