@@ -27,13 +27,22 @@ def refuse(project: AnalysisFile, without_dampers: bool) -> None:
     Raises:
         InputError: there is something.
     """
-    found = _of_frame(project, without_dampers) if isinstance(project, Project) else []
+    found = _of_frame(project) if isinstance(project, Project) else []
     if isinstance(project, Building):
         found = [
             f"{project.where(*keys)}: {keys_text(keys)}: {what} of buildings are not translated: nodes of rigid floors "
             "can have no others tied to them in OpenSees; leave them out of a copy [E-OPS-06]"
             for keys, what in _of_building(project)
         ]
+    if project.isolation is not None and not without_dampers:
+        where = project.where("dampers", "isolation")
+        reason = "isolators whose forces follow from their weights are not translated"
+        if isinstance(project, Building):
+            reason = "isolators of buildings are not translated"
+        found.append(
+            f"{where}: dampers.isolation: {reason}; --without-dampers puts the {project.structure} on its supports"
+            " [E-OPS-01]"
+        )
     if project.fibres.residual_stress != "none":
         where = project.where("fibres", "residual_stress")
         reason = "residual stresses of fibres are not translated"
@@ -42,7 +51,7 @@ def refuse(project: AnalysisFile, without_dampers: bool) -> None:
         raise InputError("\n".join(found))
 
 
-def _of_frame(project: Project, without_dampers: bool) -> list[str]:
+def _of_frame(project: Project) -> list[str]:
     found = []
     if project.panel_zones:
         where = project.where("panel_zones", 0)
@@ -53,12 +62,6 @@ def _of_frame(project: Project, without_dampers: bool) -> list[str]:
             where = project.where("frame", "braces", i, "buckling")
             reason = "the cambered parts of a brace are condensed to one bar, which OpenSees does not have"
             found.append(f"{where}: frame.braces[{i}].buckling: {reason}; translate a copy without this key [E-OPS-03]")
-    if project.isolation is not None and not without_dampers:
-        where = project.where("dampers", "isolation")
-        reason = "isolators whose forces follow from their weights are not translated"
-        found.append(
-            f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports [E-OPS-01]"
-        )
     return found
 
 

@@ -7,6 +7,7 @@ from building_examples import ISOLATED, building
 from messages import says
 
 from edesign.errors import InputError
+from edesign.exchange.opensees.limits import refuse
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import parse_building
 from edesign.project.dampers.device_names import names_of_dampers
@@ -82,3 +83,10 @@ def test_laws_that_are_known_late() -> None:
     whole = whole.with_dampers(whole.dampers.model_copy(update={"isolation": late}))
     with pytest.raises(InputError, match=r"isolators\[1\].*one direction alone.*E-ISOL-05"):
         make_frame(whole, dampers=True)
+
+
+def test_isolators_are_not_translated_for_opensees() -> None:
+    whole = building(ISOLATED)
+    with pytest.raises(InputError, match=r"dampers\.isolation: .*--without-dampers puts the building on.*E-OPS-01"):
+        refuse(whole, without_dampers=False)
+    refuse(whole, without_dampers=True)
