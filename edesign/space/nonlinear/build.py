@@ -111,9 +111,7 @@ def _build(
         model.nodal_load(gravity, node, fx, fy, mz, fz=fz - blocks.get(frame.node_names[node], 0.0), mx=mx, my=my)
     for number, uniform in enumerate(loads.uniform):
         members.add_loads(gravity, number, uniform, loads.points.get(number, ()))
-    on_bases = {
-        name: -float(loads.on_nodes[nodes[name], UP]) for name, held in supports.restrained.items() if held[UP]
-    }
+    on_bases = {name: -float(loads.on_nodes[nodes[name], UP]) for name, held in supports.restrained.items() if held[UP]}
     isolated = None
     if isolation is not None and base is not None and laws is not None:
         for name, load in base.loads.items():
