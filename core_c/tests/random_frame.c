@@ -184,6 +184,11 @@ static void add_damper(caller *c, things *m)
   count(c, &m->dampers, ed_model_damper(m->model, name(c), law, n, parameters, or_absurd(c, chance(c, 0.6) ? 0.0 : 1e8),
                                         or_absurd(c, chance(c, 0.8) ? 0.0 : 1e-3), or_absurd(c, 1.0),
                                         or_absurd(c, 1.0), terms, node, degree, coefficient));
+  if (chance(c, 0.3)) {
+    for (int k = 0; k < terms; k++)
+      degree[k] = chance(c, 0.8) ? 1 : whole(c, 0, m->degrees - 1);
+    count(c, &m->dampers, ed_model_damper_across(m->model, some_id(c, m->dampers), name(c), terms, node, degree, coefficient));
+  }
   if (chance(c, 0.1))
     expect_listed(c, ed_model_damper_carries(m->model, some_id(c, m->dampers)));
   if (chance(c, 0.1))
