@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from edesign.project.analysis.analyses import BuildingHistory, BuildingPushover
 from edesign.project.analysis.damping import RayleighDamping
 from edesign.project.analysis.outputs import FibreOutput, SectionOutput
@@ -52,10 +50,6 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
     for i, analysis in enumerate(building.analyses):
         if isinstance(analysis, BuildingPushover):
             check_positions(building, problems, ("analyses", i), analysis)
-    if building.analyses:
-        for keys, what in plane_only(building):
-            message = f"{what} in analyses of plane frames alone; a project file has them [E-BLDG-04]"
-            problems.at_key(keys, message)
 
 
 def check_positions(building: Building, problems: Problems, keys: Keys, pushover: BuildingPushover | Pushovers) -> None:
@@ -113,11 +107,3 @@ def _points(
         return False
     last = building.elements.integration_points
     return not isinstance(run, ColumnRun) or check.numbers((*keys, "points"), asked.points, "point", last)
-
-
-def plane_only(building: Building) -> Iterator[tuple[Keys, str]]:
-    """Yield what analyses of buildings do not have yet: its place, and the beginning of a sentence.
-
-    Args:
-        building: its members and loads are right.
-    """

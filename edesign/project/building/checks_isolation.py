@@ -5,6 +5,7 @@ from __future__ import annotations
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.isolation import Isolation
+from edesign.project.building.supports import Springs
 from edesign.project.checks.isolation import check_isolated_analyses, check_isolator, check_law
 from edesign.project.frame.sections import Catalogue, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -39,6 +40,10 @@ def check_isolation(building: Building, problems: Problems, profiles: Catalogue 
     for i, item in enumerate(isolation.beside):
         inside &= check.lines((*_AT, "beside", i, "at"), item.at)
         check_law(building, problems, (*_AT, "beside", i), item)
+    standing = [line for line in building.footings if line in taken]
+    if standing:
+        message = f"line {standing[0]} stands on an isolator, and on a footing by `supports`; leave the footing out"
+        problems.at_key((*_AT, "isolators"), f"{message} [E-ISOL-01]")
     if inside:
         _other_bases(building, problems, [line for line in bases if line not in taken])
     _base(building, problems, isolation, profiles)
@@ -48,7 +53,8 @@ def check_isolation(building: Building, problems: Problems, profiles: Catalogue 
 def _other_bases(building: Building, problems: Problems, lines: list[str]) -> None:
     """Column bases without an isolator do not restrain the base in plan."""
     supports = {str(line): building.support(line) for line in building.layout.node_lines[0]}
-    restrained = [line for line in lines if (supports[line].ux, supports[line].uy) != ("free", "free")]
+    sliding = {line for line, at in supports.items() if isinstance(at, Springs) and (at.ux, at.uy) == ("free", "free")}
+    restrained = [line for line in lines if line not in sliding]
     if restrained:
         one = len(restrained) == 1
         found = f"line{'s' * (not one)} {listed(restrained)} {'has' if one else 'have'} no isolator"
@@ -71,8 +77,9 @@ def _base(building: Building, problems: Problems, isolation: Isolation, profiles
         if base.beams.material not in building.materials:
             message = unknown_name("material", base.beams.material, building.materials)
             problems.at_value((*_AT, "base", "beams", "material"), message)
-        if profiles is not None and profiles.canonical(base.beams.section) is None:
-            message = no_section(base.beams.section, (), profiles)
+        own = base.beams.section in building.sections
+        if profiles is not None and not own and profiles.canonical(base.beams.section) is None:
+            message = no_section(base.beams.section, building.sections, profiles)
             problems.at_value((*_AT, "base", "beams", "section"), message)
     if base.Q and base.category is None:
         message = "this key is missing, as there is Q: the category of the use, such as `A` [E-KEY-02]"

@@ -7,7 +7,7 @@ from typing import get_args
 
 from edesign.project.analysis.pushover import BuildingDirections, Eccentric, FrameDirections, Pushovers
 from edesign.project.building.building import Building
-from edesign.project.building.checks_analyses import check_positions, plane_only
+from edesign.project.building.checks_analyses import check_positions
 from edesign.project.building.checks_dampers import check_bays
 from edesign.project.building.checks_placement import check_candidates
 from edesign.project.checks.analyses import check_drift
@@ -25,7 +25,7 @@ from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
-from edesign.project.reading.problems import Keys, Problems, keys_text, listed
+from edesign.project.reading.problems import Keys, Problems, listed
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental
@@ -40,10 +40,6 @@ def check_study(study: Study, problems: Problems) -> None:
         problems: the problems of the file, to which those found are added.
     """
     base = study.base
-    if isinstance(base, Building) and not base.analyses:  # the check of its file looked at that otherwise
-        for place, what in plane_only(base):
-            message = f"{base.where(*place)}: {keys_text(place)}: {what} in analyses of plane frames alone [E-BLDG-04]"
-            problems.at_value(("project",), message)
     for name, design in study.designs.items():
         _design(study, problems, ("designs", name), design)
         if design.verify is not None:

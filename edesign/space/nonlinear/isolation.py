@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 
 from edesign.core import Model
 from edesign.frame.isolation import isolator_under
-from edesign.frame.sections.steel_section import steel_section
+from edesign.frame.sections.own_section import section_of
 from edesign.frame.supports import Direction, Grounds, support_springs
 from edesign.project.building.building import Building
 from edesign.project.building.isolation import Isolation
 from edesign.project.building.layout import DIRECTIONS, corners
 from edesign.project.building.names import bay_lines, node_name
+from edesign.project.building.supports import Springs
 from edesign.project.frame.supports import VerticalSpring
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
@@ -106,7 +107,7 @@ def add_building_base_beams(building: Building, isolation: Isolation, model: Mod
     beams = isolation.base.beams
     if beams is None:
         return
-    shape, steel = steel_section(beams.section), building.materials[beams.material]
+    shape, steel = section_of(building, beams.section), building.materials[beams.material]
     G = steel.E / (2.0 * (1.0 + steel.nu))
     section = model.elastic_section(steel.E * shape.A, steel.E * shape.I_z, steel.E * shape.I_y, G * shape.I_t)
     for along in DIRECTIONS:
@@ -131,6 +132,7 @@ def _directions(building: Building, isolation: Isolation, line: str, fixed_base:
     about: Direction = "fixed" if fixed_base else "free"
     if isolator is None:
         found = next(building.support(at) for at in building.layout.node_lines[0] if str(at) == line)
+        assert isinstance(found, Springs), "its check refuses footings beside isolators"
         return (*in_plan, found.uz, turn, turn, about)
     vertical: Direction = isolator.vertical
     if isinstance(vertical, VerticalSpring):

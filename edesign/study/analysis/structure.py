@@ -157,7 +157,6 @@ def build(project: AnalysisFile, eccentricity: tuple[float, float] = IN_PLACE, *
     """
     if isinstance(project, Building):
         return build_building(project, eccentricity=eccentricity, **more)
-        return build_building(project, eccentricity=eccentricity, **of_building)
     assert isinstance(project, Project)
     return build_frame(project, **more)
 
