@@ -9,6 +9,7 @@ from itertools import groupby
 
 import numpy as np
 
+from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import Direction, frame_name, line_label
@@ -146,7 +147,10 @@ def _steels(building: Building, members: Sequence[Member]) -> Iterator[Entry]:
 
 
 def _is_weak(member: Member, k: int) -> bool:
-    return member.kind == "column" and abs(member.web[k]) < 0.5
+    if member.kind != "column" or abs(member.web[k]) >= 0.5:
+        return False
+    shape = steel_section(member.section)
+    return shape.I_z < 0.999 * shape.I_y  # a square or round column has no weak axis
 
 
 def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> list[Entry]:

@@ -64,10 +64,11 @@ def _whole(selection: Selection) -> list[str]:
         f"({rule.reference}) {rule.detail}"
         for rule in selection.not_met
     ]
+    starts = "1 start" if selection.starts == 1 else f"{selection.starts} starts"
     return [
         f"steel: {after} t, with the sections of the file {before} t",
         *price,
-        f"{selection.evaluations} designs were analysed; {selection.starts} starts met all checks",
+        f"{selection.evaluations} designs were analysed; {starts} met all checks",
         certificate,
         *not_met,
     ]
