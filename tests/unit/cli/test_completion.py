@@ -29,7 +29,7 @@ def bash(line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixtu
     [
         ("edesign cal", ["calibrate"]),
         ("edesign laws ze", ["zener"]),
-        ("edesign new x --template s", ["study", "substructure"]),
+        ("edesign new x --template s", ["study", "shaken", "substructure"]),
         ("edesign sections HEB30", ["HEB300"]),
         ("edesign effects mul", ["mullins"]),
         ("edesign schema proj", ["project"]),

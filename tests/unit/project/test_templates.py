@@ -20,6 +20,7 @@ SHORT = {  # commands after `edesign new`, of those that it names or that its fi
     "damped": ["run FOLDER/project.yaml --only damped_DBE_1"],
     "study": ["run FOLDER/project.yaml"],
     "building": ["run FOLDER/building.yaml --check", "extract FOLDER/building.yaml --frame X2 -o FOLDER/frame.yaml"],
+    "shaken": ["run FOLDER/building.yaml --only modes", "run FOLDER/study.yaml --only bare.modes"],
     "laboratory": ["characterise FOLDER/campaign.yaml"],
     "substructure": ["rts check FOLDER/rts.yaml"],
     "calibration": ["characterise FOLDER/campaign.yaml --cycles 1-6"],
