@@ -55,7 +55,7 @@ def of_calibration(folder: Path) -> Drawn:
 
 
 def of_building(folder: Path) -> Drawn:
-    """All figures of the designed building, and of the study of its frames: 35 histories."""
+    """All figures of a designed building, and of the study of its frames or of itself: up to 35 histories."""
     from tools.doc_pages import printed_by
 
     printed_by("edesign run study.yaml --workers 2", folder)
@@ -81,6 +81,10 @@ PICTURES: dict[str, tuple[Callable[[Path], Drawn], dict[str, str]]] = {
     "building": (
         of_building,
         {"designed.h5/elevation_X2": "building_use", "study.h5/profile_storey_drift_DBE": "building_drift"},
+    ),
+    "irregular_plan": (
+        of_building,
+        {"designed.h5/plan_1": "irregular_plan", "study.h5/profile_storey_drift_DBE_y": "irregular_drift"},
     ),
 }
 """Of each page: what draws, and the figures that are wanted with the names of their files."""
