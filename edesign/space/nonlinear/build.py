@@ -101,11 +101,11 @@ def _build(
         name: model.node(name, *place) for name, place in zip(frame.node_names, frame.coordinates.tolist(), strict=True)
     }
     masters, masses, turning = add_masses(building, frame, model, attachments, eccentricity)
+    members = BuildingMembers(building, frame, model, loads)  # panel zones add to rigid floors before there are dampers
     supports = add_supports(building, frame, model, footings, masters)
     if base is not None:
         support_base(base, model, supports.restrained, supports.grounds)
     blocks = weights_of(supports.footings, building.loads.gravity.G)
-    members = BuildingMembers(building, frame, model, loads)
     gravity = model.pattern()
     for node, (fx, fy, fz, mx, my, mz) in enumerate(loads.on_nodes.tolist()):
         model.nodal_load(gravity, node, fx, fy, mz, fz=fz - blocks.get(frame.node_names[node], 0.0), mx=mx, my=my)
@@ -150,6 +150,7 @@ def _build(
         masses=masses,
         turning=turning,
         supports=supports.restrained,
+        grounds=supports.grounds,
         devices=devices,
         attached=attached,
         footings=supports.footings,

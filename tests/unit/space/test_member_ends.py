@@ -90,6 +90,20 @@ def test_panels_shear_where_columns_bend_about_their_strong_axis() -> None:
     assert frame.members["BY_A_1_1"].stretches.arms == (0.0, 0.0)
 
 
+def test_panels_stand_in_a_building_on_footings() -> None:
+    """Beams end at rigid floors beside their panels, and dashpots under the columns; reactions of springs sum up."""
+    more = (
+        "panel_zones: [{floors: 1}]",
+        "soils: {clay: {density: 1900 kg/m^3, shear_wave_velocity: 180 m/s, poisson: 0.45, damping: 5 %}}",
+        "supports: {default: {uz: 500 MN/m}, A: {footing: {soil: clay, length: 2 m, width: 2 m, thickness: 0.5 m}}}",
+    )
+    frame = built(*more)
+    assert frame.panels and len(frame.footings) == 3
+    up = Channel("up", tuple(term for name in frame.supports for term in frame.reaction(name, 2)))
+    final = Analysis(frame.model).static(frame.gravity, 1.0, 5, [up]).final
+    assert final["up"] == pytest.approx(frame.sinking.loads + 3 * 2.0 * 2.0 * 0.5 * 2500.0 * 9.80665, rel=1e-6)
+
+
 @pytest.mark.parametrize(
     ("more", "said"),
     [  # `@` marks the place that is named
