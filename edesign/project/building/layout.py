@@ -189,10 +189,14 @@ class Layout(Storeys):
         return found
 
     def lines_in(self, name: str) -> tuple[str, ...]:
-        """Return the column lines of a selection that stand; nothing where it is none."""
+        """Return the column lines of a selection that stand; nothing where it is none, or goes beyond the plan."""
         try:
             chosen = parse_column_lines(name)
         except PydanticCustomError:
+            return ()
+        ends = [(item.x, self._building.n_bays("x")) for item in chosen.items]
+        ends += [(item.y, self._building.n_bays("y")) for item in chosen.items]
+        if any(span is not None and span[1] > last for span, last in ends):
             return ()
         return tuple(line for line in map(str, self._building.lines_of(chosen)) if line in self.lines)
 

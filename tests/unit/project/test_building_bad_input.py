@@ -168,6 +168,7 @@ FOOT_ON = (
         ),
         ("vertical: {ratio: 0.7}", "@wave_passage: {}", "analyses[3].wave_passage `velocity` `delays` E-KEY-03"),
         ("vertical: {ratio: 0.7}", "wave_passage: {delays: {@A9: 1 s}}", "wave_passage.delays.A9 `A3` E-NAME-01"),
+        ("vertical: {ratio: 0.7}", "wave_passage: {delays: {@C1-C9: 1 s}}", "wave_passage.delays.C1-C9 `A3` E-NAME-01"),
         (", directions: both", "", "analyses[3].vertical E-VERT-01"),
         ("directions: both", "directions: @all", "masses.directions `both` E-VALUE-03"),
         ("direction: all", "direction: @right", "analyses[2].direction `x+` `y-` `all` E-VALUE-03"),
