@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 
 from edesign.codes.ec3.section import SteelSection
@@ -11,7 +11,14 @@ from edesign.frame.sections.section import rectangle_section
 from edesign.frame.sections.space_section import box_torsion_constant, space_section
 from edesign.frame.sections.steel_section import i_steel_section, steel_section
 from edesign.project.building.building import Building
-from edesign.project.frame.sections import BoxSection, Fibres, PlateSection, RectangleSection, SpaceElasticSection
+from edesign.project.frame.sections import (
+    ROUNDING,
+    BoxSection,
+    Fibres,
+    PlateSection,
+    RectangleSection,
+    SpaceElasticSection,
+)
 
 _NODES, _WEIGHTS = (-math.sqrt(0.6), 0.0, math.sqrt(0.6)), (5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0)  # Gauss-Legendre
 
@@ -156,9 +163,9 @@ def _shear_area(parts: Sequence[tuple[float, float, float]]) -> float:
     """Return the shear area along a coordinate, I2 / integral of S2/b: of one rectangle 5/6 of its area.
 
     Args:
-        parts: lower and upper coordinate of rectangles, and their breadth across it, m.
+        parts: lower and upper coordinate of rectangles without gaps, and their breadth across it, m.
     """
-    edges = sorted({edge for low, high, _ in parts for edge in (low, high)})
+    edges = _apart(edge for low, high, _ in parts for edge in (low, high))
     layers = [
         (low, high, math.fsum(of for start, end, of in parts if start < 0.5 * (low + high) < end))
         for low, high in zip(edges, edges[1:], strict=False)
@@ -175,3 +182,14 @@ def _shear_area(parts: Sequence[tuple[float, float, float]]) -> float:
             integral += weight * half * static**2 / of
         above += 0.5 * of * ((high - centre) ** 2 - (low - centre) ** 2)
     return inertia**2 / integral
+
+
+def _apart(edges: Iterable[float]) -> list[float]:
+    """Return edges from the lowest on; of those that rounding alone parts, one."""
+    ordered = sorted(edges)
+    least = ROUNDING * (ordered[-1] - ordered[0])
+    found = ordered[:1]
+    for edge in ordered[1:]:
+        if edge - found[-1] > least:
+            found.append(edge)
+    return found

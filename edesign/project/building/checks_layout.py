@@ -13,7 +13,7 @@ from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, Column
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
 from edesign.project.building.places import panels_in, parse_column_lines
 from edesign.project.checks.sections import check_own_sections
-from edesign.project.frame.sections import Catalogue, SpaceElasticSection, no_section
+from edesign.project.frame.sections import Catalogue, RectangleSection, SpaceElasticSection, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 MOST_COLUMNS = 50_000
@@ -38,6 +38,14 @@ def check_layout(building: Building, problems: Problems, profiles: Catalogue | N
         )
         return
     check_own_sections(building.sections, problems, profiles)
+    for name, section in building.sections.items():
+        if isinstance(section, RectangleSection) and (gap := section.gap) is not None:
+            low, high = (1e3 * edge for edge in gap)
+            message = (
+                f"nothing connects the rectangles between {low:g} and {high:g} mm along the depth, so that the shear "
+                "between them is not known; close the gap, or give `area`, `inertia` and the like [E-FRAME-01]"
+            )
+            problems.at_key(("sections", name, "rectangles"), message)
     for keys, run in _runs(building):
         _section_of(building, problems, keys, run, profiles)
         if run.material not in building.materials:

@@ -33,6 +33,10 @@ class PlateSection(Model):
     web: PositiveLength
 
 
+ROUNDING = 1e-9
+"""Of the depth of a section: edges of rectangles that are nearer to each other are one."""
+
+
 class Rectangle(Model):
     """A rectangle of a section.
 
@@ -55,6 +59,18 @@ class RectangleSection(Model):
     """
 
     rectangles: Annotated[tuple[Rectangle, ...], Field(min_length=1)]
+
+    @property
+    def gap(self) -> tuple[float, float] | None:
+        """The lowest gap between rectangles along the depth, from and to, m; None if they touch."""
+        spans = sorted((one.centre - 0.5 * one.depth, one.centre + 0.5 * one.depth) for one in self.rectangles)
+        least = ROUNDING * (max(high for _, high in spans) - spans[0][0])
+        top = spans[0][1]
+        for low, high in spans:
+            if low - top > least:
+                return top, low
+            top = max(top, high)
+        return None
 
 
 class ElasticSection(Model):

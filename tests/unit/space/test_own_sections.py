@@ -152,6 +152,24 @@ def test_shear_areas_of_stacks() -> None:
     assert found.A_z == pytest.approx(plates.A_z, rel=0.05) and found.A_y == pytest.approx(plates.A_y, rel=0.08)
 
 
+def test_rectangles_touch_to_rounding() -> None:
+    """Edges of written sizes differ by rounding: no gap. A real gap passes an unknown shear, and is refused."""
+    count = 0
+    for middle in (53, 71, 146, 173, 203):
+        for flange in (14, 15, 22):
+            web = middle - flange / 2
+            sizes = ((0.2, flange * 1e-3, middle * 1e-3), (0.01, web * 2e-3, 0.0), (0.2, flange * 1e-3, -middle * 1e-3))
+            parts = [Rectangle.model_construct(width=w, depth=d, centre=c) for w, d, c in sizes]
+            count += parts[0].centre - 0.5 * parts[0].depth > 0.5 * parts[1].depth  # apart, by rounding
+            stack = RectangleSection.model_construct(rectangles=tuple(parts))
+            assert stack.gap is None
+            assert own_section("S", stack).A_z == pytest.approx((2 * middle + flange) * 1e-5, rel=0.08)  # h t_w
+    assert count
+    apart = "rectangles: [{width: 0.3 m, depth: 2 cm, centre: 14 cm}, {width: 0.3 m, depth: 2 cm, centre: -14 cm}]"
+    with pytest.raises(BuildingError, match=r"sections\.COL\.rectangles.* -130 and 130 mm .*E-FRAME-01"):
+        design_of(OWN, ("height: 300 mm, width: 280 mm, flange: 20 mm, web: 12 mm", apart))
+
+
 @pytest.mark.parametrize(("flange", "alphas"), [(0.02, (0.34, 0.49)), (0.05, (0.49, 0.76))])
 def test_welded_sections_buckle_by_their_own_curves(flange: float, alphas: tuple[float, float]) -> None:
     """EN 1993-1-1, Table 6.2: b and c up to 40 mm, then c and d; chi by Eq. 6.49, written out here."""
