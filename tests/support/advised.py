@@ -1173,12 +1173,14 @@ LEFT = {
     "it is of places in buildings; tests/unit/project/test_placement_in_buildings.py, test_placement_designs.py provoke it": (
         "give `places` with their bays", "give `bays`, this is of a building",
     ),
-    "it is of analyses of buildings; tests/unit/project/test_shaking_keys.py, test_criteria_in_space.py provoke it": (
+    "it is of analyses of buildings; tests/unit/project provokes it": (
         "name a side across it, or one along both axes as `+x+y`",
         "name by `eccentricity` where they stand beside it", "; write `x` or `y`",
         "says where in a building; leave it out for a plane frame", "give `eccentricity_ratio` here",
         "has a vertical component of its own; leave out this key", "its vertical one acts by `vertical` there",
-        "at one instant over the plastic resistance",
+        "stands on an isolator, and on a footing by `supports`",
+        "isolate them, or let them slide: `ux: free, uy: free`", "at different temperatures; give each of them a law of its own",
+        "nothing connects the rectangles between",
     ),
     "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
         "leave `design` or this key out", "give `rz: fixed`, or stiffnesses along x and y",

@@ -46,9 +46,6 @@ class MemberUse:
     the flange is held. Sections have the class that they have under the compression of the step; of class 4 the use is
     infinite. Members whose section has no class are not judged, and have 0.
 
-    Args:
-        building: whose members are judged.
-
     Raises:
         InputError: the steel or section of a member is not known to the clauses.
 

@@ -66,6 +66,13 @@ def test_refused_at_its_place(old: str, new: str, place: str, message: str) -> N
     assert lines[0].startswith("building.yaml:")
 
 
+def test_a_footing_below_an_isolator_is_refused() -> None:
+    soil = "soils: {sand: {density: 1900 kg/m^3, shear_wave_velocity: 180 m/s, poisson: 0.3, damping: 5 %}}\n"
+    footing = "supports: {A1: {footing: {soil: sand, length: 2 m, width: 2 m, embedment: 0.5 m}}}\n"
+    with pytest.raises(FileProblems, match=r"dampers\.isolation\.isolators: line A1 .*E-ISOL-01"):
+        building(ISOLATED.replace("columns: [", soil + footing + "columns: [", 1))
+
+
 def test_what_else_does_not_go_with_it() -> None:
     push = "{name: push, kind: pushover, pattern: uniform, direction: x, roof_drift: 2 %}"
     gravity = "{name: gravity, kind: gravity}"
