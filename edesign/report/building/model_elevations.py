@@ -3,34 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 from itertools import groupby
 
 import numpy as np
 
-from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import Direction, frame_name, line_label
 from edesign.project.building.supports import DIRECTIONS as DEGREES
 from edesign.project.building.supports import FIXED, PINNED, Springs
 from edesign.project.frame.foundations import FootingSupport
+from edesign.report.building.model_ends import EndsOfFrame, is_weak
 from edesign.report.drawing.building_drawing import BuildingElevation
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.boxes import Spot
 from edesign.report.model.devices import DevicesOnSheet
 from edesign.report.model.elevation import Grid, draw_axes
+from edesign.report.model.ends import Line
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
-from edesign.report.model.supports import SIGNS, footing_words
+from edesign.report.model.supports import SIGNS, axes, draw_isolation, footing_words
 from edesign.report.model.words import section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
 MOST = 4  # elevations in each direction
 WIDTH = 6.6  # of the legend, inches
-FROM_NODE = 0.08
-PINNED_END, SPRUNG_END = "end without moment", "end with a rotational stiffness"
 
 
 def model_elevations(
@@ -91,7 +90,8 @@ def _look(
         for one in members
     )
     bases = tuple(repr(support) for _, support in _bases(building, along, number))
-    return found, bases, _devices(building, along, number).look
+    ends = EndsOfFrame(building, along, members).look
+    return found, bases, _devices(building, along, number).look, _under(building, along, number), ends
 
 
 def _grid(building: Building, along: Direction) -> Grid:
@@ -115,26 +115,36 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
     k = DIRECTIONS.index(along)
     grid = _grid(building, along)
     members = _members(frame, frame_name(along, number))
-    ends = {one.name: tuple(grid.at(*frame.coordinates[n][[k, 2]]) for n in (one.start, one.end)) for one in members}
+    places = {one.name: [grid.at(*frame.coordinates[n][[k, 2]]) for n in (one.start, one.end)] for one in members}
+    ends = {name: (start, end) for name, (start, end) in places.items()}
     draw_axes(sheet, grid)
     for kinds, width in (("column beam", 1.6), ("brace", 1.1)):
         sheet.lines([ends[one.name] for one in members if one.kind in kinds.split()], width=width)
     for (x0, y), (x1, _) in (ends[one.name] for one in members if one.kind == "beam"):
         sheet.block(0.5 * (x0 + x1), y, abs(x1 - x0), 0.02)  # labels of columns stay between beams where they can
-    entries = _supports(sheet, grid, building, along, number)
-    entries += _ends(sheet, members, ends)
+    if building.isolation is None:
+        entries = _supports(sheet, grid, building, along, number)
+    else:
+        entries = list(_isolators(sheet, grid, building, along, number))
+    nodes = building.grid.nodes
+    ends_of_frame = EndsOfFrame(building, along, members)
+    entries += ends_of_frame.draw(sheet, ends, lambda node: grid.at(nodes[node][k], nodes[node][2]))
     devices = _devices(building, along, number)
     drawn = devices.draw(sheet)
     if any(one.kind == "brace" for one in members):
         resting = any(one.kind == "brace" and not one.compression for one in members)
         what = ", those that are compressed do not count" if resting else ""
         entries.append(Entry(f"braces have pinned ends{what}"))
-    left_out = list(_sections(sheet, members, ends, k)) + devices.draw_sizes(sheet)
+    shapes = {one.section: frame.section(one.section) for one in members}
+    weak = {  # a square or round column has no weak axis
+        one.name for one in members if is_weak(one, along) and shapes[one.section].I_z < 0.999 * shapes[one.section].I_y
+    }
+    left_out = list(_sections(sheet, members, ends, weak)) + devices.draw_sizes(sheet)
     entries += drawn
     entries += _steels(building, members)
     own = dict.fromkeys(one.section for one in members if one.section in building.sections)
     entries += [Entry(section_words(name, building.sections[name])) for name in own]
-    if any(_is_weak(one, k) for one in members):
+    if weak:
         entries.append(Entry("(weak): bends about its weak axis in this frame"))
     sheet.legend([*entries, *unwritten(left_out)], WIDTH)
 
@@ -146,11 +156,34 @@ def _steels(building: Building, members: Sequence[Member]) -> Iterator[Entry]:
         yield Entry(f"{name}: E = {short(steel.E / 1e9)} GPa, f_y = {short(steel.fy / 1e6)} MPa, {kinds}")
 
 
-def _is_weak(member: Member, k: int) -> bool:
-    if member.kind != "column" or abs(member.web[k]) >= 0.5:
-        return False
-    shape = steel_section(member.section)
-    return shape.I_z < 0.999 * shape.I_y  # a square or round column has no weak axis
+def _lines_of(building: Building, along: Direction, number: int) -> dict[str, str]:
+    """The column lines of a frame that have a column at the base, with the names of their axes."""
+    lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
+    other: Direction = "y" if along == "x" else "x"
+    return {str(line): line_label(other, line.i if along == "x" else line.j) for line in lines}
+
+
+def _under(building: Building, along: Direction, number: int) -> tuple[object, ...]:
+    """What distinguishes the isolators below a frame, and what acts beside them along it, from those of others."""
+    if building.isolation is None:
+        return ()
+    lines = _lines_of(building, along, number)
+    items = (*building.isolation.isolators, *building.isolation.beside)
+    return tuple(tuple(lines[line] for line in one.under(tuple(lines))) for one in items if along in one.axes)
+
+
+def _isolators(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> Iterator[Entry]:
+    labels, k = _lines_of(building, along, number), DIRECTIONS.index(along)
+    at = {
+        str(line): grid.across * building.place(line)[k]
+        for line in building.layout.node_lines[0]
+        if str(line) in labels
+    }
+
+    def words(lines: tuple[str, ...]) -> str:
+        return axes([labels[line] for line in lines], grid.names)
+
+    return draw_isolation(sheet, building, at, words, "rigid in plan", along)
 
 
 def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> list[Entry]:
@@ -185,32 +218,15 @@ def _restraint(key: str, value: str | float) -> str:
     return f"{short(value / 1e6)} MN{'/m' if key.startswith('u') else ' m/rad'}"
 
 
-def _ends(sheet: Sheet, members: Sequence[Member], ends: dict[str, tuple[tuple[float, float], ...]]) -> list[Entry]:
-    """Circles at ends of beams that pass no moment in the frame, diamonds at those with a stiffness."""
-    marks: dict[str, list[tuple[float, float]]] = {"o": [], "D": []}
-    for one in members:
-        for k, stiffness in ((0, one.ends[0]), (1, one.ends[2])) if one.kind == "beam" else ():
-            if math.isfinite(stiffness):
-                (x0, y0), (x1, y1) = ends[one.name][k], ends[one.name][1 - k]
-                share = min(FROM_NODE / math.hypot(x1 - x0, y1 - y0), 0.33)
-                marks["D" if stiffness else "o"].append((x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
-    entries = []
-    for mark, text in (("o", PINNED_END), ("D", SPRUNG_END)):
-        if marks[mark]:
-            sheet.dots(marks[mark], 4.0, marker=mark)
-            entries.append(Entry(text, lambda on, x, y, m=mark: on.dots([(x + 0.14, y)], 4.0, marker=m)))  # type: ignore[misc]
-    return entries
-
-
 def _sections(
-    sheet: Sheet, members: Sequence[Member], ends: dict[str, tuple[tuple[float, float], ...]], k: int
+    sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], weak: Collection[str]
 ) -> Iterator[str]:
     """Write the section of equal columns above each other, of equal beams of a floor, and of each brace."""
     several = several_steels((one.kind, one.material) for one in members)
 
     def words(one: Member) -> str:
         steel = f" {one.material}" if one.kind in several else ""
-        return f"{one.section}{steel}{' (weak)' if _is_weak(one, k) else ''}"
+        return f"{one.section}{steel}{' (weak)' if one.name in weak else ''}"
 
     def middle(one: Member) -> tuple[float, float]:
         (x0, y0), (x1, y1) = ends[one.name]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from edesign.errors import InputError
 from edesign.frame.rigid_ends import rigid_ends
 from edesign.project.frame.frame import Frame
-from edesign.project.frame.hinges import Hinges, Joints
+from edesign.project.frame.hinges import AnyHinges, AnyJoints, AnyPanelZones, Hinges, Joints, PanelZones
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.report.drawing.style import AFTER, TARGET
@@ -19,6 +19,8 @@ from edesign.report.model.words import short
 
 FROM_NODE = 0.09  # of hinges from their node, inches
 MARKS = ("o", "s", "D", "^", "v", "P", "X", "h")
+Line = tuple[Point, Point]
+Chosen = Callable[[AnyHinges | AnyJoints, float], list[Point]]
 
 
 def draw_ends(sheet: Sheet, place: Elevation, project: Project) -> list[Entry]:
@@ -27,21 +29,35 @@ def draw_ends(sheet: Sheet, place: Elevation, project: Project) -> list[Entry]:
     Args:
         place: where metres of the frame are on the sheet.
     """
+    frame = project.frame
+
+    def chosen(run: AnyHinges | AnyJoints, distance: float) -> list[Point]:
+        assert isinstance(run, Hinges | Joints)
+        return _chosen(place, run, distance)
+
+    def joints(zones: AnyPanelZones) -> list[Point]:
+        assert isinstance(zones, PanelZones)
+        return [place.node(names.node_name(*node)) for node in frame.node_places(zones.lines, zones.floors)]
+
     return [
         *_rigid(sheet, place, project),
-        *_panels(sheet, place, project),
-        *_released(sheet, place, project.frame),
-        *_hinges(sheet, place, project),
-        *_joints(sheet, place, project),
+        *draw_panels(sheet, project.panel_zones, joints),
+        *_released(sheet, place, frame),
+        *draw_hinges(sheet, project.hinges, chosen),
+        *draw_joints(sheet, project.joints, chosen),
     ]
 
 
-def _near(place: Elevation, member: str, end: int, distance: float = FROM_NODE) -> Point:
-    """A place on a member at a distance (inches) from its start (0) or end (1), but in its first third."""
-    ends = [place.node(node) for node in place.frame.ends[member]]
-    (x0, y0), (x1, y1) = (ends[end], ends[1 - end])
+def near(drawn: Line, end: int, distance: float = FROM_NODE) -> Point:
+    """Return a place on a member at a distance from its start (0) or end (1), but in its first third, inches."""
+    (x0, y0), (x1, y1) = drawn[end], drawn[1 - end]
     share = min(distance / math.hypot(x1 - x0, y1 - y0), 0.33)
     return x0 + share * (x1 - x0), y0 + share * (y1 - y0)
+
+
+def _near(place: Elevation, member: str, end: int, distance: float = FROM_NODE) -> Point:
+    start, last = (place.node(node) for node in place.frame.ends[member])
+    return near((start, last), end, distance)
 
 
 def _released(sheet: Sheet, place: Elevation, frame: Frame) -> Iterator[Entry]:
@@ -60,11 +76,20 @@ def _chosen(place: Elevation, run: Hinges | Joints, distance: float) -> list[Poi
     return found
 
 
-def _hinges(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
-    for i, run in enumerate(project.hinges):
+def draw_hinges(sheet: Sheet, hinges: Sequence[AnyHinges], chosen: Chosen) -> Iterator[Entry]:
+    """Draw plastic hinges; yield their lines of the legend.
+
+    Args:
+        hinges: of the file.
+        chosen: gives the ends of the drawn members that a run is at, at a distance from their nodes, inches.
+    """
+    for i, run in enumerate(hinges):
         mark = MARKS[i % len(MARKS)]
         reduced = run.reduced_section
-        sheet.dots(_chosen(place, run, FROM_NODE + 0.05 * (reduced is not None)), 4.2, TARGET, TARGET, marker=mark)
+        at = chosen(run, FROM_NODE + 0.05 * (reduced is not None))
+        if not at:
+            continue
+        sheet.dots(at, 4.2, TARGET, TARGET, marker=mark)
         values = run.parameters
         if isinstance(values, str):
             text = "by Lignos and Krawinkler (2011)"
@@ -81,18 +106,36 @@ def _hinges(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]
         )
 
 
-def _joints(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
-    for run in project.joints:
-        sheet.dots(_chosen(place, run, FROM_NODE + 0.08), 4.6, "white", AFTER, marker="D", mew=1.1)
+def draw_joints(sheet: Sheet, joints: Sequence[AnyJoints], chosen: Chosen) -> Iterator[Entry]:
+    """Draw semi-rigid joints; yield their lines of the legend.
+
+    Args:
+        joints: of the file.
+        chosen: as for hinges.
+    """
+    for run in joints:
+        at = chosen(run, FROM_NODE + 0.08)
+        if not at:
+            continue
+        sheet.dots(at, 4.6, "white", AFTER, marker="D", mew=1.1)
         text = f"semi-rigid joint, S_j = {short(run.stiffness / 1e6)} MN m/rad"
         text += f", M_j,Rd = {short(run.resistance / 1e3)} kN m" if run.resistance is not None else ""
         yield Entry(text, lambda on, x, y: on.dots([(x + 0.14, y)], 4.6, "white", AFTER, marker="D", mew=1.1))
 
 
-def _panels(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
-    frame = project.frame
-    for run in project.panel_zones:
-        at = [place.node(names.node_name(*node)) for node in frame.node_places(run.lines, run.floors)]
+def draw_panels(
+    sheet: Sheet, zones: Sequence[AnyPanelZones], chosen: Callable[[AnyPanelZones], list[Point]]
+) -> Iterator[Entry]:
+    """Draw panel zones; yield their lines of the legend.
+
+    Args:
+        zones: of the file.
+        chosen: gives the drawn joints that a run is at.
+    """
+    for run in zones:
+        at = chosen(run)
+        if not at:
+            continue
         sheet.dots(at, 7.0, "#f3dcb8", "#8c6d1f", marker="s", zorder=2.0)
         plates = f", doubler plates {short(1e3 * run.doubler)} mm" if run.doubler is not None else ""
         yield Entry(
@@ -101,19 +144,29 @@ def _panels(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]
         )
 
 
+def draw_rigid(sheet: Sheet, members: Iterable[tuple[Line, tuple[float, float], float]]) -> Iterator[Entry]:
+    """Draw rigid ends to scale; yield their line of the legend.
+
+    Args:
+        members: where each is drawn, the lengths of its rigid ends, and its own, m.
+    """
+    parts, most = [], 0.0
+    for drawn, lengths, whole in members:
+        for end, length in enumerate(lengths):
+            if length > 0.0:
+                share, most = length / whole, max(most, length)
+                (x0, y0), (x1, y1) = drawn[end], drawn[1 - end]
+                parts.append(((x0, y0), (x0 + share * (x1 - x0), y0 + share * (y1 - y0))))
+    if parts:
+        sheet.lines(parts, INK, 4.5)
+        yield Entry(f"rigid ends to scale, at most {short(most)} m", stroke(4.5, "-"))
+
+
 def _rigid(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
     try:
         found = rigid_ends(project)
     except InputError:  # reported where the frame is built
         return
-    frame, parts = project.frame, []
-    for name, lengths in found.items():
-        for end, length in enumerate(lengths):
-            if length > 0.0:
-                share = length / frame.length(name)
-                (x0, y0), (x1, y1) = (place.node(frame.ends[name][k]) for k in (end, 1 - end))
-                parts.append(((x0, y0), (x0 + share * (x1 - x0), y0 + share * (y1 - y0))))
-    if parts:
-        sheet.lines(parts, INK, 4.5)
-        most = max(length for lengths in found.values() for length in lengths)
-        yield Entry(f"rigid ends to scale, at most {short(most)} m", stroke(4.5, "-"))
+    frame = project.frame
+    drawn = {name: (place.node(start), place.node(end)) for name, (start, end) in frame.ends.items() if name in found}
+    yield from draw_rigid(sheet, ((drawn[name], ends, frame.length(name)) for name, ends in found.items()))

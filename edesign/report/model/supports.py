@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import groupby
 
-from edesign.project.dampers.isolation import BaseDevice, Isolator
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building.isolation import Isolation as BuildingIsolation
+from edesign.project.dampers.isolation import AnyBaseDevice, AnyIsolator, Isolation
 from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.supports import (
     Horizontal,
@@ -118,39 +120,63 @@ def _rotation(restraint: Turning) -> str:
 
 
 def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entry]:
-    """Draw the base, the isolators below it and what acts beside them."""
-    isolation, frame = project.isolation, project.frame
-    assert isolation is not None
-    colors = law_colors(project)
+    frame = project.frame
     bases = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
     at = {line: place.across * frame.x[frame.lines.index(line)] for line in bases}
-    sheet.line((at[bases[0]], 0.0), (at[bases[-1]], 0.0), color=SOFT, width=3.0, zorder=1.0)
-    sheet.block(0.5 * (at[bases[0]] + at[bases[-1]]), 0.0, at[bases[-1]] - at[bases[0]], 0.04)
-    _ground(sheet, at[bases[0]] - 0.2, at[bases[-1]] + 0.2, GROUND)
+    return draw_isolation(sheet, project, at, lambda lines: axes(lines, frame.lines), "rigid along the frame")
+
+
+def draw_isolation(
+    sheet: Sheet,
+    project: AnalysisFile,
+    at: Mapping[str, float],
+    words_of: Callable[[tuple[str, ...]], str],
+    stiff: str,
+    along: str = "",
+) -> Iterator[Entry]:
+    """Draw an isolated base, the isolators below it and what acts beside them; yield their lines of the legend.
+
+    Args:
+        project: frame or building with an isolation.
+        at: abscissas of the column bases from the left by their lines, inches.
+        words_of: lines in words.
+        stiff: what the base is without beams, in words.
+        along: direction of the frame of a building, x or y; what acts beside in the other direction is left out.
+    """
+    isolation = project.isolation
+    assert isinstance(isolation, Isolation | BuildingIsolation)
+    colors = law_colors(project)
+    left, right = min(at.values()), max(at.values())
+    sheet.line((left, 0.0), (right, 0.0), color=SOFT, width=3.0, zorder=1.0)
+    sheet.block(0.5 * (left + right), 0.0, right - left, 0.04)
+    _ground(sheet, left - 0.2, right + 0.2, GROUND)
     base = isolation.base
-    beams = f"beams {base.beams.section} {base.beams.material}" if base.beams is not None else "rigid along the frame"
+    beams = f"beams {base.beams.section} {base.beams.material}" if base.beams is not None else stiff
     if base.rotation is not None:
         beams += f", column bases: rotation {_rotation(base.rotation)}"
     yield Entry(f"isolated base: {beams}", lambda on, x, y: on.line((x, y), (x + 0.25, y), color=SOFT, width=3.0))
     shifts: dict[str, int] = {}
     for item in (*isolation.isolators, *isolation.beside):
-        color, lines = colors[item.law], [line for line in item.lines.names(frame.lines) if line in at]
-        sign = _isolator_sign if isinstance(item, Isolator) else _beside_sign
+        color, lines = colors[item.law], item.under(tuple(at))
+        carries = isinstance(item, AnyIsolator)
+        if not lines or (along and along not in item.axes):
+            continue
+        sign = _isolator_sign if carries else _beside_sign
         for line in lines:
             shift = 0.0
-            if not isinstance(item, Isolator):
+            if not carries:
                 shifts[line] = shifts.get(line, 0) + 1
                 shift = 0.12 * shifts[line]
             sign(sheet, at[line] + shift, 0.0, color)
-        label = f"{_base_device(project, item)} ({axes(lines, frame.lines)})"
-        yield Entry(label, _colored(sign, color), 0.26 if sign is _isolator_sign else 0.0)
+        label = f"{_base_device(project, item)} ({words_of(lines)})"
+        yield Entry(label, _colored(sign, color), 0.26 if carries else 0.0)
 
 
-def _base_device(project: Project, item: BaseDevice) -> str:
+def _base_device(project: AnalysisFile, item: AnyBaseDevice) -> str:
     size = device_size(project, item)
-    what = "isolator" if isinstance(item, Isolator) else "beside the isolators:"
+    what = "isolator" if isinstance(item, AnyIsolator) else "beside the isolators:"
     parts = [f"{what} {item.law}{f', {size}' if size else ''}"]
-    if isinstance(item, Isolator):
+    if isinstance(item, AnyIsolator):
         parts.append(f"vertical {_translation(item.vertical)}")
     return ", ".join(parts)
 

@@ -9,7 +9,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.parameter_sets import PARAMETER_SETS
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
-from edesign.project.dampers.isolation import BaseDevice
+from edesign.project.dampers.isolation import AnyBaseDevice
 from edesign.project.frame.sections import (
     BoxSection,
     ElasticSection,
@@ -83,7 +83,7 @@ def _value(value: object) -> str:
     return str(value).replace("*", "·").replace("^2", "²").replace("^3", "³")
 
 
-def device_size(project: AnalysisFile, device: DamperRun | DamperBetween | BaseDevice, index: int = 0) -> str:
+def device_size(project: AnalysisFile, device: DamperRun | DamperBetween | AnyBaseDevice, index: int = 0) -> str:
     """Return the size of a damper in words: number, layers or factor on the forces; "" if it is that of its law.
 
     Args:

@@ -30,6 +30,7 @@ from edesign.report.model.sheet import Sheet, on_sheet
 from edesign.report.model.study import study_figures
 from edesign.report.model.words import law_words
 from edesign.report.model_drawings import drawings_of
+from tools import doc_pages
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("projects/*/*.yaml"), *ROOT.glob("tests/cases/*/*.yaml")])
@@ -222,6 +223,37 @@ def test_elevations_of_a_building_show_the_dampers_that_stand_in_them(tmp_path: 
     assert "2 t, 1 Hz, 5 %" in frames["Frame X1"] and "viscous" not in frames["Frame X1"]
     assert "in place of the braces of a chevron" in frames["Frame X2"] and "forces × 2" in frames["Frame X2"]
     assert "along the diagonal, rising" in frames["Frames YA, YC"] and "rising" not in frames["Frame YB"]
+
+
+def test_elevations_of_a_building_show_what_stands_at_ends_of_members(tmp_path: Path) -> None:
+    """Panels shear and columns turn where these bend about their strong axis, so not in frames along y."""
+    more = (
+        "hinges: [{beams: {along: x, frames: 1}, parameters: lignos_krawinkler_2011}]",
+        "joints: [{columns: {at: A, storeys: 1}, ends: start, stiffness: 20 MN*m/rad, resistance: 90 kN*m}]",
+        "panel_zones: [{at: B, floors: 1, doubler: 8 mm}]",
+    )
+    (tmp_path / "ends.yaml").write_text(SMALL + "".join(f"{line}\n" for line in more), encoding="utf-8")
+    found = drawings_of(load_building(tmp_path / "ends.yaml"))
+    words = {caption.partition(" along")[0]: " ".join(texts(figure)) for _, caption, figure in found}
+    frames = {name: text for name, text in words.items() if name.startswith("Frame")}
+    assert list(frames) == ["Frame X1", "Frames X2, X3", "Frames YA, YC", "Frame YB"]
+    assert all("panel zone that shears, doubler plates 8 mm" in frames[name] for name in ("Frame X1", "Frames X2, X3"))
+    assert all("S_j = 20 MN m/rad, M_j,Rd = 90 kN m" in frames[name] for name in ("Frame X1", "Frames X2, X3"))
+    hinged = [name for name, text in frames.items() if "plastic hinge of beams" in text]
+    assert hinged == ["Frame X1"]
+    assert not any(word in frames["Frames YA, YC"] for word in ("panel zone", "semi-rigid"))
+
+
+def test_elevations_of_an_isolated_building_show_its_isolators(tmp_path: Path) -> None:
+    page = (doc_pages.ROOT / "docs/how_to/isolation.md").read_text(encoding="utf-8")
+    (text,) = (step.text for step in doc_pages.steps(page) if step.name == "isolated_building.yaml")
+    (tmp_path / "isolated.yaml").write_text(text, encoding="utf-8")
+    found = drawings_of(load_building(tmp_path / "isolated.yaml"))
+    words = {caption.partition(" along")[0]: " ".join(texts(figure)) for _, caption, figure in found}
+    frames = {name: text for name, text in words.items() if name.startswith("Frame")}
+    assert not any("fixed support" in text for text in frames.values())
+    assert "isolator slider, vertical 500 MN/m (B)" in frames["Frame X2"] and "slider" not in frames["Frame X1"]
+    assert "beside the isolators: moat (A)" in frames["Frame X2"] and "moat" not in frames["Frame YA"]
 
 
 def test_check_writes_the_drawings_and_says_where(
