@@ -80,7 +80,6 @@ def draw_hinges(sheet: Sheet, hinges: Sequence[AnyHinges], chosen: Chosen) -> It
     """Draw plastic hinges; yield their lines of the legend.
 
     Args:
-        hinges: of the file.
         chosen: gives the ends of the drawn members that a run is at, at a distance from their nodes, inches.
     """
     for i, run in enumerate(hinges):
@@ -110,7 +109,6 @@ def draw_joints(sheet: Sheet, joints: Sequence[AnyJoints], chosen: Chosen) -> It
     """Draw semi-rigid joints; yield their lines of the legend.
 
     Args:
-        joints: of the file.
         chosen: as for hinges.
     """
     for run in joints:
@@ -129,7 +127,6 @@ def draw_panels(
     """Draw panel zones; yield their lines of the legend.
 
     Args:
-        zones: of the file.
         chosen: gives the drawn joints that a run is at.
     """
     for run in zones:

@@ -139,7 +139,6 @@ def draw_isolation(
     Args:
         project: frame or building with an isolation.
         at: abscissas of the column bases from the left by their lines, inches.
-        words_of: lines in words.
         stiff: what the base is without beams, in words.
         along: direction of the frame of a building, x or y; what acts beside in the other direction is left out.
     """

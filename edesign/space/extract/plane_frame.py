@@ -160,7 +160,7 @@ class PlaneFrame:
             kind = kinds.get((str(restraints[0]), str(restraints[1])))
         if kind is None:
             raise self._refuse(
-                f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller [E-SPACE-04]",
+                f"extracted frames have fixed, pinned and roller supports, not that of {self.lines[i]} [E-SPACE-04]",
                 *self.building.support_keys(str(self.lines[i])),
             )
         return kind

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from building_examples import ANALYSED, IRREGULAR, SMALL, building
+from building_examples import ANALYSED, DAMPED, IRREGULAR, SMALL, building
 
 from edesign.errors import InputError
 from edesign.frame.building_file import load_building
@@ -128,6 +128,21 @@ def test_what_the_building_says_of_its_analyses() -> None:
     assert project.loads.gravity == Combination(G=1.1, Q=0.24)
 
 
+def test_a_frame_says_that_it_lacks_dampers_and_isolators() -> None:
+    isolation = (
+        "dampers: {laws: {pad: {type: kelvin_voigt, parameters: {k: 1 kN/mm, c: 1 kN*s/m}}}, isolation: {isolators: "
+        "[{law: pad}], base: {mass: 20 t, rotation: fixed}, design_displacement: 0.1 m}}\n"
+    )
+
+    def head(text: str) -> str:
+        whole = building(text)
+        return project_text(frame_row(whole, space_frame(whole), "X2"))
+
+    assert "Dampers and tuned masses of the building are not in this file" in head(DAMPED)
+    assert "isolators and dampers of the building are not in this file" in head(SMALL + isolation)
+    assert "ampers" not in head(SMALL)
+
+
 def test_gravity_loads_of_analyses() -> None:
     """EN 1990, Eq. 6.12b and Table A1.1: psi_2 of offices 0.3, of snow 0; what the file says goes before."""
     of_country, said = building(SMALL), building(SMALL, ("from_loads: {}", "from_loads: {Q: {B: 0.2, snow: 0.1}}"))
@@ -140,7 +155,7 @@ def test_gravity_loads_of_analyses() -> None:
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("X1", "11:7: frame X1: .* D1,.*E-SPACE-04"),
+        ("X1", "11:7: frame X1: .* D1 .*E-SPACE-04"),
         ("X4", " .*`X4`; .* X1 to X3 and YA to YD.*E-NAME-01"),
         ("B2", " .*`B2`.*E-NAME-01"),
         ("", " .*``.*E-NAME-01"),
