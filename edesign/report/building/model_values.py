@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from edesign.codes.ec3.section import SteelSection
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.masses import floor_masses
 
@@ -12,6 +13,7 @@ class ModelValues:
     """Values of members, nodes and floors of a building that was not analysed, named as in an archive."""
 
     def __init__(self, frame: SpaceFrame) -> None:
+        self._frame = frame
         members, names = frame.members, np.array(frame.node_names)
         start, end = frame.ends
         masses = floor_masses(frame)
@@ -35,3 +37,7 @@ class ModelValues:
     def values(self, name: str, variable: str) -> np.ndarray:
         """Return the values of a variable of a group, named as in an archive."""
         return self._groups[name][variable]
+
+    def section(self, name: str) -> SteelSection:
+        """Return a section of a member by its name: own section of the building, or one of the catalogue."""
+        return self._frame.section(name)

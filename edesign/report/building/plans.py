@@ -216,15 +216,15 @@ def _draw_braces(axes: Axes, results: BuildingValues, braces: np.ndarray, narrow
 
 def _column_lines(results: BuildingValues, number: int, size: float) -> list[np.ndarray]:
     """An I with its web as it stands, a circle or a rectangle, as lines of points."""
-    section = str(results.values("members", "section")[number])
+    shape = results.section(str(results.values("members", "section")[number])).kind
     middle = results.values("members", "start")[number][:2]
     web = results.values("members", "web")[number][:2]
     web = web / max(float(np.hypot(*web)), 1e-12)
     flange = np.array([-web[1], web[0]])
-    if "CHS" in section:
+    if shape == "CHS":
         turn = np.linspace(0.0, 2.0 * np.pi, 25)
         return [middle + 0.8 * size * np.column_stack([np.cos(turn), np.sin(turn)])]
-    if "HS" in section:
+    if shape == "RHS":
         corners = np.array([(1, 0.8), (-1, 0.8), (-1, -0.8), (1, -0.8), (1, 0.8)]) * size
         return [middle + corners @ np.array([web, flange])]
     ends = [middle + size * web, middle - size * web]

@@ -74,6 +74,9 @@ class BuildingValues(Protocol):
     def values(self, name: str, variable: str) -> np.ndarray:
         """Return the values of a variable or coordinate of a group."""
 
+    def section(self, name: str) -> SteelSection:
+        """Return a section of a member by its name."""
+
 
 class BuildingResults:
     """The groups of a building below its place in an archive, each read once.

@@ -256,6 +256,19 @@ def test_elevations_of_an_isolated_building_show_its_isolators(tmp_path: Path) -
     assert "beside the isolators: moat (A)" in frames["Frame X2"] and "moat" not in frames["Frame YA"]
 
 
+def test_plans_show_own_boxes_as_hollow(tmp_path: Path) -> None:
+    """Each of nine columns is a closed line of five points and a gap, whatever the name of its section."""
+    assert SMALL.count("HEB200") == 1
+    text = SMALL.replace("HEB200", "tower") + (
+        "sections: {tower: {height: 200 mm, width: 200 mm, flange: 12 mm, web: 12 mm, webs: 2}}\n"
+    )
+    (tmp_path / "boxes.yaml").write_text(text, encoding="utf-8")
+    found = drawings_of(load_building(tmp_path / "boxes.yaml"))
+    (figure,) = (figure for name, _, figure in found if name.startswith("plan_"))
+    columns = max((line for line in figure.axes[0].lines if line.get_linewidth() == 1.5), key=lambda line: line.zorder)
+    assert len(columns.get_xdata()) == 9 * (5 + 1)
+
+
 def test_check_writes_the_drawings_and_says_where(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
