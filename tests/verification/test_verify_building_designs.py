@@ -28,7 +28,7 @@ from edesign.study.analysis.leading_mode import torsional_ratios
 from edesign.study.analysis.structure import make_structure
 from edesign.study.design.building import make_building
 from edesign.study.design.condensed import condense
-from edesign.study.design.design import DesignResult, run_design
+from edesign.study.design.design import DesignResult, first_warnings, run_design
 from edesign.study.design.plausibility import shared_mode
 from edesign.study.design.viscous.dashpot_modes import dashpot_modes
 
@@ -288,3 +288,26 @@ def test_modes_of_one_frequency_are_turned_into_the_direction() -> None:
         assert found.variables[f"plan_mass_ratio_{along}"].values[led] == pytest.approx(1.0, abs=1e-9)
         sizes.append(found.variables["damping_coefficient"].values)
     assert sizes[0] == pytest.approx(sizes[1], rel=1e-9)
+
+
+HELD = building(f"{ROWS}restrained_floors: [{{floors: 1}}]\n")
+
+
+def test_a_floor_that_the_ground_holds_has_no_part_in_the_modes_of_a_design() -> None:
+    """All modes together move all of the mass that is free, in each direction (Chopra, 13.3); 1e-9 is rounding."""
+    spec = design(f"{METHODS['viscous']}, along: y, frames: [A, C], storeys: 2-3, state: initial", HELD)
+    found = make_building(HELD, "tried", spec)
+    assert np.isnan(found.storey_stiffness).tolist() == [True, False, False]
+    assert found.frame.mass_ratios(found.frame.modes()).sum(axis=0) == pytest.approx([1.0, 1.0, 1.0], rel=1e-9)
+    group = run_design(HELD, "tried", spec, Path(".")).group
+    leading = int(group.attributes["leading_mode"]) - 1
+    assert group.variables["bare_period"].values[0] == pytest.approx(
+        group.variables["plan_bare_period"].values[leading]
+    )
+    assert group.variables["damping_complex"].values[0] == pytest.approx(0.15)
+
+
+def test_a_design_below_a_floor_that_the_ground_holds_is_foretold_to_fail() -> None:
+    spec = design(f"{METHODS['viscous']}, along: y, frames: [A, C], state: initial", HELD)
+    (warning,) = first_warnings(HELD, "tried", spec, Path("."))
+    assert "it will fail: storey 1 does not shear" in warning

@@ -177,16 +177,9 @@ def _size(axis: Axes, group: Group, rounds: np.ndarray) -> None:
 def _period(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     axis.plot(rounds, _along(group, "round_period"), **_LINE, label="with dampers")
     if "bare_period" in group.variables:
-        axis.axhline(
-            float(_along(group, "bare_period")[_first(group)]), color=BEFORE, ls="--", lw=1.0, label="without dampers"
-        )
+        axis.axhline(float(_along(group, "bare_period")[0]), color=BEFORE, ls="--", lw=1.0, label="without dampers")
     axis.set_ylabel(f"period of the {first_mode(group)} (s)" if "along" in group.attributes else "first period (s)")
     _from_zero(axis)
-
-
-def _first(group: Group) -> int:
-    """Which of the told modes without dampers leads along the direction of a building; of a plane frame the first."""
-    return int(str(group.attributes.get("first_mode", 1))) - 1
 
 
 def _strain(axis: Axes, group: Group, rounds: np.ndarray) -> None:

@@ -49,8 +49,11 @@ def viscous_storeys_table(group: Group) -> Table:
         f"alpha {float(str(about['alpha'])):g}, {about['places']} places with {about['number']} each; "
         f"{first_mode(group)} {float(str(about['frequency_Hz'])):.4g} Hz{amplitude}"
     )
+    notes = [note]
+    if "along" in about:  # of a building, whose floors turn
+        notes.append("linear dashpot, amplitude: the largest of the storey's places, each by itself")
     units = {"coefficient": kilonewtons(group.variables["device_coefficient"].unit)}
-    return VISCOUS_STOREYS.of(places({"": group}, "storey"), units=units, notes=[note], design=heading(group))
+    return VISCOUS_STOREYS.of(places({"": group}, "storey"), units=units, notes=notes, design=heading(group))
 
 
 def viscous_damping_table(group: Group) -> Table:

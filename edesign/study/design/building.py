@@ -141,7 +141,7 @@ def make_building(project: AnalysisFile, name: str, spec: SizedDesign) -> Buildi
         raise InputError(f"designs.{name}: no place is left for a damper in these bays and storeys [E-DESIGN-01]")
     storeys = np.array(spec.storeys.numbers(1, project.grid.n_storeys))
     index = {storey: i for i, storey in enumerate(storeys.tolist())}
-    computed = storey_stiffness(frame)
+    computed = storey_stiffness(frame, storeys)
     given = spec.storey_stiffness
     return Building(
         project,
@@ -166,24 +166,29 @@ def _pull(frame: FrameModel, device: Device, across: int) -> float:
     return sum(c for c, node, degree in device.terms if degree == across and node in above)
 
 
-def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
+def storey_stiffness(frame: CondensedFrame, storeys: np.ndarray) -> np.ndarray:
     """Return the storey stiffness of the frame without dampers under the loads of its first mode, (f,) N/m.
 
     It is storey shear over storey drift. Under these loads the displacements are the mode itself. Of a building both
     are along the direction of the design in the mode that leads there, the drift at the centre of mass of the floor
-    above.
+    above. A storey below a floor that the ground holds has none, nan.
+
+    Args:
+        storeys: with dampers, from 1.
 
     Raises:
-        AnalysisError: a storey does not shear in the first mode.
+        AnalysisError: a storey with dampers does not shear in the first mode.
     """
     mode = frame.modes()
     shear = mode_shears(frame, mode)[mode.first]
     drift = mode.storeys[mode.first]
-    if np.any(shear * drift <= 0.0):
+    shears = shear * drift > 0.0
+    if still := [str(storey) for storey in storeys.tolist() if not shears[storey - 1]]:
         raise AnalysisError(
-            "a storey does not shear in the first mode of the frame: it has no storey stiffness [E-DESIGN-02]"
+            f"storey {', '.join(still)} does not shear in the first mode of the frame: it has no storey stiffness "
+            "[E-DESIGN-02]"
         )
-    return shear / drift
+    return np.divide(shear, drift, out=np.full(shear.size, np.nan), where=shears)
 
 
 def mode_shears(frame: CondensedFrame, modes: LinearModes) -> np.ndarray:

@@ -148,14 +148,15 @@ class CondensedFrame:
     def told_modes(self, participation: np.ndarray) -> np.ndarray:
         """Return the indices of the modes that results tell of: all of a plane frame.
 
-        Of a building they are those with most effective mass in the direction of the frame.
+        Of a building they are those with most effective mass in the direction of the frame, most first: as dampers are
+        added, modes along the direction, across it and in turns pass each other.
 
         Args:
             participation: of modes in rising order of frequency, with generalised masses of 1, (n,).
         """
         if self.plan is None:
             return np.arange(participation.size)
-        return np.sort(np.argsort(-np.abs(participation), kind="stable")[:TOLD])
+        return np.argsort(-np.abs(participation), kind="stable")[:TOLD]
 
     def mass_ratios(self, modes: LinearModes) -> np.ndarray:
         """Return the effective masses of the modes of a building along x, along y and in turns, over the whole, (n, 3).
@@ -341,9 +342,8 @@ def _ground(structure: Structure, n: int) -> np.ndarray:
     plan = np.array([frame.places[name][:2] for name in frame.masses])
     found = np.zeros((3, n))
     for name, (x, y) in zip(frame.masses, plan - np.average(plan, axis=0, weights=mass), strict=True):
-        along_x, along_y, turn = equations[frame.nodes[name]][[0, 1, 5]]
-        found[0, along_x] = found[1, along_y] = 1.0
-        found[2, along_x], found[2, along_y] = -y, x
-        if name in frame.turning:
-            found[2, turn] = 1.0
+        moves = ((1.0, 0.0, -y), (0.0, 1.0, x), (0.0, 0.0, float(name in frame.turning)))
+        for equation, of_ground in zip(equations[frame.nodes[name]][[0, 1, 5]].tolist(), moves, strict=True):
+            if equation >= 0:  # the ground holds the others
+                found[:, equation] = of_ground
     return found

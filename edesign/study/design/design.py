@@ -111,7 +111,7 @@ def first_warnings(project: AnalysisFile, name: str, spec: SizedDesign, folder: 
         folder: the folder that files named in the design are relative to.
 
     Returns:
-        One sentence for each warning; none where the sizing does not converge.
+        One sentence for each warning.
     """
     try:
         run = _designer(project, name, spec, folder, lambda text: None)
@@ -120,8 +120,8 @@ def first_warnings(project: AnalysisFile, name: str, spec: SizedDesign, folder: 
         reason = only.sizing.reason
         found = run.group(Search((only,), only, reason), "checked").attributes.get("warnings", [])
         found = [f"it will fail: {reason}", *found] if reason else found
-    except AnalysisError:
-        return []
+    except AnalysisError as error:
+        found = [f"it will fail: {error}"]
     which = "" if spec.verify is None else ", first round"
     return [f"design {name}{which}: {text}" for text in found]
 

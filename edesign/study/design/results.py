@@ -141,8 +141,6 @@ def store_sizing(group: Group, model: Model, results: Results, sizing: Any, mode
     count = min(TOLD, bare.omega.size, *(values.shape[-1] for values in found))
     named = "number of the mode" if building.frame.plan is None else "modes with most mass along the direction"
     coordinate(group, "mode", np.arange(1, count + 1), "1", named)
-    if building.frame.plan is not None:
-        group.attributes["first_mode"] = int(np.flatnonzero(bare.told == bare.first)[0]) + 1
     group.add("bare_period", MODE, 2.0 * np.pi / bare.omega[bare.told][:count], "s", "natural period without dampers")
     if results.assemblies[0]:
         coordinate(group, "assembly", list(results.assemblies[0]), "", results.assemblies[1])

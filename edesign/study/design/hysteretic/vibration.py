@@ -18,6 +18,10 @@ from edesign.study.design.relaxation import AGREEMENT, Relaxation
 _MOST_ITERATIONS = 300  # of shapes, and of Newton's method; ten where storeys do not hand the drift to each other
 _MOST_DOUBLINGS = 60  # of an amplitude, or halvings, on the way to the one that is wanted
 _LEAST_STEP = 0.01  # of Newton's
+_COUPLED = (
+    ": with these dampers two modes of the building share the direction of the design, and one or the other leads; "
+    "weaker dampers, or places that turn the floors less, part them"
+)
 _LEAST = 1e-9  # deformation of a damper over the largest: below it, none
 _GAUSS = np.polynomial.legendre.leggauss(64)  # the kink where a damper yields costs the average about 1e-4
 _SHARES, _WEIGHTS = 0.5 * (1.0 + _GAUSS[0]), 0.5 * _GAUSS[1]
@@ -97,17 +101,20 @@ def _at_roof(model: HystereticModel, scale: np.ndarray, roof: float, start: Seca
     modes = model.bare if start is None else start.modes
     u = roof / float(modes.floors[modes.first, -1]) * modes.dampers[modes.first]
     shape, relax = modes.masses[modes.first] / modes.floors[modes.first, -1], Relaxation()
+    leading = set()
     for _ in range(_MOST_ITERATIONS):
         u = _static(model, scale, roof, model.building.frame.mass * shape, u)
         deformation = np.maximum(np.abs(u), _LEAST * np.abs(u).max())
         secants = model.secants(scale, deformation)
         modes = model.building.frame.modes(secants.force / deformation)
+        leading.add(modes.first)
         following = roof / float(modes.floors[modes.first, -1]) * modes.dampers[modes.first]
         if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
             return _vibration(model, scale, roof, deformation, secants, modes)
         shape = relax(shape, modes.masses[modes.first] / modes.floors[modes.first, -1])
     raise AnalysisError(
-        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g} [E-DESIGN-02]"
+        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g}"
+        f"{_COUPLED if len(leading) > 1 else ''} [E-DESIGN-02]"
     )
 
 
