@@ -86,6 +86,7 @@ def test_a_study_on_a_building_is_planned_run_judged_and_reported(tmp_path: Path
     [
         (("direction: x, roof", "direction: right, roof"), "`right` is not of a building"),
         (("direction: x, roof", "roof"), "this key is missing; a building is pushed in one of"),
+        (("direction: x, roof", "direction: up, roof"), "`up` is unknown (allowed: `right`, `left`, `both`, `x+`"),
         (("eccentricity: +y}", "eccentricity: +x}"), "does not displace the loads of a push along x"),
         (("eccentricity: [0, +x+y]", "wave_passage: {velocity: 500 m/s, direction: left}"), "is an angle from x"),
         (("at: A1,", "at: Z9,"), "Z9"),

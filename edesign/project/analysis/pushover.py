@@ -20,6 +20,7 @@ PUSHOVER_STEPS = 200
 NamedPattern = Literal["first_mode", "uniform", "triangular"]
 FrameDirections = Literal["right", "left", "both"]
 BuildingDirections = Literal["x+", "x-", "y+", "y-", "x", "y", "all"]
+Directions = Literal[FrameDirections, BuildingDirections]
 SEVERAL = {"both": ("right", "left"), "x": ("x+", "x-"), "y": ("y+", "y-"), "all": ("x+", "x-", "y+", "y-")}
 """Directions that one word stands for."""
 WAYS = {
@@ -89,7 +90,7 @@ class Pushover(Model):
     """
 
     pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), Written(several, one_or_list)]
-    direction: FrameDirections | BuildingDirections
+    direction: Directions
     roof_drift: PushedDrift | None = None
     steps: Steps = PUSHOVER_STEPS
     targets: Annotated[tuple[Method, ...], Written(several, one_or_list)] = ()
@@ -137,7 +138,7 @@ class Pushovers(Pushover, Eccentric):
         variants: variants of the study, or `all`.
     """
 
-    direction: FrameDirections | BuildingDirections = "right"
+    direction: Directions = "right"
     name: ShortName = "push"
     variants: Names = ("all",)
 

@@ -91,8 +91,8 @@ def check_places(building: Building, problems: Problems, keys: Keys, run: InBays
         for floor in (place.storey - 1, place.storey)
     }
     if absent := sorted(corners - building.layout.nodes.keys()):
-        nodes = f"node {listed(absent)}" if len(absent) == 1 else f"nodes {listed(absent, 4)}"
-        problems.at_value(keys, f"at a corner of their bays no member ends: there is no {nodes} [E-NAME-01]")
+        nodes = f"is no node {listed(absent)}" if len(absent) == 1 else f"are no nodes {listed(absent, 4)}"
+        problems.at_value(keys, f"at a corner of their bays no member ends: there {nodes} [E-NAME-01]")
     return not absent
 
 

@@ -186,6 +186,6 @@ def unknown_name(what: str, seen: str, allowed: Iterable[str], advice: str = "")
     """
     allowed = list(allowed)
     hint = did_you_mean(seen, allowed)
-    several = f"{what[:-1]}ies" if what.endswith("y") else f"{what}s"
+    several = "criteria" if what == "criterion" else f"{what[:-1]}ies" if what.endswith("y") else f"{what}s"
     known = "" if hint and len(allowed) > 30 else f" ({several} here: {listed(allowed)})"
     return f"there is no {what} `{seen}`{hint}{known}{advice} [E-NAME-01]"

@@ -196,9 +196,7 @@ def _ways(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) ->
         told = "direction" in pushovers.model_fields_set
         message = f"`{pushovers.direction}` is not of a {base.structure} (allowed: {listed(own)}) [E-VALUE-03]"
         missing = f"this key is missing; a building is pushed in one of {listed(own)} [E-KEY-02]"
-        (problems.at_value if told else problems.at_key)(
-            (*keys, "direction") if told else keys, message if told else missing
-        )
+        (problems.at_value if told else problems.at_key)((*keys, "direction"), message if told else missing)
         return
     if isinstance(base, Building):
         check_positions(base, problems, keys, pushovers)
