@@ -13,7 +13,17 @@ from edesign.archive.reader import Archive
 from edesign.assess.changes import EQUILIBRIUM
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, grid_figure, label_outer, legend_label, some_of, styled
-from edesign.report.response.histories import by_level, histories, missing_text, names_of, variant_colors
+from edesign.report.response.histories import (
+    History,
+    by_level,
+    histories,
+    missing_text,
+    names_of,
+    variant_colors,
+    with_results,
+    worst_counts,
+    worst_of_motions,
+)
 from edesign.study.results.kinds import ANALYSES
 
 if TYPE_CHECKING:
@@ -50,18 +60,19 @@ def axial_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     colors = variant_colors(archive)
     gravity = _gravity_forces(archive)
     for level, variants in by_level(histories(archive)).items():
-        found = []
+        found, counts = [], ""
         for variant, chosen in variants.items():
-            groups = [group for h in chosen if h.completed and f"{FORCE}_max" in (group := h.read(archive)).variables]
-            if groups:
+            read = dict(with_results(archive, chosen, f"{FORCE}_max"))
+            if read:
                 color = colors[variant]
-                found.append(AxialForces(variant, _by_place(groups, "min"), _by_place(groups, "max"), color))
+                found.append(AxialForces(variant, _by_place(read, "min"), _by_place(read, "max"), color))
+                counts = worst_counts(read) or counts
         if found:
             missing = missing_text(history for chosen in variants.values() for history in chosen)
             caption = (
                 f"Axial forces of the columns{at_level(level)}, tension positive, gravity included. {_numbers(found)}"
             )
-            yield file_name("axial", level), f"{caption}{missing}", axial_figure(found, gravity)
+            yield file_name("axial", level), f"{caption}{counts}{missing}", axial_figure(found, gravity)
 
 
 def _gravity_forces(archive: Archive) -> dict[Place, float]:
@@ -128,10 +139,11 @@ def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float]
     return figure
 
 
-def _by_place(groups: Sequence[Group], which: str) -> dict[Place, np.ndarray]:
-    """`min` or `max` of every column in every history."""
-    table = np.array([group.variables[f"{FORCE}_{which}"].values for group in groups])
-    return {_place(name): table[:, i] for i, name in enumerate(names_of(groups[0], "column"))}
+def _by_place(read: Mapping[History, Group], which: str) -> dict[Place, np.ndarray]:
+    """`min` or `max` of every column under every motion."""
+    each = [group.variables[f"{FORCE}_{which}"].values for group in read.values()]
+    table = worst_of_motions(read, each, np.min if which == "min" else np.max)
+    return {_place(name): table[:, i] for i, name in enumerate(names_of(next(iter(read.values())), "column"))}
 
 
 def _place(name: str) -> Place:

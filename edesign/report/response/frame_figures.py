@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -26,12 +26,22 @@ from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.frame_drawing import Elevation, FrameElevation
 from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.response.directions import strong_axes
-from edesign.report.response.histories import History, by_level, histories, missing_text, names_of
+from edesign.report.response.histories import (
+    History,
+    by_level,
+    counted,
+    histories,
+    missing_text,
+    names_of,
+    worst_counts,
+    worst_of_motions,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 End = tuple[str, int]
+K = TypeVar("K")
 
 COLORS = ("#fbd9a0", "#f2994a", "#c8452f", "#5b0f2e")
 SIZES = (3.0, 4.2, 5.4, 6.8)  # points; size and darkness grow together, so that grey print keeps the order
@@ -118,65 +128,81 @@ def _of_level(
     elevation: _Elevation,
     of: Callable[[str], AnalysisFile],
 ) -> Iterator[tuple[str, str, Figure]]:
+    read = {variant: [(h, h.read(archive)) for h in chosen if h.completed] for variant, chosen in variants.items()}
     found = {
-        variant: groups
-        for variant, chosen in variants.items()
-        if (groups := [group for h in chosen if h.completed and plastic_rotations(group := h.read(archive))])
+        variant: there
+        for variant, pairs in read.items()
+        if (there := {history: group for history, group in pairs if plastic_rotations(group)})
     }
     least = ROTATION.limits[0] if elevation.name else 0.0  # of many frames those with a hinge that is drawn
-    if not any(value > least for group in chain(*found.values()) for value in plastic_rotations(group).values()):
+    if not any(
+        value > least
+        for group in chain(*(of.values() for of in found.values()))
+        for value in plastic_rotations(group).values()
+    ):
         return
     missing = missing_text(history for chosen in variants.values() for history in chosen)
+    counts = worst_counts(chain(*found.values()))
     where = f" in frame {elevation.name}" if elevation.name else ""
     for statistic, words, take in (("mean", "Mean", np.mean), ("max", "Largest", np.max)):
-        if statistic == "max" and all(len(groups) == 1 for groups in found.values()):
+        if statistic == "max" and all(len({h.of_motion for h in there}) == 1 for there in found.values()):
             continue
-        panels = [_panel(variant, groups, take) for variant, groups in found.items()]
+        panels = [_panel(variant, there, take) for variant, there in found.items()]
         caption = f"{words} over the records of the peak plastic rotations of member ends{where}{at_level(level)}. "
         figure = hinge_figure(elevation.drawing, panels, ROTATION)
-        yield file_name("hinges", elevation.name, level, statistic), f"{caption}{_numbers(panels)}{missing}", figure
+        said = f"{caption}{_numbers(panels)}{counts}{missing}"
+        yield file_name("hinges", elevation.name, level, statistic), said, figure
     classes = []
-    for variant, groups in found.items():
-        values = acceptance(of(variant), groups)
+    for variant, there in found.items():
+        values = acceptance(of(variant), there)
         if elevation.judged is not None:  # Table 5-6 is of bending about the strong axis
             values = {end: value for end, value in values.items() if end[0][0] != "C" or end[0] in elevation.judged}
-        classes.append(replace(_panel(variant, groups, np.mean), values=values))
+        classes.append(replace(_panel(variant, there, np.mean), values=values))
     if any(any(panel.values.values()) for panel in classes):
         caption = f"Mean peak plastic rotations{where}{at_level(level)} by the limits of FEMA 356, Table 5-6, primary; "
         caption += f"columns above half of P_CL are over CP from {1e3 * ELASTIC_ROTATION:g} mrad. "
         figure = hinge_figure(elevation.drawing, classes, ACCEPTANCE)
-        yield file_name("hinges", elevation.name, level, "acceptance"), f"{caption}{_counts(classes)}{missing}", figure
+        yield (
+            file_name("hinges", elevation.name, level, "acceptance"),
+            f"{caption}{_counts(classes)}{counts}{missing}",
+            figure,
+        )
 
 
-def acceptance(project: AnalysisFile, groups: Sequence[Group]) -> dict[End, float]:
+def acceptance(project: AnalysisFile, read: Mapping[History, Group]) -> dict[End, float]:
     """Return the class of `ACCEPTANCE` of each member end, by its mean peak plastic rotation and axial force.
 
     Members that Table 5-6 does not know are left out; a column that it makes force-controlled must stay elastic.
 
     Args:
-        groups: the histories of one variant and level.
+        read: the histories of one variant and level; of each motion its largest rotations and forces count.
     """
     members = frame_members(project)
-    rotations = [plastic_rotations(group) for group in groups]
-    compression = [compressions(group) for group in groups]
+    rotations = _worst(read, plastic_rotations)
+    compression = _worst(read, compressions)
     found: dict[End, float] = {}
-    for end in rotations[0]:
+    for end in rotations:
         member = members.get(end[0])
         if member is None:
             continue
-        rotation = float(np.mean([one[end] for one in rotations]))
-        force = float(np.mean([one.get(end[0], 0.0) for one in compression]))
+        rotation = float(np.mean(rotations[end]))
+        force = float(np.mean(compression.get(end[0], 0.0)))
         beyond = sum(rotation > member.allowed(level, force) for level in PERFORMANCE_LEVELS)
         found[end] = float(1 + beyond) if rotation > ELASTIC_ROTATION else 0.0
     return found
 
 
-def _panel(variant: str, groups: Sequence[Group], take: Callable[[list[float]], float]) -> Hinges:
-    rotations = [plastic_rotations(group) for group in groups]
-    values = {end: float(take([one[end] for one in rotations])) for end in rotations[0]}
-    many = f"{len(groups)} records" if len(groups) > 1 else "1 record"
-    title = ", ".join(part for part in (variant, many) if part)
-    return Hinges(title, values, tuple(names_of(groups[0], "damper")))
+def _panel(variant: str, read: Mapping[History, Group], take: Callable[[np.ndarray], float]) -> Hinges:
+    values = {end: float(take(of)) for end, of in _worst(read, plastic_rotations).items()}
+    title = ", ".join(part for part in (variant, counted(read)) if part)
+    return Hinges(title, values, tuple(names_of(next(iter(read.values())), "damper")))
+
+
+def _worst(read: Mapping[History, Group], of: Callable[[Group], Mapping[K, float]]) -> dict[K, np.ndarray]:
+    """The largest values of each motion, (motions,), by place; places are those of the first history."""
+    each = [of(group) for group in read.values()]
+    values = worst_of_motions(read, [np.array([one.get(place, 0.0) for place in each[0]]) for one in each])
+    return {place: values[:, i] for i, place in enumerate(each[0])}
 
 
 def plastic_rotations(group: Group) -> dict[End, float]:

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.sets import turned, without_motion
@@ -41,6 +43,11 @@ class History:
         """The record with angle and place of the masses, in letters that names of files keep apart."""
         shaking = self.shaking.replace("+", "plus").replace("-", "minus")
         return f"{self.record}.{shaking}" if shaking else self.record
+
+    @property
+    def of_motion(self) -> str:
+        """What the names of all histories of its motion begin with: those at other angles, with other masses."""
+        return self.name.removesuffix(self.shaking)
 
     @property
     def motion(self) -> str:
@@ -117,6 +124,37 @@ def by_motion(chosen: Iterable[History]) -> dict[tuple[str, str], list[History]]
     for history in chosen:
         found.setdefault((history.level, history.shaken_by), []).append(history)
     return found
+
+
+def worst_of_motions(
+    chosen: Iterable[History], values: Iterable[np.ndarray], worst: Callable[..., np.ndarray] = np.max
+) -> np.ndarray:
+    """Return the worst values of each motion over its angles and the places of its masses, place by place.
+
+    Args:
+        chosen: histories of one variant and level.
+        values: of each, all of one shape.
+        worst: `np.max` or `np.min`.
+
+    Returns:
+        (n_motions, ...); of histories that are a motion each, as of plane frames, their values.
+    """
+    of: dict[str, list[np.ndarray]] = {}
+    for history, value in zip(chosen, values, strict=True):
+        of.setdefault(history.of_motion, []).append(value)
+    return np.array([worst(same, axis=0) for same in of.values()])
+
+
+def counted(chosen: Iterable[History]) -> str:
+    """Return of how many records histories are, in words; one at several angles, with several masses, is one."""
+    records = len({history.of_motion for history in chosen})
+    return f"{records} record{'s' * (records > 1)}"
+
+
+def worst_counts(chosen: Iterable[History]) -> str:
+    """Return a sentence that says what counts of several histories of a motion; "" where each is a motion itself."""
+    several = max(Counter((h.variant, h.of_motion) for h in chosen).values(), default=1) > 1
+    return " Of each record the worst of its angles and places of the masses counts, place by place." if several else ""
 
 
 def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list[History]]:

@@ -15,7 +15,15 @@ from edesign.assess.statistics import FRACTION, counted_percentile
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, grid_figure, legend_below, legend_label, some_of, styled
 from edesign.report.response.directions import in_each_direction
-from edesign.report.response.histories import History, by_level, histories, missing_text, variant_colors
+from edesign.report.response.histories import (
+    History,
+    by_level,
+    histories,
+    missing_text,
+    variant_colors,
+    worst_counts,
+    worst_of_motions,
+)
 from edesign.report.response.profile_figures import DAMPERS, KINDS, TOTAL, Kind, profile, with_dampers
 
 if TYPE_CHECKING:
@@ -42,18 +50,19 @@ def mean_profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         panels = [(kind, values) for kind, values in _panels(read) if next(iter(values.values())).shape[1] > 1]
         if len(read) < 2 or not panels:
             continue
-        several = any(len(found) > 1 for found in read.values())
+        several = any(len(values) > 1 for _, of in panels for values in of.values())
+        counts = worst_counts(history for found in read.values() for history, _ in found)
         what = "Mean peaks" if several else "Peaks"
         dashed = " Thin and dashed is the 84th percentile of the records." if several else ""
         caption = (
             f"{what} over the height{at_level(level)}, all variants in one axis. {_numbers(panels)}"
-            f"{dashed}{missing_text(history for found in variants.values() for history in found)}"
+            f"{dashed}{counts}{missing_text(history for found in variants.values() for history in found)}"
         )
         yield file_name("mean_profiles", level), caption, mean_profile_figure(panels, colors)
 
 
 def _panels(read: Read) -> Iterator[tuple[Kind, dict[str, np.ndarray]]]:
-    """Quantities, and of each variant that has it its values, (records, floors or storeys) in the unit of the figure.
+    """Quantities, and of each variant that has it its values, (motions, floors or storeys) in the unit of the figure.
 
     The shear of columns and dampers together is known where all histories with dampers kept both over time.
     """
@@ -71,10 +80,10 @@ def _panels(read: Read) -> Iterator[tuple[Kind, dict[str, np.ndarray]]]:
 def _of_variants(read: Read, kind: Kind, names: Mapping[str, str]) -> dict[str, np.ndarray]:
     values = {}
     for variant, found in read.items():
-        of = [profile(group, names[variant], kind) for _, group in found]
-        there = [one for one in of if one is not None]
+        of = {history: profile(group, names[variant], kind) for history, group in found}
+        there = {history: one for history, one in of.items() if one is not None}
         if there:
-            values[variant] = np.array(there)
+            values[variant] = worst_of_motions(there, there.values())
     return values
 
 
@@ -83,7 +92,7 @@ def mean_profile_figure(panels: Sequence[tuple[Kind, Mapping[str, np.ndarray]]],
     """Draw the means of all variants over each other; of several records also the 84th percentile.
 
     Args:
-        panels: at least one; values (records, floors or storeys) by variant.
+        panels: at least one; values (motions, floors or storeys) by variant.
     """
     from matplotlib.lines import Line2D
 

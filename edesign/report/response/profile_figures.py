@@ -15,7 +15,16 @@ from edesign.assess.statistics import FRACTION, counted_percentile
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, RECORDS, grid_figure, label_outer, some_of, styled
 from edesign.report.response.directions import in_each_direction
-from edesign.report.response.histories import History, by_level, histories, missing_text, variant_colors
+from edesign.report.response.histories import (
+    History,
+    by_level,
+    counted,
+    histories,
+    missing_text,
+    variant_colors,
+    worst_counts,
+    worst_of_motions,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -68,14 +77,26 @@ class Profiles:
 
     Attributes:
         title: of the panel.
-        values: (floors or storeys,) of each record by its name, from the bottom, in the unit of the figure; of floors
-            the first may be the base.
+        histories: of its values.
+        profiles: (floors or storeys,) of each of them, from the bottom, in the unit of the figure; of floors the first
+            may be the base.
         color: of mean and percentile.
     """
 
     title: str
-    values: Mapping[str, np.ndarray]
+    histories: tuple[History, ...]
+    profiles: tuple[np.ndarray, ...]
     color: str
+
+    @property
+    def values(self) -> dict[str, np.ndarray]:
+        """The profiles by what their histories are called."""
+        return {history.motion: one for history, one in zip(self.histories, self.profiles, strict=True)}
+
+    @property
+    def of_motions(self) -> np.ndarray:
+        """(motions, floors or storeys): what means are of."""
+        return worst_of_motions(self.histories, self.profiles)
 
 
 @in_each_direction
@@ -91,12 +112,14 @@ def profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         missing = missing_text(history for found in variants.values() for history in found)
         for quantity, kind in KINDS.items():
             panels = [
-                Profiles(title, values, colors[variant])
+                Profiles(title, tuple(values), tuple(values.values()), colors[variant])
                 for variant, found in read.items()
                 for title, values in _panels(quantity, kind, variant, found)
             ]
             if panels and next(iter(panels[0].values.values())).size > 1:  # one storey has no profile
-                caption = f"Peak {kind.title} over the height{at_level(level)}. {_numbers(panels, kind)}{missing}"
+                counts = worst_counts(history for found in read.values() for history, _ in found)
+                numbers = f"{_numbers(panels, kind)}{counts}{missing}"
+                caption = f"Peak {kind.title} over the height{at_level(level)}. {numbers}"
                 if quantity.startswith("residual"):
                     caption = caption.replace("Peak r", "R", 1)
                 yield file_name("profile", quantity, level), caption, profile_figure(panels, kind)
@@ -104,16 +127,16 @@ def profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 def _panels(
     quantity: str, kind: Kind, variant: str, found: Sequence[tuple[History, Group]]
-) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
-    """Title and records of the panels of a variant; of the shear also with the forces of its dampers."""
+) -> Iterator[tuple[str, dict[History, np.ndarray]]]:
+    """Title and histories of the panels of a variant; of the shear also with the forces of its dampers."""
     parts = [(quantity, variant)]
     if quantity == "storey_shear" and any(np.any(peak(group, DAMPERS)) for _, group in found):
         both = all(DAMPERS in group.variables and quantity in group.variables for _, group in found)
         other = (TOTAL, "columns and dampers") if both else (DAMPERS, "dampers")
         parts = [(name, f"{variant}: {part}".strip(": ")) for name, part in ((quantity, "columns"), other)]
     for name, title in parts:
-        values = {history.motion: profile(group, name, kind) for history, group in found}
-        there = {motion: one for motion, one in values.items() if one is not None}
+        values = {history: profile(group, name, kind) for history, group in found}
+        there = {history: one for history, one in values.items() if one is not None}
         if there:
             yield title, there
 
@@ -164,9 +187,10 @@ def profile_figure(panels: Sequence[Profiles], kind: Kind) -> Figure:
     for axis, panel in zip(cells, panels, strict=True):
         _draw(axis, panel, kind, limits, 1.08 * largest or 1.0)
     label_outer(cells, COLUMNS, f"{kind.title} ({kind.unit})", kind.ordinate)
+    one = "history" if any(len(panel.of_motions) < len(panel.profiles) for panel in panels) else "record"
     handles = [
-        Line2D([], [], **_MANY, label="record"),
-        Line2D([], [], **_WORST, label="record with the largest value"),
+        Line2D([], [], **_MANY, label=one),
+        Line2D([], [], **_WORST, label=f"{one} with the largest value"),
         Line2D([], [], **_MEAN, color=MEAN, label="mean"),
         Line2D([], [], **_HIGH, color=MEAN, label="84th percentile"),
     ]
@@ -186,9 +210,10 @@ def _draw(axis: Axes, panel: Profiles, kind: Kind, limits: Mapping[str, float], 
             if name != governing:
                 axis.plot(profile, height, **_MANY)
         axis.plot(panel.values[governing], height, **_WORST)
-        high = [counted_percentile(list(at), FRACTION) for at in np.transpose(values)]
+    if len(panel.of_motions) > 1:
+        high = [counted_percentile(list(at), FRACTION) for at in panel.of_motions.T]
         axis.plot(high, height, **_HIGH, color=panel.color)
-    axis.plot(np.mean(values, axis=0), height, **_MEAN, color=panel.color)
+    axis.plot(panel.of_motions.mean(axis=0), height, **_MEAN, color=panel.color)
     axis.set_xlim(0.0, span)
     axis.set_ylim(height[0] - (0.0 if first == 0 else 0.4), height[-1] + 0.4)
     axis.set_yticks(some_of(height))
@@ -200,7 +225,7 @@ def _draw(axis: Axes, panel: Profiles, kind: Kind, limits: Mapping[str, float], 
     text = f"largest: {governing}" if len(values) > 1 else governing
     style = {"textcoords": "offset points", "fontsize": 7.0, "color": _WORST["color"]}
     axis.annotate(text, (0.0, 1.0), (0.0, above), "axes fraction", **style)
-    many = f"{len(values)} records" if len(values) > 1 else ""
+    many = counted(panel.histories) if len(values) > 1 else ""
     title = ", ".join(part for part in (panel.title, many) if part)
     axis.set_title(title, loc="left", pad=above + 10.0)
 
@@ -212,11 +237,11 @@ def _numbers(panels: Sequence[Profiles], kind: Kind) -> str:
         values = panel.values
         worst = max(values, key=lambda name: float(np.max(values[name])))
         top = float(np.max(values[worst]))
-        mean = float(np.max(np.mean(list(values.values()), axis=0)))
+        mean = float(np.max(panel.of_motions.mean(axis=0)))
         label = f"{panel.title}: " if panel.title else ""
         if len(values) == 1:
             texts.append(f"{label}{plain(top)} {kind.unit} ({worst})")
         else:
             most = f"largest {plain(top)} {kind.unit} ({worst})"
-            texts.append(f"{label}mean of {len(values)} records up to {plain(mean)} {kind.unit}, {most}")
+            texts.append(f"{label}mean of {counted(panel.histories)} up to {plain(mean)} {kind.unit}, {most}")
     return f"{'; '.join(texts)}."

@@ -15,6 +15,7 @@ from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
 from edesign.report.drawing.frame_drawing import FrameElevation, damper_drawing, member_lines
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure
+from edesign.report.response.histories import History
 
 PROJECT = parse_project(TEXT, "project.yaml", profile_names())
 FRAME = PROJECT.frame  # one bay of 6 m, storeys of 4 and 3 m
@@ -74,7 +75,7 @@ def test_classes_of_acceptance_of_a_compact_beam() -> None:
         group.variables.pop("column_plastic_rotation_max")
         rotations = np.array([[multiple * yield_rotation, 0.0], [0.0, 0.0009]])
         group.add("beam_plastic_rotation_min", ("beam", "end"), -rotations, "rad", "least")
-        found = acceptance(PROJECT, [group])
+        found = acceptance(PROJECT, {History("x", "bare", "DBE", "x", None, True, ""): group})
         assert ACCEPTANCE.rank(found["B_1_1", 0]) == rank, multiple
         assert found["B_1_2", 1] == 0.0  # below 1 mrad
 
