@@ -202,14 +202,15 @@ MAKERS: dict[type, Callable[[Any, Mapping[str, FrameMember], AnalysisFile], Requ
 """What makes each kind of criterion ready: of the criterion, the members of its frame by name, and the project."""
 
 
-def shown(value: float, unit: str) -> str:
+def shown(value: float, unit: str, digits: int = 4) -> str:
     """Return a value in SI with the unit people read.
 
     Args:
         value: SI.
         unit: SI unit, a key of `UNITS`.
+        digits: significant ones.
     """
-    return f"{bare(value, unit, 4)} {UNITS[unit][0]}".rstrip()
+    return f"{bare(value, unit, digits)} {UNITS[unit][0]}".rstrip()
 
 
 def bare(value: float, unit: str, digits: int) -> str:

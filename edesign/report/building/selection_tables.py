@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.notation.printed_unit import told_apart
 from edesign.report.tables.column import col, text
 from edesign.report.tables.number import significant
 from edesign.report.tables.table import Table, TableSpec
@@ -60,8 +61,8 @@ def _whole(selection: Selection) -> list[str]:
     )
     price = [f"price, which was to be least: {significant(selection.cost)}"] if priced else []
     not_met = [
-        f"not met, and not searched: {rule.text}: {significant(rule.value, 3)}, limit {significant(rule.required, 3)} "
-        f"({rule.reference}) {rule.detail}"
+        f"not met, and not searched: {rule.text}: "
+        f"{', limit '.join(told_apart(rule.value, rule.required, significant))} ({rule.reference}) {rule.detail}"
         for rule in selection.not_met
     ]
     starts = "1 start" if selection.starts == 1 else f"{selection.starts} starts"

@@ -13,6 +13,7 @@ import numpy as np
 from edesign.archive.reader import Archive
 from edesign.codes.rule_check import first_of_largest
 from edesign.errors import ArchiveError
+from edesign.project.notation.printed_unit import told_apart
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words, use
 from edesign.report.building.deflection_table import deflection_table
@@ -333,7 +334,7 @@ def failures(results: BuildingResults) -> list[str]:
         if rule["passed"] == 0:
             about = f"{rule['text']} ({rule['detail']})" if rule["detail"] else rule["text"]
             code = f"EN 1998-1, {rule['clause']}" if rule["clause"][:1].isdigit() else rule["clause"]
-            value, limit = (significant(finite(rule[of]), 3) for of in ("value", "required"))
+            value, limit = told_apart(finite(rule["value"]), finite(rule["required"]), significant)
             found.append(f"{about}: {value}, limit {limit} ({code})")
     return found
 

@@ -12,6 +12,7 @@ from edesign.codes.rule_check import RuleCheck, first_of_largest
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
+from edesign.project.notation.printed_unit import told_apart
 from edesign.project.reading.values import KeyPath
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Choice, Evaluator
@@ -252,7 +253,8 @@ def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choi
 def _broken(evaluate: Evaluator, design: ElasticDesign) -> list[str]:
     """The checks that a design does not meet, in words: rules for the building, then the worst groups."""
     rules = [
-        f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: {rule.value:.3g}, limit {rule.required:.3g} "
+        f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: "
+        f"{', limit '.join(told_apart(rule.value, rule.required, lambda of, digits: f'{of:.{digits}g}'))} "
         f"({rule.reference})"
         for rule in evaluate.broken(design)
     ]

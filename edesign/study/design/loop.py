@@ -9,6 +9,7 @@ from typing import Generic, Protocol, TypeVar
 
 from edesign.assess.requirement import shown
 from edesign.errors import AnalysisError, InputError
+from edesign.project.notation.printed_unit import told_apart
 
 LARGEST_FACTOR = 10.0  # on the size of the dampers
 LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
@@ -241,7 +242,8 @@ def _missed(rounds: Sequence[Round[S]], largest: float, most_rounds: int, beyond
 def _said(verdict: RoundVerdict) -> str:
     if math.isnan(verdict.value) or math.isnan(verdict.limit):
         return verdict.name
-    return f"{verdict.name} ({shown(verdict.value, verdict.unit)}, limit {shown(verdict.limit, verdict.unit)})"
+    value, limit = told_apart(verdict.value, verdict.limit, lambda of, digits: shown(of, verdict.unit, digits), 4)
+    return f"{verdict.name} ({value}, limit {limit})"
 
 
 def demand_of(verdict: RoundVerdict) -> float:

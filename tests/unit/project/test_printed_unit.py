@@ -7,7 +7,7 @@ import math
 import pytest
 from pydantic_core import PydanticCustomError
 
-from edesign.project.notation.printed_unit import unit_factor
+from edesign.project.notation.printed_unit import told_apart, unit_factor
 
 
 @pytest.mark.parametrize(
@@ -36,3 +36,16 @@ def test_one_unit_in_si(unit: str, si: str, factor: float) -> None:
 def test_another_dimension_is_refused(unit: str, si: str) -> None:
     with pytest.raises(PydanticCustomError):
         unit_factor(unit, si)
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "told"),
+    [
+        (0.3, 0.2, ("0.3", "0.2")),
+        (0.20004, 0.2, ("0.20004", "0.2")),
+        (0.2, 0.2, ("0.2", "0.2")),
+        (0.2000000001, 0.2, ("0.2", "0.2")),
+    ],
+)
+def test_a_value_and_its_limit_do_not_look_equal(value: float, limit: float, told: tuple[str, str]) -> None:
+    assert told_apart(value, limit, lambda of, digits: f"{of:.{digits}g}") == told
