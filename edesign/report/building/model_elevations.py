@@ -218,9 +218,7 @@ def _restraint(key: str, value: str | float) -> str:
     return f"{short(value / 1e6)} MN{'/m' if key.startswith('u') else ' m/rad'}"
 
 
-def _sections(
-    sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], weak: Collection[str]
-) -> Iterator[str]:
+def _sections(sheet: Sheet, members: Sequence[Member], ends: dict[str, Line], weak: Collection[str]) -> Iterator[str]:
     """Write the section of equal columns above each other, of equal beams of a floor, and of each brace."""
     several = several_steels((one.kind, one.material) for one in members)
 
