@@ -307,6 +307,15 @@ def test_a_floor_that_the_ground_holds_has_no_part_in_the_modes_of_a_design() ->
     assert group.variables["damping_complex"].values[0] == pytest.approx(0.15)
 
 
+def test_a_mode_that_leads_with_the_dampers_alone_is_warned_of() -> None:
+    """Dampers at one edge brake the mode along the direction, until that of the turns has more of the mass."""
+    text = "method: viscous, law: oil, kind: storey, along: x, frames: X2, bays: 1, damping: 20 %"
+    found = first_warnings(table(), "tried", design(f"{text}, state: initial", table()), Path("."))
+    assert any("with the dampers another mode leads along the direction" in one for one in found)
+    weak = design(f"{text.replace('20 %', '2 %')}, state: initial", table())
+    assert not any("another mode leads" in one for one in first_warnings(table(), "tried", weak, Path(".")))
+
+
 def test_a_design_below_a_floor_that_the_ground_holds_is_foretold_to_fail() -> None:
     spec = design(f"{METHODS['viscous']}, along: y, frames: [A, C], state: initial", HELD)
     (warning,) = first_warnings(HELD, "tried", spec, Path("."))

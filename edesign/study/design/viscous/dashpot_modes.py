@@ -24,7 +24,9 @@ class DashpotModes:
     Attributes:
         omega: abs(s), (n,) rad/s.
         damping: -Re(s) / abs(s), (n,).
-        first: index of the mode most like the first mode without dampers; None: that does not oscillate.
+        first: index of the mode most like the first mode without dampers, of a building of the one that leads along the
+            direction; None: that does not oscillate.
+        like: index of the mode whose shape is most like that of the first mode without dampers; None: none is.
         floors: horizontal displacement of each floor, complex (n, f), in modes of roof displacement 1.
         storeys: drift of each storey, likewise (see `LinearModes`).
         dashpots: amplitude of the deformation of each dashpot without its spring, likewise, (n, d).
@@ -34,6 +36,7 @@ class DashpotModes:
     omega: np.ndarray
     damping: np.ndarray
     first: int | None
+    like: int | None
     floors: np.ndarray
     storeys: np.ndarray
     dashpots: np.ndarray
@@ -92,7 +95,8 @@ def dashpot_modes(
     floors = q @ bare.floors - (velocity * dashpots) @ (frame.floor_B - bare.floors.T @ share.T).T
     energy = np.sum(np.abs(q) ** 2, axis=1)
     participation = np.abs(q @ bare.participation) / np.sqrt(energy)
-    likeness = np.abs(q[:, 0]) ** 2 / energy
+    likeness = np.abs(q[:, bare.first]) ** 2 / energy
+    like = int(np.argmax(likeness)) if s.size else None
     if frame.plan is not None:  # modes of nearly one frequency mix as dampers are added
         likeness = (participation / bare.participation[bare.first]) ** 2
     first = int(np.argmax(likeness)) if s.size and likeness.max() > _ALIKE else None
@@ -104,4 +108,4 @@ def dashpot_modes(
         own = frame.plan.storey_B - bare.storeys.T @ share.T
         storeys = (q @ bare.storeys - (velocity * dashpots) @ own.T) / roof
     dashpot, told = np.abs(velocity / s[:, None] / roof), frame.told_modes(participation)
-    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, floors, storeys, dashpot, told)
+    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, like, floors, storeys, dashpot, told)
