@@ -21,15 +21,21 @@ from edesign.project.checks.pushover import check_pushover
 from edesign.project.checks.shaking import check_shaking
 from edesign.project.checks.vertical_motion import check_horizontal, check_vertical
 from edesign.project.checks.wave_passage import check_wave_passage
+from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.device_names import laws_of_design, names_of_dampers, names_of_design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.dampers.verification import AnyVerify, PlacementVerify
+from edesign.project.frame.sections import RectangleSection, SpaceElasticSection
 from edesign.project.reading.problems import Keys, Problems, listed
 from edesign.project.records.records import record_of
 from edesign.project.study.checks_derived import check_derived
 from edesign.project.study.checks_incremental import check_incremental
 from edesign.project.study.study import Histories, Study, Variant
+
+_USES = ("section_use", "member_use")
+_WITHOUT_CLASS = (RectangleSection, SpaceElasticSection)
+"""Own sections that EN 1993-1-1 does not classify."""
 
 
 def check_study(study: Study, problems: Problems) -> None:
@@ -65,6 +71,7 @@ def check_study(study: Study, problems: Problems) -> None:
         study.outputs.histories,
         {name: _dampers(study, variant) for name, variant in study.variants.items()},
     )
+    _with_class(study, problems)
     _outputs(study, problems)
     for what, items in (("histories", study.histories or study.incremental), ("pushovers", study.pushovers)):
         if items and base.masses is None:
@@ -186,6 +193,21 @@ def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushover
     if isolated and wanted:
         message = NO_PUSHOVER.replace("with `dampers: false` the frame", "a variant with `dampers: none`")
         problems.at_key((*keys, "variants"), f"{listed(wanted)}: {message}")
+
+
+def _with_class(study: Study, problems: Problems) -> None:
+    """Criteria on the use of members name none whose section EN 1993-1-1 does not classify."""
+    base = study.base
+    if not isinstance(base, Building):
+        return
+    for at, criterion in enumerate(study.criteria):
+        if not isinstance(criterion, QuantityCriterion) or criterion.quantity not in _USES:
+            continue
+        for i, name in enumerate(criterion.members):
+            run = base.layout.members.get(name)
+            if run is not None and isinstance(base.sections.get(run.section), _WITHOUT_CLASS):
+                message = f"`{criterion.quantity}` does not judge `{name}`: its section `{run.section}` has no class"
+                problems.at_item(("criteria", at, "members"), i, f"{message} [E-CRIT-05]")
 
 
 def _ways(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) -> None:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from building_examples import SMALL, building
 from messages import says
 from unit.assess.assessed import FRAME, Part
 
+from edesign.errors import InputError
+from edesign.frame.project_file import load_study
 from edesign.project import parse_project
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis_file import AnalysisFile
@@ -109,3 +113,21 @@ def test_two_directions_do_not_contradict_each_other() -> None:
 )
 def test_frames_by_names_of_members(name: str, frames: tuple[str, ...]) -> None:
     assert frames_of_member(name) == frames
+
+
+def test_use_is_not_asked_of_members_without_a_class(tmp_path: Path) -> None:
+    """Their archived use is 0, which would meet any limit."""
+    own = "sections: {own: {area: 78 cm^2, inertia: 5700 cm^4, weak_inertia: 2000 cm^4, torsion_constant: 60 cm^4}}\n"
+    shaken = "damping: {kind: rayleigh, ratio: 2 %, modes: [1, 3]}\nintegration: {method: newmark, time_step: 0.02 s}\n"
+    column = "{section: HEB200, material: S275, strong: x}"
+    assert column in SMALL
+    text = SMALL.replace(column, f"{column}, {{at: A1, section: own, material: S275, strong: x}}")
+    (tmp_path / "building.yaml").write_text(text + own + shaken)
+    (tmp_path / "study.yaml").write_text(
+        "edesign_study: 1\ntitle: Uses\nproject: building.yaml\nvariants: {bare: {dampers: none}}\ncriteria:\n"
+        "  - {name: use, quantity: section_use, members: [C_A1_1, C_A2_1], most: 1}\n"
+    )
+    with pytest.raises(InputError) as caught:
+        load_study(tmp_path / "study.yaml")
+    said = "criteria[0].members[0]: `section_use` does not judge `C_A1_1`: its section `own` has no class [E-CRIT-05]"
+    assert said in str(caught.value) and "C_A2_1" not in str(caught.value)
