@@ -16,7 +16,6 @@ import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from statistics import mean
-from typing import Any
 
 import yaml
 
@@ -34,11 +33,6 @@ BUILDING = ROOT / "projects" / "thesis_building" / "table_5_2.yaml"
 FRAME = ROOT / "projects" / "thesis_10_storey" / "project.yaml"
 LAWS = ROOT / "projects" / "thesis_dampers"
 PLANE_BAYS = [1, 4, 6, 9, 11, 14, 16, 19]  # bays 1 and 4 of four frames side by side, with a gap between them
-BAY = 7.2  # m
-AREA_LOAD = {
-    "G": 2.0 / 3.0 * 4.5 * BAY,
-    "Q": 2.0 / 3.0 * 2.0 * BAY,
-}  # kN/m that secondary beams bring to an interior beam
 MEASURES = (
     ("roof displacement [cm]", "roof_displacement_m", 100.0),
     ("interstorey drift [%]", "interstorey_drift", 100.0),
@@ -75,28 +69,13 @@ def histories(*paths: Path) -> Histories:
     return found
 
 
-def at_thirds(load: dict[str, Any]) -> dict[str, Any]:
-    """A load on beams as it acts: what two secondary beams bring to their third points, and the rest along them."""
-    edge = load["Q"] == "4.8 kN/m"
-    share = 0.5 if edge else 1.0
-    along = float(load["G"].split()[0]) - share * AREA_LOAD["G"]
-    points = {key: f"{share * value * BAY / 2.0:.6g} kN" for key, value in AREA_LOAD.items()}
-    return load | {"G": f"{along:.6g} kN/m", "Q": "0 kN/m", "points": [{"at": ["1/3", "2/3"]} | points]}
-
-
-def frames_of_the_building(thirds: bool = False) -> str:
-    """All frames along x with their dampers as a project: what `extract` writes, and blocks of the building.
-
-    Args:
-        thirds: beams carry their loads where these act, in place of the mean over their length.
-    """
+def frames_of_the_building() -> str:
+    """All frames along x with their dampers as a project: what `extract` writes, and blocks of the building."""
     loaded = load_building(BUILDING)
     project = yaml.safe_load(project_text(frame_row(loaded, space_frame(loaded), "X")))
     building = yaml.safe_load(BUILDING.read_text(encoding="utf-8"))
     device = {key: value for key, value in building["dampers"]["devices"][0].items() if key not in ("along", "frames")}
     project["dampers"] = building["dampers"] | {"devices": [device | {"bays": PLANE_BAYS}]}
-    if thirds:
-        project["loads"]["beams"] = [at_thirds(load) for load in project["loads"]["beams"]]
     for key in ("damping", "integration", "elements"):
         project[key] = building[key]
     project["records"] = {"table_5_6": building["records"]["table_5_6"]}

@@ -12,7 +12,7 @@ from edesign.archive.files import check_own_yaml, source_file, write_yaml
 from edesign.errors import InputError
 from edesign.frame.building_file import load_building
 from edesign.project.notation.units import parse_ratio
-from edesign.space.extract import StudyNames, frame_row, project_text, study_text, suite_text
+from edesign.space.extract import StudyNames, frame_row, left_out, project_text, study_text, suite_text
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
@@ -78,6 +78,8 @@ def extract(
         check_own_yaml(path, building, overwrite)
     for path, text in texts.items():
         write_yaml(text, path, building)
+    if without := left_out(read):
+        print(f"note: the building has {without} too, which {output} does not have")
     file = shlex.quote(str(study or output))
     print(f"{', '.join(map(str, texts))} written. Next: edesign check {file}; edesign run {file}")
 

@@ -70,7 +70,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Group], d
     for name, peak, period in (("weak", 0.01, 2.0), ("x", 0.15, 2.0), ("y", 0.3, 0.9)):
         motion = peak * np.sin(2.0 * np.pi * time / period)
         np.savetxt(folder / f"{name}.csv", np.column_stack([time, motion]), delimiter=",", fmt="%.6f")
-    plane = run(folder, "plane", thesis_in_space.frames_of_the_building(thirds=True))
+    plane = run(folder, "plane", thesis_in_space.frames_of_the_building())
     pairs = "  - {records: pairs, eccentricity: [0, +x+y]}"
     return plane, run(folder, "building", thesis_in_space.BUILDING.read_text(encoding="utf-8"), pairs)
 

@@ -24,8 +24,9 @@ from edesign.project.building.names import (
 from edesign.project.building.supports import Springs
 from edesign.project.reading.problems import listed
 from edesign.space.file_places import keys_of_member
+from edesign.space.structure.area_loads import BeamShare
 from edesign.space.structure.frame import SpaceFrame
-from edesign.space.structure.load_cases import on_members, on_nodes
+from edesign.space.structure.load_cases import members_of, on_nodes
 
 AtNodes = dict[tuple[int, int], float]
 """Values by number of the line, from 0, and floor."""
@@ -87,22 +88,36 @@ class PlaneFrame:
         """True if braces, or beams with a moment at an end, resist horizontal forces in it."""
         return bool(self.braces) or any(not _pinned(run.ends) for run in self.beams.values())
 
-    def beam_load(self, factors: Mapping[str, float]) -> dict[tuple[int, int], float]:
-        """Return the mean load on each of its beams, by (bay, floor), N/m, downwards.
+    def beam_load(self, factors: Mapping[str, float]) -> dict[tuple[int, int], BeamShare]:
+        """Return the loads on each of its beams where they act, by (bay, floor), downwards.
 
         Args:
             factors: on load cases, by name.
         """
-        total = np.zeros(len(self.space.members))
+        totals = {(p.bay, p.floor): BeamShare() for p in self.beams}
         for name, factor in factors.items():
-            total -= factor * on_members(self.space, self.space.cases[name])[:, 2]
-        numbers = {member.name: i for i, member in enumerate(self.space.members)}
-        widths = self.building.widths(self.along)
-        return {
-            (p.bay, p.floor): float(sum(total[numbers[name]] for name in self.building.layout.beam_members(p)))
-            / widths[p.bay - 1]
-            for p in self.beams
-        }
+            of_case = self._loads_of_case(name)
+            totals = {place: total.plus(of_case[place], factor) for place, total in totals.items()}
+        return totals
+
+    def _loads_of_case(self, case: str) -> dict[tuple[int, int], BeamShare]:
+        """The loads of a case on its beams; two halves of a beam are one, with what stands at the node between."""
+        space, of = self.space, self.space.cases[case]
+        numbers = {member.name: i for i, member in enumerate(space.members)}
+        nodes = {name: i for i, name in enumerate(space.node_names)}
+        found = {}
+        for place in self.beams:
+            members = members_of(place, numbers)
+            points = [
+                ((k + float(of.point_position[i])) / len(members), -float(of.point_force[i, 2]))
+                for k, member in enumerate(members)
+                for i in np.flatnonzero(of.point_member == member)
+            ]
+            if len(members) == 2:
+                points.append((0.5, -float(of.nodal[nodes[str(place)], 2])))
+            uniform = -float(of.uniform[members[0], 2])
+            found[place.bay, place.floor] = BeamShare().plus(BeamShare(uniform, tuple(points)), 1.0)
+        return found
 
     def node_load(self, factors: Mapping[str, float]) -> AtNodes:
         """Return what other members bring to the nodes of the frame above the base, N, downwards.
@@ -113,7 +128,8 @@ class PlaneFrame:
             factors: see `beam_load`.
         """
         own = {name for place in self.beams for name in self.building.layout.beam_members(place)}
-        return self._carried(factors, np.array([member.name in own for member in self.space.members]))
+        middles = np.array([name in {str(place) for place in self.beams} for name in self.space.node_names])
+        return self._carried(factors, np.array([member.name in own for member in self.space.members]), middles)
 
     def weight(self, factors: Mapping[str, float]) -> AtNodes:
         """Return what the nodes of the frame above the base carry of all members, N, downwards.
@@ -121,16 +137,22 @@ class PlaneFrame:
         Args:
             factors: see `beam_load`.
         """
-        return self._carried(factors, None)
+        return self._carried(factors)
 
     def node_mass(self) -> AtNodes:
         """Return the mass at each of its nodes above the base, kg."""
         return self._at_nodes(self.space.node_mass)
 
-    def _carried(self, factors: Mapping[str, float], but: np.ndarray | None) -> AtNodes:
+    def _carried(
+        self, factors: Mapping[str, float], but: np.ndarray | None = None, middles: np.ndarray | None = None
+    ) -> AtNodes:
+        """What nodes carry, but the loads of some members and what stands at the middles of beams."""
         total = np.zeros(len(self.space.node_names))
         for name, factor in factors.items():
-            total -= factor * on_nodes(self.space, self.space.cases[name], but)[:, 2]
+            case = self.space.cases[name]
+            total -= factor * on_nodes(self.space, case, but)[:, 2]
+            if middles is not None:
+                total += factor * np.where(middles, case.nodal[:, 2], 0.0)
         return self._at_nodes(total)
 
     def _at_nodes(self, values: np.ndarray) -> AtNodes:

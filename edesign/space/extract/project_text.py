@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
+from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BracePlace
@@ -17,10 +19,13 @@ from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.extract.study_text import StudyNames, study_blocks
+from edesign.space.structure.area_loads import BeamShare
 from edesign.space.structure.load_cases import PERMANENT, SELF_WEIGHT
 from edesign.space.structure.masses import gravity_factor
 
 _WEAK = "_weak"
+_PARTS = 64
+"""Simple fractions of a length have at most this denominator."""
 LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame, and its elastic material."""
 
@@ -28,7 +33,7 @@ LEANING = "leaning"
 def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
     """Return plane frames as a project file: tributary loads and masses, sections, supports, and first analyses.
 
-    The loads of a beam are spread over its length. Beside a single frame, parallel frames that resist nothing
+    The loads of a beam act where they do in the building. Beside a single frame, parallel frames that resist nothing
     stand as one more line of pin-ended columns, tied by the diaphragms, with their share of mass and load.
 
     Args:
@@ -41,6 +46,19 @@ def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
     row.check()
     text = "\n".join(_ProjectText(row).text)
     return text if study is None else f"{text}\n{study_blocks(row, study)}"
+
+
+def left_out(building: Building) -> str:
+    """Return what a building has that frames taken out of it do not have: `dampers, isolators`; empty for nothing.
+
+    Args:
+        building: from `load_building`.
+    """
+    of = building.dampers
+    if of is None:
+        return ""
+    has = {"dampers": of.devices, "tuned masses": of.attachments, "isolators": of.isolation}
+    return ", ".join(name for name, there in has.items() if there)
 
 
 class _ProjectText:
@@ -85,7 +103,9 @@ class _ProjectText:
                 if row.alone is not None
                 else f"# Lines {first} to {last} are frame {frame.name}."
             )
-        text.append("# Beams carry the mean of their loads over their length, nodes what beams at right angles bring.")
+        text.append("# Beams carry their loads where these act, nodes what beams at right angles bring.")
+        if without := left_out(self.building):
+            text.append(f"# The building has {without} too, which are not in this file.")
         text += self._leaning_text() if row.alone is not None and self.shares else []
         if any(not run.in_compression for frame in row.frames for run in frame.braces.values()):
             text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")
@@ -260,11 +280,12 @@ class _ProjectText:
         beams_G = self.row.merged(lambda frame: frame.beam_load(G))
         beams_Q = self.row.merged(lambda frame: frame.beam_load(Q))
         nodes_G, nodes_Q = self._node_load(G), self._node_load(Q)
-        beams = {place: (_kilo(load), _kilo(beams_Q.get(place, 0.0))) for place, load in beams_G.items()}
+        beams = {place: _on_beam(load, beams_Q[place]) for place, load in beams_G.items()}
         nodes = {node: (_kilo(load), _kilo(nodes_Q.get(node, 0.0))) for node, load in nodes_G.items()}
         text = ["loads:", "  beams:" if beams else "  beams: []"]
-        for at, floors, (own, live) in runs(beams, self.bays, self.storeys, str):
-            text.append(f"    - {{bays: {at}, floors: {floors}, G: {value(own, 'kN/m')}, Q: {value(live, 'kN/m')}}}")
+        for at, floors, (own, live, points) in runs(beams, self.bays, self.storeys, str):
+            along = f"G: {value(own, 'kN/m')}, Q: {value(live, 'kN/m')}"
+            text.append(f"    - {{bays: {at}, floors: {floors}, {along}{points}}}")
         text.append("  nodes:")
         for at, floors, (own, live) in runs(nodes, self.lines, self.storeys, line_name):
             text.append(f"    - {{lines: {at}, floors: {floors}, G: {value(own, 'kN')}, Q: {value(live, 'kN')}}}")
@@ -311,6 +332,27 @@ class _ProjectText:
             text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")
             text.append("  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}")
         return [*text, ""]
+
+
+def _on_beam(own: BeamShare, live: BeamShare) -> tuple[float, float, str]:
+    """Uniform G and Q of a beam, kN/m, and its forces as a file writes them: `, points: [{at: [1/3, 2/3], G: ...}]`."""
+    forces: dict[tuple[float, float], list[str]] = {}
+    of_own, of_live = dict(own.points), dict(live.points)
+    for place in sorted({*of_own, *of_live}):
+        both = _kilo(of_own.get(place, 0.0)), _kilo(of_live.get(place, 0.0))
+        forces.setdefault(both, []).append(_share(place))
+    texts = (
+        f"{{at: [{', '.join(places)}], G: {value(of_G, 'kN')}, Q: {value(of_Q, 'kN')}}}"
+        for (of_G, of_Q), places in forces.items()
+    )
+    points = f", points: [{', '.join(texts)}]" if forces else ""
+    return _kilo(own.uniform), _kilo(live.uniform), points
+
+
+def _share(place: float) -> str:
+    """A share of the length: `1/3` where a simple fraction is the share, else six digits."""
+    simple = Fraction(place).limit_denominator(_PARTS)
+    return str(simple) if abs(float(simple) - place) < 1e-9 else f"{place:.6g}"
 
 
 def _rectangles(parts: Sequence[tuple[float, float, float]]) -> str:

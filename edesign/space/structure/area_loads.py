@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 Span = Literal["x", "y", "two_way"]
+_DIGITS = 12  # places that differ by less are one
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,20 @@ class BeamShare:
             length: m.
         """
         return self.uniform * length + sum(force for _, force in self.points)
+
+    def plus(self, other: BeamShare, factor: float) -> BeamShare:
+        """Return the sum with another share times a factor; forces at one place add up, forces of zero are left out.
+
+        Args:
+            other: on the same beam.
+        """
+        points: dict[float, float] = {}
+        for position, force in (*self.points, *((at, factor * force) for at, force in other.points)):
+            place = round(position, _DIGITS)
+            points[place] = points.get(place, 0.0) + force
+        return BeamShare(
+            self.uniform + factor * other.uniform, tuple((at, force) for at, force in sorted(points.items()) if force)
+        )
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from edesign.project.building import Building
 from edesign.project.frame.hinges import HingeValues
 from edesign.project.notation.names import node_name
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.space.extract import frame_row, project_text
+from edesign.space.extract import frame_row, left_out, project_text
 from edesign.space.extract.selections import runs
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.masses import gravity_factor
@@ -46,17 +46,52 @@ def test_the_interior_frame_of_the_thesis(thesis: Building) -> None:
     node more: what two secondary beams a bay weigh (about 36 kg/m), which Table 5.1 does not have.
     """
     project = extracted(thesis, "X2")
-    assert beam_loads(project, Q)["B_2_3"].uniform == pytest.approx(9.6e3, rel=DIGITS)
-    assert beam_loads(project, G)["B_2_3"].uniform == pytest.approx(22.36e3, rel=1e-3)  # mass of tables: three digits
+    mean_Q, mean_G = (beam_loads(project, factors)["B_2_3"].total(7.2) / 7.2 for factors in (Q, G))
+    assert mean_Q == pytest.approx(9.6e3, rel=DIGITS)
+    assert mean_G == pytest.approx(22.36e3, rel=1e-3)  # mass of tables: three digits
     mass = node_masses(project)["C3"]
     members = 7.2 * (77.6 + 57.1) + 3.5 * 171.1
     assert mass == pytest.approx(51.84e3 * 5.1 / STANDARD_GRAVITY + members, rel=1e-3)
     secondary = 2.0 * 7.2 * 36.1  # IPE270
     assert mass + secondary == pytest.approx(29.5e3, rel=0.02)
-    assert beam_loads(project, G)["B_2_3"].uniform + 2.0 * 36.1 * STANDARD_GRAVITY == pytest.approx(23e3, rel=0.02)
+    assert mean_G + 2.0 * 36.1 * STANDARD_GRAVITY == pytest.approx(23e3, rel=0.02)
     assert project.frame.column_at["E", 6].section == "HEB360"
     assert project.frame.released == {f"B_2_{floor}": (True, True) for floor in range(1, 11)}
     assert project.hazard is not None and list(project.hazard.levels) == ["DBE"]
+
+
+def test_loads_of_secondary_beams_act_at_their_places(thesis: Building) -> None:
+    """Two bring 4.5 and 2 kN/m2 of 2.4 m by 7.2 m each to the third points; along the beam there is its weight."""
+    project = extracted(thesis, "X2")
+    for factors, load in ((G, 4.5e3), (Q, 2.0e3)):
+        (first, second) = beam_loads(project, factors)["B_2_3"].points
+        assert first == pytest.approx((1.0 / 3.0, load * 2.4 * 7.2), rel=DIGITS)
+        assert second == pytest.approx((2.0 / 3.0, load * 2.4 * 7.2), rel=DIGITS)
+    assert beam_loads(project, G)["B_2_3"].uniform == pytest.approx(77.6 * STANDARD_GRAVITY, rel=1e-3)
+
+
+def test_loads_of_a_beam_in_two_halves_act_at_their_places() -> None:
+    """Chevrons halve the beam of 5 m: 8 kN at 1 m, in the middle and at 4 m are at 0.4, 1.0 and 0.6 of the halves."""
+    loaded = (
+        "  self_weight: false\n  beams: [{along: y, frames: A, floors: 1, points: [{at: [1 m, 50 %, 4 m], G: 8 kN}]}]"
+    )
+    chevrons = SMALL.replace("kind: cross", "kind: chevron").replace("concentric_diagonal", "concentric_v")
+    whole = building(chevrons, ("  areas:", f"{loaded}\n  areas:"))
+    project = extracted(whole, "YA")
+    points = {name: load.points for name, load in beam_loads(project, G).items() if load.points}
+    whole_beam, halves = points.pop("B_2_1"), [points[name] for name in sorted(points)]
+    assert [at for at, _ in whole_beam] == pytest.approx([0.2, 0.5, 0.8], rel=DIGITS)
+    assert [at for half in halves for at, _ in half] == pytest.approx([0.4, 1.0, 0.6], rel=DIGITS)
+    assert all(force == pytest.approx(8e3, rel=DIGITS) for half in (whole_beam, *halves) for _, force in half)
+    # beams along x carry nothing, so that the node has no load if the force in the middle counts once
+    assert node_loads(project, G).get("A1", 0.0) == pytest.approx(0.0, abs=1.0)
+
+
+def test_dampers_of_the_building_stay_behind() -> None:
+    whole = building(DAMPED)
+    assert left_out(whole) == "dampers, tuned masses" and left_out(building(SMALL)) == ""
+    text = project_text(frame_row(whole, space_frame(whole), "X2"))
+    assert "# The building has dampers, tuned masses too, which are not in this file." in text
 
 
 def test_frames_along_x_make_the_building(thesis: Building) -> None:
