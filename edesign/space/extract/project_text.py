@@ -105,16 +105,11 @@ class _ProjectText:
             )
         text.append("# Beams carry their loads where these act, nodes what beams at right angles bring.")
         if without := left_out(self.building):
-            text.append(f"# The building has {without} too, which are not in this file.")
+            stands = "The frame stands on its supports. " if self.building.isolation is not None else ""
+            text.append(f"# {stands}The building has {without} too, which are not in this file.")
         text += self._leaning_text() if row.alone is not None and self.shares else []
         if any(not run.in_compression for frame in row.frames for run in frame.braces.values()):
             text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")
-        if self.building.isolation is not None:
-            text.append(
-                "# The frame stands on its supports: isolators and dampers of the building are not in this file."
-            )
-        elif self.building.dampers is not None:
-            text.append("# Dampers and tuned masses of the building are not in this file.")
         return [*text, "", "edesign: 1", f"title: {yaml_text(f'{self.building.title}, {row.name}')}", ""]
 
     def _leaning_text(self) -> list[str]:

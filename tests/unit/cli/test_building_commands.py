@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from building_examples import SMALL
+from building_examples import DAMPED, SMALL
 from support.messages import says
 
 from edesign.cli.main import main
@@ -65,6 +65,14 @@ def test_extract_writes_a_project_that_runs(path: Path, capsys: pytest.CaptureFi
     assert capsys.readouterr().out.splitlines()[-1] == "ok"
     assert main(["run", "frame.yaml", "--quiet"]) == 0
     assert Path("frame.h5").exists()
+
+
+def test_extract_says_which_devices_stay_behind(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path.write_text(DAMPED, encoding="utf-8")
+    assert main(["extract", "building.yaml", "--frame", "x2", "--output", "frame.yaml"]) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert said[0] == "note: the building has dampers, tuned masses too, which frame.yaml does not have"
+    assert said[1].startswith("frame.yaml written. ")
 
 
 def test_extract_replaces_its_own_file_only(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
