@@ -167,6 +167,7 @@ SPACES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SPACES)
 def test_least_cost_is_that_of_brute_force(name: str, tmp_path: Path) -> None:
     """For limits all over the range of the drifts, with torsion by which some dampers do harm."""
@@ -199,6 +200,7 @@ def test_least_cost_is_that_of_brute_force(name: str, tmp_path: Path) -> None:
 # --- a turned building
 
 
+@pytest.mark.slow
 def test_a_turned_building_gets_the_turned_layout(tmp_path: Path) -> None:
     """Under pairs turned with it, masses in place and beside it; 1e-6 of the demand, as histories yield."""
     item = "catalogue: {i1: {law: linear, scale: 150, cost: 1}, i2: {law: linear, scale: 300, cost: 1.7}}"
@@ -311,6 +313,7 @@ def edge_drifts(coefficients: np.ndarray) -> np.ndarray:
     return largest
 
 
+@pytest.mark.slow
 def test_a_fine_catalogue_comes_near_the_continuous_optimum(tmp_path: Path) -> None:
     """The least sum of dashpots at the edges of a torsionally coupled storey with drifts of the edges up to a limit.
 
