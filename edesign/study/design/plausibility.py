@@ -43,7 +43,7 @@ def beyond_the_optimum(damping: Callable[[float], float], what: str) -> Iterator
 
 
 def shared_mode(frame: CondensedFrame, bare: LinearModes) -> Iterator[str]:
-    """Say so if modes of a building share the mass along the direction of a design, which is for the one of them.
+    """Say so if modes of a building share the mass along the direction of a design, whose target is of one of them.
 
     Args:
         bare: modes without dampers.
@@ -56,7 +56,7 @@ def shared_mode(frame: CondensedFrame, bare: LinearModes) -> Iterator[str]:
         yield (
             f"modes {bare.first + 1} and {other + 1} without dampers both move along the direction, with "
             f"{percent(share[bare.first])} and {percent(share[other])} of the mass: torsion or nearly equal periods "
-            "couple them, and the target is of the first named; the table of modes tells the damping of both"
+            "couple them, and the target is of the one that leads with the dampers; the table of modes tells both"
         )
 
 
