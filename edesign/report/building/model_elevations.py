@@ -28,6 +28,7 @@ from edesign.report.model.supports import SIGNS, axes, draw_isolation, footing_w
 from edesign.report.model.words import section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
+_EQUAL = 1.0 - 1e-9  # a square or round column has no weak axis: its I_z is I_y but for rounding
 MOST = 4  # elevations in each direction
 WIDTH = 6.6  # of the legend, inches
 
@@ -136,8 +137,10 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction,
         what = ", those that are compressed do not count" if resting else ""
         entries.append(Entry(f"braces have pinned ends{what}"))
     shapes = {one.section: frame.section(one.section) for one in members}
-    weak = {  # a square or round column has no weak axis
-        one.name for one in members if is_weak(one, along) and shapes[one.section].I_z < 0.999 * shapes[one.section].I_y
+    weak = {
+        one.name
+        for one in members
+        if is_weak(one, along) and shapes[one.section].I_z < _EQUAL * shapes[one.section].I_y
     }
     left_out = list(_sections(sheet, members, ends, weak)) + devices.draw_sizes(sheet)
     entries += drawn
