@@ -9,13 +9,12 @@ from pydantic import Field
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.pushover import (
     BuildingDirections,
-    Eccentric,
     FrameDirections,
     Method,
     Pushover,
     Steps,
 )
-from edesign.project.analysis.shaking import IN_PLACE, Position, Shaking, eccentricity_of
+from edesign.project.analysis.shaking import IN_PLACE, Eccentric, Position, Shaking, eccentricity_of
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.notation.units import (
     Duration,
@@ -195,14 +194,6 @@ class BuildingHistory(Shaking, HistoryAnalysis):
     def position(self) -> Position:
         """Where the masses stand; the only place of a history of a plan."""
         return self.eccentricity[0]
-
-    def eccentricity_with(self, accidental_torsion: float) -> tuple[float, float]:
-        """Return by what shares of the lengths of a floor its masses stand beside their places, along x and y.
-
-        Args:
-            accidental_torsion: of the building, where the history does not say how far.
-        """
-        return super().eccentricity_with(self.eccentricity_ratio or accidental_torsion)
 
 
 Analysis = Annotated[ModalAnalysis | GravityAnalysis | FramePushover | HistoryAnalysis, OneOf("kind")]

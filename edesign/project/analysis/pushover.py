@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.analysis.damping import ModeNumber
-from edesign.project.analysis.shaking import IN_PLACE, EccentricityRatio, Positions
+from edesign.project.analysis.shaking import Eccentric
 from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.units import Factor, PositiveRatio, PushedDrift
 from edesign.project.notation.written import Written, one_or_list
@@ -112,20 +112,6 @@ class Pushover(Model):
     def sign(self) -> float:
         """1 if it is pushed to the right or along the axis in its first direction, -1 if against it."""
         return WAYS[self.directions[0]][1]
-
-
-class Eccentric(Model):
-    """Accidental eccentricity of the lateral loads of a building.
-
-    Attributes:
-        eccentricity: where the masses of rigid floors stand, on which the loads act: `0` in place, `+x-y` beside it
-            towards x and against y; a list stands for several pushovers.
-        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`,
-            and 5 % without a design.
-    """
-
-    eccentricity: Positions = (IN_PLACE,)
-    eccentricity_ratio: EccentricityRatio = None
 
 
 class Pushovers(Pushover, Eccentric):

@@ -30,23 +30,6 @@ Positions = Annotated[
 EccentricityRatio = PositiveRatio | None
 
 
-class Shaking(Model):
-    """How records act on a building.
-
-    Attributes:
-        angles: of a building, angles by which each record is turned from x towards y, a pair from x and y; a history
-            becomes one of each.
-        eccentricity: of a building, where the masses of rigid floors stand: `0` in place, `+x-y` beside it towards x
-            and against y; a history becomes one of each.
-        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`
-            of the building, and 5 % without a design.
-    """
-
-    angles: Angles = (0.0,)
-    eccentricity: Positions = (IN_PLACE,)
-    eccentricity_ratio: EccentricityRatio = None
-
-
 def eccentricity_of(position: str, ratio: float) -> tuple[float, float]:
     """Return by what shares of the lengths of a floor its masses stand beside their places, along x and y.
 
@@ -55,3 +38,36 @@ def eccentricity_of(position: str, ratio: float) -> tuple[float, float]:
     """
     signs = {position[i + 1]: 1.0 if position[i] == "+" else -1.0 for i in range(0, len(position) - 1, 2)}
     return ratio * signs.get("x", 0.0), ratio * signs.get("y", 0.0)
+
+
+class Eccentric(Model):
+    """Accidental eccentricity of a building.
+
+    Attributes:
+        eccentricity: of a building, where the masses of rigid floors stand, on which lateral loads act: `0` in place,
+            `+x-y` beside it towards x and against y; a list stands for several analyses.
+        eccentricity_ratio: how far beside it over the length of the floor; without the key `design.accidental_torsion`
+            of the building, and 5 % without a design.
+    """
+
+    eccentricity: Positions = (IN_PLACE,)
+    eccentricity_ratio: EccentricityRatio = None
+
+    def eccentricity_with(self, accidental_torsion: float) -> tuple[float, float]:
+        """Return by what shares of the lengths of a floor its masses stand beside their places, along x and y.
+
+        Args:
+            accidental_torsion: of the building, where nothing here says how far.
+        """
+        return eccentricity_of(self.eccentricity[0], self.eccentricity_ratio or accidental_torsion)
+
+
+class Shaking(Eccentric):
+    """How records act on a building.
+
+    Attributes:
+        angles: of a building, angles by which each record is turned from x towards y, a pair from x and y; a history
+            becomes one of each.
+    """
+
+    angles: Angles = (0.0,)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import get_args
 
-from edesign.project.analysis.pushover import BuildingDirections, Eccentric, FrameDirections, Pushovers
+from edesign.project.analysis.pushover import BuildingDirections, FrameDirections, Pushovers
+from edesign.project.analysis.shaking import Eccentric
 from edesign.project.building.building import Building
 from edesign.project.building.checks_analyses import check_positions
 from edesign.project.building.checks_dampers import check_bays

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -12,7 +13,6 @@ from edesign.errors import AnalysisError
 from edesign.frame.frame_model import FrameModel
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
-from edesign.project.analysis.shaking import Position, eccentricity_of
 from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.leading_mode import clusters, leading_mode
 from edesign.study.analysis.structure import Structure, frame_alone
@@ -87,7 +87,7 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
 
 
 def eccentric_moments(
-    frame: FrameModel, loads: Mapping[str, float], position: Position, ratio: float, direction: int
+    frame: FrameModel, loads: Mapping[str, float], eccentricity: tuple[float, float], direction: int
 ) -> dict[str, float]:
     """Return the moments about the vertical of loads that act where accidental eccentricity puts the masses, N m.
 
@@ -95,15 +95,14 @@ def eccentric_moments(
 
     Args:
         loads: on the nodes by name, N; those of rigid floors at their centres of mass.
-        position: where the masses are displaced to.
-        ratio: eccentricity over the dimension of the floor at right angles to the loads.
+        eccentricity: by what shares of the dimensions of a floor the masses are displaced along x and y.
         direction: index of that in which the loads act.
 
     Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3, and 4.3.3.4.2.2(2)P.
     """
     across = 1 - direction
-    side = eccentricity_of(position, 1.0)[across]
-    if side == 0.0:
+    share = eccentricity[across]
+    if share == 0.0:
         return {}
     found = {}
     for floor in frame.floors:
@@ -111,7 +110,7 @@ def eccentric_moments(
             name = frame.model.node_names[node]
             if name in loads:
                 length = float(np.ptp([frame.places[one][across] for one in floor.nodes]))
-                arm = side * float(accidental_eccentricity(length, ratio))
+                arm = math.copysign(float(accidental_eccentricity(length, abs(share))), share)
                 found[name] = (-arm if direction == 0 else arm) * loads[name]
     return found
 

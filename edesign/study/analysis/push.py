@@ -11,8 +11,8 @@ from edesign.archive.dataset import Group
 from edesign.core import Response
 from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
-from edesign.project.analysis.pushover import Eccentric, Pushover, pattern_name
-from edesign.project.analysis.shaking import eccentricity_of
+from edesign.project.analysis.pushover import Pushover, pattern_name
+from edesign.project.analysis.shaking import Eccentric
 from edesign.project.analysis_file import AnalysisFile
 from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.buckling import buckling_warnings
@@ -234,20 +234,12 @@ def load_moments(
         loads: on the nodes by name, N.
         direction: index of that in which they act.
     """
-    if not isinstance(spec, Eccentric):
-        return {}
-    ratio = _ratio(project, spec)
-    return eccentric_moments(frame, loads, spec.eccentricity[0], ratio, direction)
-
-
-def _ratio(project: AnalysisFile, spec: Eccentric) -> float:
-    return spec.eccentricity_ratio if spec.eccentricity_ratio is not None else project.accidental_torsion
+    return eccentric_moments(frame, loads, _eccentricity(project, spec), direction)
 
 
 def _eccentricity(project: AnalysisFile, spec: Pushover) -> tuple[float, float]:
-    if not isinstance(spec, Eccentric):
-        return IN_PLACE
-    return eccentricity_of(spec.eccentricity[0], _ratio(project, spec))
+    """By what shares of the lengths of a floor its loads stand beside the centres of mass; none of a plane frame."""
+    return spec.eccentricity_with(project.accidental_torsion) if isinstance(spec, Eccentric) else IN_PLACE
 
 
 def _of_direction(values: np.ndarray, direction: int, dims: int) -> np.ndarray:

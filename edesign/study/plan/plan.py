@@ -19,8 +19,8 @@ from edesign.project.analysis.analyses import (
     PushoverAnalysis,
     TargetAnalysis,
 )
-from edesign.project.analysis.pushover import Eccentric, pattern_name
-from edesign.project.analysis.shaking import Position
+from edesign.project.analysis.pushover import pattern_name
+from edesign.project.analysis.shaking import Eccentric, Position
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.pairs import SuitePairs

@@ -17,8 +17,8 @@ from edesign.project.analysis.analyses import (
     ModalAnalysis,
     PushoverAnalysis,
 )
-from edesign.project.analysis.pushover import Eccentric, Pushover, Pushovers
-from edesign.project.analysis.shaking import Shaking
+from edesign.project.analysis.pushover import Pushover, Pushovers
+from edesign.project.analysis.shaking import Eccentric, Shaking
 from edesign.project.reading.problems import keys_text, unknown_name
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
