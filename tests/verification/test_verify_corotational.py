@@ -1,4 +1,4 @@
-"""Large rotations: cantilever bent to a circle, elastica under a tip force, von Mises truss, Lee's frame."""
+"""Large rotations: cantilever bent to a circle, elastica under a tip force, von Mises truss, Lee's frame, pendulum."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from verification.structures import Structure, cantilever, channel, line
 
-from edesign.core import Analysis, Elastic, Model
+from edesign.core import Analysis, Bilinear, Elastic, Model, MultilinearSpring
 
 L, EI = 10.0, 2e6
 EA = 1e3 * EI / L**2 * 12  # slender as a rod of depth L/30
@@ -222,3 +222,67 @@ def test_frames_roll_up_in_any_plane() -> None:
     moved = np.array([r.final[str(d)] for d in range(3)])
     plane = [expected.final["0"], expected.final["1"], 0.0]
     np.testing.assert_allclose([along @ moved, up @ moved, about @ moved], plane, rtol=0, atol=1e-9 * L)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("axial", [-14e3, 30e3])
+def test_pendulum_with_loads_inside(axial: float, dimension: int) -> None:
+    """A stiff bar on a spring k under loads p along it and q across it, which keep their direction: its angle has
+    k a = L^2 / 2 (q cos a - p sin a). 1e-6: the bar is 1e8 times as stiff as the spring, and loads are 1e2 times k."""
+    k, across = 1e6, 40e3
+    a = brentq(lambda a: k * a - 0.5 * L**2 * (across * np.cos(a) - axial * np.sin(a)), 0.0, 3.0)
+    assert 0.6 < a < 1.8
+    m = Model(dimension)
+    space = dimension == 3
+    section = m.elastic_section(1e8 * k / L, 1e8 * k * L, *((1e8 * k * L, 1e8 * k * L) if space else ()))
+    ground, base, tip = m.node("ground", 0, 0), m.node("base", 0, 0), m.node("tip", L, 0)
+    out = {"uz": True, "rx": True, "ry": True} if space else {}
+    m.fix(ground, True, True, True, **out)
+    m.fix(base, True, True, False, **out)
+    turn = 5 if space else 2
+    terms = np.zeros(2 * turn + 2)
+    terms[[turn, -1]] = -1.0, 1.0
+    m.spring("foot", ground, base, terms.tolist(), MultilinearSpring.bilinear(k, None))
+    web = {"web": (0.0, 0.0, 1.0)} if space else {}
+    bar = m.beam_column("bar", base, tip, section, geometry="corotational", **web)
+    g = m.pattern()
+    m.uniform_load(g, bar, axial, across)
+    r = Analysis(m, tolerance=1e-10).static(g, steps=10, channels=[channel("displacement", base, turn, "a")])
+    assert r.status == "completed", r.reason
+    assert r.final["a"] == pytest.approx(a, rel=1e-6)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("arm", [0.0, 0.3])
+def test_energy_of_loads_inside(arm: float, dimension: int) -> None:
+    """A loaded fibre cantilever that yields and drifts by 15 %: the balance converges by the square of the step.
+
+    8: a quarter of the step makes 16, but for the places in their steps where fibres begin to yield.
+    """
+
+    def error(dt: float) -> float:
+        m = Model(dimension)
+        steel, space = m.material(Bilinear(2.1e11, 235e6, 0.01)), dimension == 3
+        side = (np.arange(12) + 0.5) / 12 * 0.3 - 0.15
+        y, z = (at.ravel() for at in np.meshgrid(side, side)) if space else (side, None)
+        section = m.fibre_section(y, np.full(y.size, 1.5e-2 / y.size), steel, z=z, **({"GJ": 4e6} if space else {}))
+        foot, top = m.node("foot", 0, 0), m.node("top", 0, *((0, 6) if space else (6,)))
+        m.fix(foot, True, True, True, **({"uz": True, "rx": True, "ry": True} if space else {}))
+        web = {"web": (1.0, 0.0, 0.0)} if space else {}
+        column = m.beam_column("column", foot, top, section, 5, "corotational", **web)
+        m.rigid_ends(column, arm, arm)
+        m.mass(top, 9e3, 9e3, **({"mz": 9e3} if space else {}))
+        g = m.pattern()
+        m.uniform_load(g, column, -3e4, 2e3, *((1e3,) if space else ()))
+        m.point_load(g, column, 0.6, -5e4)
+        a = Analysis(m, tolerance=1e-12, element_tolerance=1e-24)
+        assert a.static(g, steps=2).status == "completed"
+        t = np.arange(round(2.0 / dt) + 1) * dt
+        ground = 9.0 * np.sin(5.0 * t) * (t < 1.2)
+        r = a.history(ground, dt, along_y=0.6 * ground if space else None)
+        assert r.status == "completed", r.reason
+        return float(np.abs(r.energy["residual"]).max() / np.abs(r.energy["input"]).max())
+
+    fine = error(0.0025)
+    assert fine < 1e-4
+    assert fine < error(0.01) / 8.0

@@ -280,6 +280,12 @@ void ed_corotational_kinematics_3d(const ed_element *e, const double *d, ed_kine
   k->twist = strain[5].value;
 }
 
+/* Of force k along the chord, about its axes, or of the twist; along the chord with the mean of axial loads inside (geometry.c). */
+static double force_of(const ed_element *e, const double *q, int k, double strain)
+{
+  return k == ED_MAX_BASIC ? e->twist_stiffness * strain : k == 0 ? q[0] + e->mean_axial : q[k];
+}
+
 /* What acts along the variables, on the degrees of both ends: u_j - u_i, r_i, r_j. */
 static void on_degrees(const double *along, double *force)
 {
@@ -304,7 +310,7 @@ void ed_corotational_forces_3d(const ed_element *e, const double *d, const doubl
     jet strain[STRAINS];
     deform(e, d, strain, 1);
     for (int k = 0; k < STRAINS; k++) {
-      const double of = k < ED_MAX_BASIC ? q[k] : e->twist_stiffness * strain[k].value;
+      const double of = force_of(e, q, k, strain[k].value);
       for (int i = 0; i < VARIABLES; i++)
         along[i] += of * strain[k].first[i];
     }
@@ -328,7 +334,7 @@ static void tangent_along(const ed_element *e, const double *d, const double *bl
   jet strain[STRAINS];
   deform(e, d, strain, 2);
   for (int k = 0; k < STRAINS; k++) {
-    const double of = k < ED_MAX_BASIC ? q[k] : e->twist_stiffness * strain[k].value;
+    const double of = force_of(e, q, k, strain[k].value);
     double slope[VARIABLES] = {0}; /* of this force by the variables */
     for (int m = 0; m < ED_MAX_BASIC && k < ED_MAX_BASIC; m++)
       for (int i = 0; i < VARIABLES; i++)

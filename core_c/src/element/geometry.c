@@ -1,4 +1,9 @@
-/* Small rotations (linear and P-Delta) and exact corotational kinematics of a plane member (Crisfield 1991, 7.3). */
+/* Small rotations (linear and P-Delta) and exact corotational kinematics of a plane member (Crisfield 1991, 7.3).
+ *
+ * Loads inside keep their direction while the chord turns. Their work on a straight member is that of their mean on the mean of both ends,
+ * and the basic system, which holds axial loads at i, lacks mean_axial times what the ends come together along the first direction. So
+ * mean_axial pulls along the chord as q[0] does, and against it along the first direction: forces with the potential mean_axial (l - along),
+ * about each end the moment of the loads. */
 #include "element/element.h"
 
 #include <math.h>
@@ -78,19 +83,18 @@ void ed_face_forces(const ed_element *e, const double *d, const double *block, d
   force[3] = k.c * q[0] - k.s * fy_j;
   force[4] = k.s * q[0] + k.c * fy_j;
   force[5] = q[2];
-  /* element loads keep their direction; with the chord turned, lateral forces at the ends balance their moment */
+  /* element loads keep their direction */
   force[0] += e->c * e->end_load[0] - e->s * e->end_load[1];
   force[1] += e->s * e->end_load[0] + e->c * e->end_load[1];
   force[3] += -e->s * e->end_load[2];
   force[4] += e->c * e->end_load[2];
   if (e->geometry != ED_COROTATIONAL || e->mean_axial == 0.0)
     return;
-  const double dx = d[3] - d[0], dy = d[4] - d[1];
-  const double couple = e->mean_axial * k.drift[0] / (e->length + e->c * dx + e->s * dy);
-  force[0] += e->s * couple;
-  force[1] -= e->c * couple;
-  force[3] -= e->s * couple;
-  force[4] += e->c * couple;
+  const double x = e->mean_axial * (k.c - e->c), y = e->mean_axial * (k.s - e->s);
+  force[0] -= x;
+  force[1] -= y;
+  force[3] += x;
+  force[4] += y;
 }
 
 void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)
@@ -125,22 +129,13 @@ void ed_face_tangent(const ed_element *e, const double *d, const double *block, 
   const double A = kb[0];
   double B = -(kb[1] + kb[2]) / l;
   double G = (kb[3] + 2.0 * kb[4] + kb[5]) / (l * l);
-  if (e->geometry == ED_P_DELTA)
+  if (e->geometry != ED_LINEAR)
     G += (q[0] + e->mean_axial) / l;
-  else if (e->geometry == ED_COROTATIONAL)
-    G += q[0] / l;
   if (e->geometry == ED_COROTATIONAL)
     B += (q[1] + q[2]) / (l * l);
-  double xx = A * ax * ax + 2.0 * B * ax * tx + G * tx * tx;
-  double xy = A * ax * ay + B * (ax * ty + ay * tx) + G * tx * ty;
-  double yy = A * ay * ay + 2.0 * B * ay * ty + G * ty * ty;
-  if (e->geometry == ED_COROTATIONAL && e->mean_axial != 0.0) {
-    /* the couple of axial loads, across the undeformed axis */
-    const double across = e->mean_axial / (e->length + e->c * (d[3] - d[0]) + e->s * (d[4] - d[1]));
-    xx += across * e->s * e->s;
-    xy -= across * e->s * e->c;
-    yy += across * e->c * e->c;
-  }
+  const double xx = A * ax * ax + 2.0 * B * ax * tx + G * tx * tx;
+  const double xy = A * ax * ay + B * (ax * ty + ay * tx) + G * tx * ty;
+  const double yy = A * ay * ay + 2.0 * B * ay * ty + G * ty * ty;
   const double gi = (kb[3] + kb[4]) / l, gj = (kb[4] + kb[5]) / l;
   const double ix = kb[1] * ax - gi * tx, iy = kb[1] * ay - gi * ty;
   const double jx = kb[2] * ax - gj * tx, jy = kb[2] * ay - gj * ty;

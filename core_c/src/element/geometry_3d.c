@@ -1,4 +1,4 @@
-/* Members in space: small rotations, linear and P-Delta; of finite ones (corotational_3d.c) what loads add. Rows of the basic system over the
+/* Members in space: small rotations, linear and P-Delta; of finite ones (corotational_3d.c) what loads add at the ends. Rows of the basic system over the
  * displacements u and rotations r of its ends, with the local axes x, y, z and the length L:
  *     elongation         x (u_j - u_i)
  *     rotation about z   z r - y (u_j - u_i) / L     at i, at j
@@ -43,16 +43,6 @@ static void add_global(const ed_element *e, const double *local, double factor, 
     global[i] += factor * (e->axis[0][i] * local[0] + e->axis[1][i] * local[1] + e->axis[2][i] * local[2]);
 }
 
-/* Loads keep their direction: with the chord turned, forces at the ends balance the moment of the axial ones. The return is such a force over
- * the drift. */
-static double couple_of_loads(const ed_element *e, const double *d, double drift[3])
-{
-  const double apart[3] = {d[U_J] - d[U_I], d[U_J + 1] - d[U_I + 1], d[U_J + 2] - d[U_I + 2]}, along = dot(e->axis[0], apart);
-  for (int i = 0; i < 3; i++)
-    drift[i] = apart[i] - along * e->axis[0][i];
-  return e->mean_axial / (e->length + along);
-}
-
 void ed_face_forces_3d(const ed_element *e, const double *d, const double *block, double *force)
 {
   if (e->kind == ED_SPRING) {
@@ -61,16 +51,12 @@ void ed_face_forces_3d(const ed_element *e, const double *d, const double *block
     return;
   }
   memset(force, 0, ED_MAX_DEGREES * sizeof *force);
-  add_global(e, (double[3]){e->end_load[0], e->end_load[1], e->end_load[3]}, 1.0, force + U_I);
-  add_global(e, (double[3]){0.0, e->end_load[2], e->end_load[4]}, 1.0, force + U_J);
+  /* loads keep their direction; the mean of axial ones along the turned chord is that of geometry.c */
+  const double turned = e->geometry == ED_COROTATIONAL ? e->mean_axial : 0.0;
+  add_global(e, (double[3]){e->end_load[0] + turned, e->end_load[1], e->end_load[3]}, 1.0, force + U_I);
+  add_global(e, (double[3]){-turned, e->end_load[2], e->end_load[4]}, 1.0, force + U_J);
   if (e->geometry == ED_COROTATIONAL) {
     ed_corotational_forces_3d(e, d, block, force);
-    double drift[3];
-    const double couple = couple_of_loads(e, d, drift);
-    for (int i = 0; i < 3; i++) {
-      force[U_I + i] -= couple * drift[i];
-      force[U_J + i] += couple * drift[i];
-    }
     return;
   }
   ed_kinematics k;
@@ -123,12 +109,7 @@ void ed_face_tangent_3d(const ed_element *e, const double *d, const double *bloc
     return;
   }
   if (e->geometry == ED_COROTATIONAL) {
-    double drift[3];
-    const double couple = couple_of_loads(e, d, drift), across[3][3] = {{0.0, 0.0, 0.0}, {0.0, couple, 0.0}, {0.0, 0.0, couple}};
     memset(t, 0, ED_MAX_DEGREES * ED_MAX_DEGREES * sizeof *t);
-    set_block(e, across, U_I, U_I, t);
-    set_block(e, across, U_J, U_J, t);
-    negate_block(U_I, U_I, U_I, U_J, t);
     ed_corotational_tangent_3d(e, d, block, t);
     return;
   }

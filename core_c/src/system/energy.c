@@ -107,6 +107,11 @@ ED_INLINE double load_work(const ed_analysis *a, int member, const int axes)
   for (int i = 0; i < ed_basic(axes); i++)
     work -= 0.5 * (e->end_load[i] + before->end_load[i]) * local[i];
   const double *now = a->trial.elements + e->state, *then = a->committed.elements + e->state;
+  if (e->geometry == ED_COROTATIONAL) { /* the potential of geometry.c */
+    const double *j = moved + (axes == ED_PLANE ? 3 : 6);
+    const double at_j = axes == ED_PLANE ? e->c * j[0] + e->s * j[1] : e->axis[0][0] * j[0] + e->axis[0][1] * j[1] + e->axis[0][2] * j[2];
+    work -= 0.5 * (e->mean_axial + before->mean_axial) * (now[ED_BLOCK_V] - then[ED_BLOCK_V] - (at_j - local[0]));
+  }
   const int size = ed_point_size(axes);
   for (int p = 0, k = ed_block_points(axes); p < e->points; p++, k += size) {
     const double *load = e->section_load[p], *was = before->section_load[p];

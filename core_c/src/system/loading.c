@@ -63,6 +63,7 @@ void ed_remember_loads(ed_analysis *a)
     memcpy(loads->end_load, a->members.element[m].end_load, sizeof loads->end_load);
     memcpy(loads->arm_force, a->members.element[m].arm_force, sizeof loads->arm_force);
     memcpy(loads->arm_moment, a->members.element[m].arm_moment, sizeof loads->arm_moment);
+    loads->mean_axial = a->members.element[m].mean_axial;
     memcpy(loads->free_deformation, a->members.element[m].free_deformation, sizeof loads->free_deformation);
   }
 }

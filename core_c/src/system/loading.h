@@ -6,7 +6,7 @@
 
 typedef struct {
   double section_load[ED_MAX_POINTS][ED_MAX_RESULTANTS], end_load[ED_MAX_BASIC], free_deformation[ED_MAX_BASIC];
-  double arm_force[2][3], arm_moment[2][3];
+  double arm_force[2][3], arm_moment[2][3], mean_axial;
 } ed_member_loads;
 
 typedef struct {
