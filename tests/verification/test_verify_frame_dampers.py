@@ -190,3 +190,31 @@ def test_natural_modes_take_the_stiffness_of_dampers():
     analysis = oscillator(LawValues("viscous", (1.0,)))
     assert analysis.modes(1).period[0] == pytest.approx(1.0)
     assert analysis.modes(1, [3.0 * STIFFNESS]).period[0] == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("beam", [False, True])
+def test_masses_on_dampers_alone(beam):
+    """Masses on Kelvin dampers in a constant acceleration, in closed form. Members carry nothing.
+
+    A beam that moves along as a whole, as floors do whose columns are all replaced, has rounding alone in its ends.
+    """
+    omega, zeta, g, dt = 2.0 * np.pi, 0.1, 3.0, 0.005
+    law = LawValues("kelvin_voigt", (MASS * omega**2, 2.0 * zeta * omega * MASS))
+    model = Model()
+    ends = [model.node(name, x, 4.0) for name, x in (("left", 0.0), ("right", 6.0))]
+    for end in ends:
+        ground = model.node(f"under {end}", 6.0 * end, 0.0)
+        model.fix(ground, True, True, True)
+        model.fix(end, False, True, not beam)
+        model.mass(end, MASS)
+        model.damper(f"D{end}", law, ((1.0, end, 0), (-1.0, ground, 0)), carries=True)
+    if beam:
+        model.beam_column("beam", *ends, model.elastic_section(2e9, 1e7))
+    channels = [Channel("u", ((1.0, "displacement", ends[1], 0),))]
+    found = Analysis(model).history(np.full(401, g), dt, channels=channels)
+    assert found.status == "completed", found.reason
+    damped, t = omega * np.sqrt(1.0 - zeta**2), found.time
+    swing = np.cos(damped * t) + zeta * omega / damped * np.sin(damped * t)
+    exact = -g / omega**2 * (1.0 - np.exp(-zeta * omega * t) * swing)
+    error = (omega * dt) ** 2 / 12.0 * omega * t[-1]  # the period elongation of two cycles
+    np.testing.assert_allclose(found.values["u"], exact, rtol=0, atol=error * g / omega**2)

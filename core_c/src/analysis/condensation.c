@@ -174,16 +174,6 @@ static void balance(const ed_analysis *a, double k, condensed *c)
   }
 }
 
-/* Largest share of a damper's force in the unbalance of a degree: as there, moments are divided by the mean length of elements. */
-static double reach(const ed_analysis *a, int i)
-{
-  const ed_device *device = &a->model->devices[i];
-  double most = 0.0;
-  for (int k = 0; k < device->n_terms; k++)
-    most = fmax(most, fabs(device->coefficient[k]) / (ed_is_rotation(a->model, device->degree[k]) ? a->numbering.length : 1.0));
-  return most;
-}
-
 /* Largest unbalance that is left as the forces of a trial are not those of the linear laws. */
 static double left(const ed_analysis *a, const condensed *c)
 {
@@ -193,7 +183,7 @@ static double left(const ed_analysis *a, const condensed *c)
     const int other = a->devices.bearings ? a->model->devices[i].other : -1;
     if (other >= 0)
       linear += c->cross[i] * (c->x[other] - c->at[other]);
-    const double off = reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i) - c->force[i] - linear);
+    const double off = ed_device_reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i) - c->force[i] - linear);
     if (!(off <= largest))
       largest = off;
   }

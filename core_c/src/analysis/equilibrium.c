@@ -64,7 +64,7 @@ ED_INLINE void raise_by_members(const ed_analysis *a, const int forces, const in
   *moment = most_moment;
 }
 
-/* Largest force on a member's end or node, of the accepted steps and of this iterate; iterates that were left do not count. */
+/* Largest force on the end of a member or damper, or a node, of the accepted steps and of this iterate; iterates that were left do not count. */
 void ed_raise_force_level(ed_analysis *a)
 {
   double force, moment;
@@ -77,6 +77,7 @@ void ed_raise_force_level(ed_analysis *a)
     *largest = larger(*largest, fabs(a->loading.external[i]));
   }
   ed_largest_history_force(&a->run, a->numbering.rotational, &force, &moment);
+  force = larger(force, ed_largest_device_force(a)); /* members may carry none */
   a->trial.head->force_level = larger(a->committed.head->force_level, larger(force, moment / a->numbering.length));
 }
 

@@ -280,6 +280,23 @@ void ed_add_device_forces(ed_analysis *a)
   }
 }
 
+double ed_device_reach(const ed_analysis *a, int i)
+{
+  const ed_device *device = &a->model->devices[i];
+  double most = 0.0;
+  for (int k = 0; k < device->n_terms; k++)
+    most = fmax(most, fabs(device->coefficient[k]) / (ed_is_rotation(a->model, device->degree[k]) ? a->numbering.length : 1.0));
+  return most;
+}
+
+double ed_largest_device_force(const ed_analysis *a)
+{
+  double largest = 0.0;
+  for (int i = 0; i < a->model->n_devices; i++)
+    largest = fmax(largest, ed_device_reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i)));
+  return largest;
+}
+
 int ed_installed(const ed_analysis *a)
 {
   for (int i = 0; i < a->model->n_devices; i++)
