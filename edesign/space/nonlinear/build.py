@@ -17,7 +17,7 @@ from edesign.project.building.layout import DIRECTIONS as PLAN
 from edesign.project.building.names import node_name
 from edesign.space.file_places import telling_member
 from edesign.space.nonlinear.bays import building_sites
-from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys
+from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys, control_node
 from edesign.space.nonlinear.gravity import gravity_loads
 from edesign.space.nonlinear.isolation import add_building_base_beams, isolated_base, support_base
 from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, rides, still_beams
@@ -143,7 +143,7 @@ def _build(
         members=members.by_name,
         floors=floors,
         storeys=building_storeys(building, frame, nodes, members.by_name),
-        control=max(floors[-1].movers[0][0], key=lambda term: term[0])[1],
+        control=control_node(floors[-1], model.node_places),
         directions=DIRECTIONS,
         up=UP,
         still=still_beams(building, frame, loads),

@@ -18,6 +18,7 @@ DIRECTIONS = tuple(Direction(axis, degree) for degree, axis in enumerate(AXES))
 """In which floors of a building move."""
 UP, TURN = 2, 5
 """Degrees of the core along the vertical and about it."""
+_PLACES = 6  # decimals of m and of shares of the mass in which equal ones agree
 _UPPER_END = 6  # columns and braces end above; forces of their ends come after those of their starts
 
 
@@ -55,6 +56,22 @@ def building_floors(
             turn = ()
         found.append(Floor(floor, level, movers, tuple(names), float(gravity.of_levels[floor]), turn, points))
     return tuple(found)
+
+
+def control_node(roof: Floor, places: Sequence[Sequence[float]]) -> int:
+    """Return the node whose displacement pushes control: that nearest to the roof's centre of mass.
+
+    Of a rigid roof it is the centre of mass itself, and of nodes equally near the one with most mass.
+
+    Args:
+        places: of all nodes by their ids, m.
+
+    Source: EN 1998-1, 4.3.3.4.2.3(1).
+    """
+    shares = {node: share for share, node, _ in roof.movers[0][0]}
+    centre = sum(share * np.asarray(places[node][:UP]) for node, share in shares.items())
+    apart = {node: float(np.linalg.norm(np.asarray(places[node][:UP]) - centre)) for node in shares}
+    return min(shares, key=lambda node: (round(apart[node], _PLACES), -round(shares[node], _PLACES)))
 
 
 def building_storeys(
