@@ -13,6 +13,7 @@ from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located
 from edesign.assess.spread import Spread, in_frames, line_and_number, resultant, spread, stored_dims
+from edesign.codes.ec8.directions import SHARE
 from edesign.ground_motion.response_spectrum import response_spectra
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.criteria.criteria import QuantityCriterion
@@ -248,16 +249,12 @@ def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(CubicSpline(time, deformations).derivative()(time)).max(axis=0))
 
 
-HARDLY_PUSHED = 0.1
-"""Mean drift over that of the other direction below which a torsional ratio is left out: a judgement, not derived. The
-ratio of two small drifts says nothing of the building; who names the direction gets it."""
-
-
 def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFile) -> np.ndarray | None:
     """Return the largest drift of the worst column line over the largest mean drift of all lines, by its own peak each.
 
-    Without a direction in the criterion those directions count in which the mean drift of the storey is at least a
-    tenth of that in the other one: where the building is hardly pushed the ratio means nothing.
+    Without a direction in the criterion those count whose base shear is at least 30 % of that in the other one, as
+    EN 1998-1, 4.3.3.5.1(3), has buildings act in both at once. In a direction that is pushed less both drifts come of
+    what is pushed across, and their ratio says nothing of the building.
 
     Args:
         group: of an analysis of a building.
@@ -266,15 +263,24 @@ def torsional_ratio(group: Group, asked: QuantityCriterion, project: AnalysisFil
         (storeys, directions); None without the drifts.
     """
     lines, mean = peak(group, "line_drift"), peak(group, "mean_storey_drift")
-    if mean is None and "storey_drift" in group.variables:  # pushovers
-        mean = np.abs(np.asarray(group.variables["storey_drift"].values, dtype=float)).max(axis=0)
+    if mean is None:  # pushovers
+        mean = _over_steps(group, "storey_drift")
     if lines is None or mean is None:
         return None
+    shear = peak(group, "base_shear")
+    if shear is None:
+        shear = _over_steps(group, "base_shear")
     storeys = group.coords["storey"].values.tolist()
     of = np.array([line_and_number(str(label))[1] for label in group.coords["drift_line"].values])
     worst = np.array([lines[of == storey].max(axis=0) for storey in storeys])
-    counts = (mean > 0.0) & ((mean >= HARDLY_PUSHED * mean.max(axis=1, keepdims=True)) | (asked.direction is not None))
+    pushed = asked.direction is not None or shear is None or shear >= SHARE * shear.max()
+    counts = (mean > 0.0) & pushed
     return np.divide(worst, mean, out=np.zeros_like(mean), where=counts)
+
+
+def _over_steps(group: Group, name: str) -> np.ndarray | None:
+    variable = group.variables.get(name)
+    return None if variable is None else np.abs(np.asarray(variable.values, dtype=float)).max(axis=0)
 
 
 @dataclass(frozen=True)
