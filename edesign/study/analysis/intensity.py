@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.codes.motion_sets import DAMPING
+from edesign.core import Modes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
 from edesign.ground_motion.record import Record
@@ -23,8 +24,8 @@ from edesign.project.study.incremental import (
 from edesign.project.study.life_cycle import CurveOfLevels
 from edesign.project.study.study import Study
 from edesign.study.analysis.damper_stiffness import damped_modes
-from edesign.study.analysis.leading_mode import leading_mode
-from edesign.study.analysis.structure import LEADING, make_structure
+from edesign.study.analysis.leading_mode import leading_mode, leading_modes
+from edesign.study.analysis.structure import make_structure
 from edesign.study.motions.applied import input_motion
 from edesign.study.motions.motions import AnyMotion
 from edesign.study.motions.pairs import PairMotion
@@ -163,12 +164,15 @@ def first_periods(project: AnalysisFile, dampers: bool, damper_strain: float | N
     directions = structure.frame.directions
     if not structure.frame.devices:
         return tuple(leading_mode(structure, direction).period for direction in directions)
-    count = 1 if len(directions) == 1 else min(LEADING, int(np.count_nonzero(structure.analysis.masses())))
-    spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=count, damper_strain=damper_strain)
-    modes = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec).modes
+
+    def damped(count: int) -> Modes:
+        spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=count, damper_strain=damper_strain)
+        return damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec).modes
+
     if len(directions) == 1:
-        return (float(modes.period[0]),)
-    return tuple(float(modes.period[modes.effective_mass_ratio[:, at.degree].argmax()]) for at in directions)
+        return (float(damped(1).period[0]),)
+    modes, leading = leading_modes(damped, 1, structure.most_modes, directions)
+    return tuple(float(modes.period[first]) for first, *_ in leading)
 
 
 def intensity_period(project: AnalysisFile, dampers: bool, damper_strain: float | None = None) -> float:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from edesign.core import Modes
 from edesign.frame.frame_model import Direction, FrameModel
-from edesign.study.analysis.structure import Structure
+
+if TYPE_CHECKING:
+    from edesign.study.analysis.structure import Structure
 
 CLUSTER = 1e-6
 """Relative distance of frequencies up to which modes are one cluster: within it any turn of them is as good."""
@@ -47,15 +51,36 @@ def leading_mode(structure: Structure, direction: Direction, damper_stiffness: n
     if not direction.name:
         modes = structure.modes(1, damper_stiffness)
         return _turned(modes, np.array([0]), direction)
-    most = int(np.count_nonzero(structure.analysis.masses()))
-    count = min(_FIRST_ASKED, most)
+    modes, (leading,) = leading_modes(
+        lambda count: structure.modes(count, damper_stiffness), 1, structure.most_modes, [direction]
+    )
+    return _turned(modes, leading, direction)
+
+
+def leading_modes(
+    find: Callable[[int], Modes], least: int, most: int, directions: Sequence[Direction]
+) -> tuple[Modes, list[np.ndarray]]:
+    """Return the lowest modes in space, and the numbers of those that lead in each direction, from 0.
+
+    They are of one cluster, with most effective mass in the direction. As many modes are asked for as may hide one with
+    more.
+
+    Args:
+        find: the lowest modes, so many.
+        least: how many modes are asked for at least, if there are so many.
+        most: how many there are.
+    """
+    count = min(max(least, _FIRST_ASKED), most)
     while True:
-        modes = structure.modes(count, damper_stiffness)
-        ratios = modes.effective_mass_ratio[:, direction.degree]
-        whole = [(float(ratios[cluster].sum()), cluster) for cluster in clusters(modes.omega)]
-        ratio, leading = max(whole, key=lambda one: one[0])
-        if count == most or (leading[-1] < count - 1 and ratio >= 1.0 - ratios.sum()):
-            return _turned(modes, leading, direction)
+        modes = find(count)
+        all_clusters, leading, hidden = clusters(modes.omega), [], False
+        for direction in directions:
+            ratios = modes.effective_mass_ratio[:, direction.degree]
+            cluster = max(all_clusters, key=lambda one: float(ratios[one].sum()))
+            hidden |= bool(cluster[-1] == count - 1 or ratios[cluster].sum() < 1.0 - ratios.sum())
+            leading.append(cluster)
+        if count == most or not hidden:
+            return modes, leading
         count = min(2 * count, most)
 
 

@@ -21,9 +21,8 @@ from edesign.project.project import Project
 from edesign.space.nonlinear.build import build_building
 from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.dampers import attachments, device_laws
+from edesign.study.analysis.leading_mode import leading_modes
 
-LEADING = 12
-"""Modes of a building among which are the leading ones of both directions."""
 DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
 GRAVITY_STEPS = 10
 _FIRST_GUESS = 0.5  # Hz, of an isolated building, from which the frequency of rate-dependent isolators is found
@@ -86,18 +85,16 @@ class Structure:
         """
         added = np.zeros(len(self.frame.model.damper_names)) if others is None else others.copy()
         numbers = [device.number for device in devices]
-        plane = self.frame.model.dimension == 2
-        most = count if plane else max(count, min(LEADING, int(np.count_nonzero(self.analysis.masses()))))
         if self.frame.isolated:
             frequencies = np.full(len(devices), _FIRST_GUESS)
         else:
-            frequencies = self._working(self.modes(1 if plane else most), devices)
+            frequencies = self._working(1, None, devices)[1]
         for _ in range(_MOST_ROUNDS):
             states = zip(devices, amplitudes, frequencies.tolist(), strict=True)
             found = np.array([device_stiffness(*state) for state in states])
             added[numbers] = found.real
-            modes = self.modes(most, added)
-            before, frequencies = frequencies, self._working(modes, devices)
+            before = frequencies
+            modes, frequencies = self._working(count, added, devices)
             if np.all(np.abs(frequencies - before) <= _AGREEMENT * frequencies):
                 break
         apart = np.abs(frequencies - before) / frequencies
@@ -107,19 +104,27 @@ class Structure:
                 f"modes: the frequency at which devices vibrate and that of the frame with them did not agree within "
                 f"{_MOST_ROUNDS} iterations (last {before[worst]:.6g} Hz and {frequencies[worst]:.6g} Hz) [E-MODAL-01]"
             )
-        return modes if most == count else self.modes(count, added), found, frequencies
+        return modes if modes.omega.size == count else self.modes(count, added), found, frequencies
 
-    def _working(self, modes: Modes, devices: Sequence[Device]) -> np.ndarray:
-        """Frequency at which each device vibrates, (n_devices,) Hz: that of the first mode.
+    @property
+    def most_modes(self) -> int:
+        """How many modes there are."""
+        return int(np.count_nonzero(self.analysis.masses()))
 
-        In a building it is that of the mode with the largest effective mass in the direction of the device; of one that
-        acts in both or neither the lower of the two.
+    def _working(self, count: int, stiffness: np.ndarray | None, devices: Sequence[Device]) -> tuple[Modes, np.ndarray]:
+        """Lowest modes, at least so many, and the frequency at which each device vibrates in them, (n_devices,) Hz.
+
+        It is that of the first mode. In a building it is that of the leading mode in the direction of the device; of
+        one that acts in both or neither the lower of the two.
         """
         if self.frame.model.dimension == 2:
-            return np.full(len(devices), float(modes.omega[0]) / (2.0 * np.pi))
-        of_axes = [modes.omega[modes.effective_mass_ratio[:, axis.degree].argmax()] for axis in self.frame.directions]
+            modes = self.modes(count, stiffness)
+            return modes, np.full(len(devices), float(modes.omega[0]) / (2.0 * np.pi))
+        directions = self.frame.directions
+        modes, leading = leading_modes(lambda n: self.modes(n, stiffness), count, self.most_modes, directions)
+        of_axes = [modes.omega[first] for first, *_ in leading]
         chosen = [min(of_axes) if device.direction is None else of_axes[device.direction] for device in devices]
-        return np.array(chosen) / (2.0 * np.pi)
+        return modes, np.array(chosen) / (2.0 * np.pi)
 
     def install_dampers(self) -> None:
         """Install the dampers, which carry none of the loads that act before."""
