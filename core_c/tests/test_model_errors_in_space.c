@@ -79,10 +79,11 @@ static void check_sections(void)
 /* Of a column from the foot to the top: nothing may be left between offsets, nor may it run along its web. */
 static void check_ends(ed_model *model)
 {
-  const double none[3] = {0.0, 0.0, 0.0}, wrong[3] = {0.0, NAN, 0.0}, beyond[3] = {0.0, 0.0, 9.0};
+  const double none[3] = {0.0, 0.0, 0.0}, wrong[3] = {0.0, NAN, 0.0}, beyond[3] = {0.0, 0.0, 9.0}, far_off[3] = {1e5, 0.0, 0.0};
   REFUSED(ed_model_rigid_ends(model, 0, 2.0, 2.0), ED_E_ARGUMENT, "column");
   REFUSED(ed_model_offset_ends(model, 0, wrong, none), ED_E_ARGUMENT, "column");
   REFUSED(ed_model_offset_ends(model, 0, beyond, none), ED_E_ARGUMENT, "column");
+  REFUSED(ed_model_offset_ends(model, 0, none, far_off), ED_E_ARGUMENT, "along its web");
   REFUSED(ed_model_offset_ends(model, 77, none, none), ED_E_ID, "77");
 }
 

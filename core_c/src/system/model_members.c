@@ -124,9 +124,6 @@ static int lacks_ends(ed_model *model, int element)
   return ED_OK;
 }
 
-/* How near to the direction of its web a member with offset ends may come: the sine of the angle between. */
-static const double NEAR_WEB = 0.1;
-
 int ed_model_offset_ends(ed_model *model, int element, const double *at_i, const double *at_j)
 {
   const int lacks = lacks_ends(model, element);
@@ -151,7 +148,7 @@ int ed_model_offset_ends(ed_model *model, int element, const double *at_i, const
   if (!isnormal(length) || !(onwards > 0.0))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: its offset ends leave nothing between them from node %s to node %s", m->name,
                            model->nodes[m->node[0]].name, model->nodes[m->node[1]].name);
-  if (!(fabs(along) <= sqrt(1.0 - NEAR_WEB * NEAR_WEB)))
+  if (!(1.0 - along * along >= ROUNDED)) /* at the sine s between, ROUNDED turns the web by ROUNDED / s: at most s */
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: between its offset ends it runs along its web", m->name);
   memcpy(m->offset, moved.offset, sizeof m->offset);
   return ED_OK;
