@@ -8,14 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LAWS = 4, STEPS = 400 };
+enum { LAWS = 8, STEPS = 400 };
 static const struct {
   int id, n;
-  double parameter[6];
+  double parameter[7];
 } LAW[LAWS] = {{ED_LAW_LEAD_RUBBER, 3, {100e3, 1e6, 5e-3}},
                {ED_LAW_ELASTIC_PLASTIC, 3, {30e6, 150e3, 0.05}},
                {ED_LAW_FRICTION, 3, {0.06, 1e6, 50e6}},
-               {ED_LAW_FRICTION_PENDULUM, 6, {1e6, 2.2, 0.02, 0.06, 30.0, 0.5e-3}}};
+               {ED_LAW_FRICTION_PENDULUM, 6, {1e6, 2.2, 0.02, 0.06, 30.0, 0.5e-3}},
+               {ED_LAW_BOUC_WEN, 7, {100e3, 8e-3, 0.1, 1.0, 0.5, 0.5, 1.0}},
+               {ED_LAW_BOUC_WEN, 7, {100e3, 8e-3, 0.1, 1.0, 0.3, 0.7, 2.0}},
+               {ED_LAW_BOUC_WEN, 7, {100e3, 8e-3, 0.1, 1.2, -0.2, 0.9, 1.5}},
+               {ED_LAW_BOUC_WEN, 7, {100e3, 2e-3, 0.1, 1.0, 0.5, 0.5, 7.0}}};
 static const double H = 0.01;
 
 static double noise(unsigned *seed)

@@ -1127,7 +1127,7 @@ OTHER_PARTS += (
             "  - {name: gravity, kind",
             "  - {name: push, kind: pushover, pattern: uniform, roof_drift: 1 %}\n  - {name: gravity, kind",
         ),
-        "with `dampers: false` the frame is pushed on the supports that it has without isolators",
+        "with `dampers: false` it is pushed on the supports that it has without isolators",
         ("roof_drift: 1 %", "roof_drift: 1 %, dampers: false"),
     ),
     _row(

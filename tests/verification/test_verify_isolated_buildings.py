@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from building_examples import building
+from scipy.integrate import solve_ivp
 from verification.test_verify_building_model import SHARP, STEP, completed, motion, plane_project, regular, watched
 
 from edesign.core import Analysis, Channel, CoreDamper, LawValues, Model, Newmark, Response
@@ -24,6 +25,7 @@ LAWS = """\
     lead: {type: lead_rubber, parameters: {Q: 12 kN, K_d: 300 kN/m, Y: 6 mm}}
     dish: {type: friction_pendulum, parameters: {W: 1 MN, R: 1.8 m, f_slow: 2 %, f_fast: 6 %, a: 30 s/m, Y: 0.5 mm}}
     pad: {type: kelvin_voigt, parameters: {k: 400 kN/m, c: 60 kN*s/m}}
+    rubber: {type: bouc_wen, parameters: {Fy: 15 kN, Y: 8 mm, alpha: 0.15, beta: 0.3, gamma: 0.7, n: 1.4}}
 """
 VERTICAL = "vertical: {stiffness: 500 kN/mm, uplift: true}"
 
@@ -46,6 +48,7 @@ ROWS = {
     "dish": ("law: dish", "rotation: fixed"),
     "dish under the weight of the moment": ("law: dish, weight: varying", "beams: {section: HEB240, material: S275}"),
     "pad": ("law: pad", "rotation: 40 MN*m/rad"),
+    "rubber": ("law: rubber", "rotation: fixed"),
 }
 
 
@@ -150,7 +153,7 @@ def both(frame: FrameModel) -> list[Channel]:
     return [*found, *(Channel(f"turn {name}", ((1.0, "displacement", places[name], 5),)) for name in ("base", "roof"))]
 
 
-@pytest.mark.parametrize("isolator", ["law: lead", "law: dish", "law: pad"])
+@pytest.mark.parametrize("isolator", ["law: lead", "law: dish", "law: pad", "law: rubber"])
 @pytest.mark.parametrize("degrees", [30.0, 90.0, 217.0])
 def test_a_turned_pair_turns_the_response(isolator: str, degrees: float) -> None:
     """Of a building that is alike in all directions, 1e-9: equilibrium to 1e-12 of the forces."""
@@ -271,6 +274,42 @@ def test_circle_of_a_friction_pendulum() -> None:
     np.testing.assert_allclose(np.arctan2(-inward, along), np.arcsin(mu * N / (k * r)), atol=omega * dt / 30.0)
 
 
+@pytest.mark.parametrize("n", [1.0, 1.5, 2.0, 6.0])
+def test_bouc_wen_on_an_ellipse(n: float) -> None:
+    """Its equation in two directions, integrated by SciPy, and the work of the force: z goes through no zero.
+
+    1e-7 of the force: the sharpest bend needs as much of SciPy. The path between the samples is a cubic, 2e-8 from the
+    ellipse. Work by the trapezoidal rule at steps of 5 ms: 1e-4.
+    """
+    Fy, Y, alpha, A, beta, gamma = 90e3, 8e-3, 0.1, 1.0, 0.3, 0.7
+    dt, t = 0.005, np.arange(1200) * 0.005
+    phases = np.array([[0.0], [1.1]])
+    sizes, rates = np.array([[0.06], [0.04]]), np.array([[2.0], [3.1]])
+
+    def moved(at: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        s = np.clip(at / 2.0, 0.0, 1.0)
+        grow, grown = s**3 * (10 - 15 * s + 6 * s**2), 15 * s**2 * (1 - s) ** 2
+        growth = 15 * s * (1 - s) * (1 - 2 * s)
+        sine, cosine = np.sin(rates * at + phases), np.cos(rates * at + phases)
+        u, v = sizes * grow * sine, sizes * (grown * sine + grow * rates * cosine)
+        return u, v, sizes * (growth * sine + 2.0 * grown * rates * cosine - grow * rates**2 * sine)
+
+    def rate(at: float, z: np.ndarray) -> np.ndarray:
+        v, r = moved(np.array([at]))[1][:, 0], float(np.hypot(*z))
+        work = float(z @ v)
+        lost = r ** (n - 2.0) * (gamma * abs(work) + beta * work) if r > 0.0 else 0.0
+        return np.asarray((A * v - lost * z) / Y)
+
+    u, v, a = moved(t)
+    found = moved_bearing(LawValues("bouc_wen", (Fy, Y, alpha, A, beta, gamma, n)), u, v, a, dt)
+    z = solve_ivp(rate, (0.0, t[-1]), [0.0, 0.0], "DOP853", t, rtol=1e-10, atol=1e-12, max_step=0.01).y
+    expected = alpha * Fy / Y * u + (1.0 - alpha) * Fy * z
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-7 * np.abs(expected).max())
+    assert np.hypot(*(found - alpha * Fy / Y * u)).max() <= (1.0 - alpha) * Fy * (1.0 + 1e-12)  # within its circle
+    loss = np.sum(np.sum(0.5 * (found[:, 1:] + found[:, :-1]) * np.diff(u), axis=0))
+    assert loss == pytest.approx(np.trapezoid(np.sum(expected * v, axis=0), t), rel=1e-4) and loss > 0.0
+
+
 @pytest.mark.parametrize("degrees", [0.0, 30.0, 90.0])
 @pytest.mark.parametrize(
     "law",
@@ -279,6 +318,7 @@ def test_circle_of_a_friction_pendulum() -> None:
         LawValues("elastic_plastic", (2e7, 120e3, 0.08)),
         LawValues("friction", (0.05, 1e6, 4e7)),
         LawValues("friction_pendulum", (1e6, 2.0, 0.02, 0.06, 20.0, 0.5e-3)),
+        LawValues("bouc_wen", (90e3, 6e-3, 0.1, 1.0, 0.3, 0.7, 1.6)),
     ],
     ids=lambda law: law.law,
 )

@@ -41,6 +41,23 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   return status;
 }
 
+/* In two directions, each with its z. */
+static int step_pair(const ed_damper *damper, const double *const committed[2], const ed_path path[2], const ed_path direction[2],
+                     double *const trial[2], ed_pair_force *out)
+{
+  const double *p = damper->parameter, k = p[ALPHA] * p[FY] / p[Y], f = (1.0 - p[ALPHA]) * p[FY];
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  double z[2] = {committed[0][0], committed[1][0]};
+  const int status = ed_bouc_wen_follow_pair(&shape, path, direction, z, out->slope);
+  for (int c = 0; c < 2; c++) {
+    trial[c][0] = z[c];
+    out->force[c] = k * ed_path_u(&path[c], path[c].h) + f * z[c];
+    for (int i = 0; i < 4; i++)
+      out->slope[c][i / 2][i % 2] = f * out->slope[c][i / 2][i % 2] + (c == i / 2 ? k * ed_path_u(&direction[i % 2], path[c].h) : 0.0);
+  }
+  return status;
+}
+
 /* As differential equation. With a brace k_b in series the own deformation u_d follows from k_b (u - u_d) = F(u_d, z), and its velocity is
  * w = k_b v / (k_b + dF/du_d), so that z stays the only variable. */
 static void rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
@@ -72,4 +89,5 @@ const ed_law ed_bouc_wen = {.name = "bouc_wen",
                             .takes_brace = 1,
                             .prepare = prepare,
                             .step = step,
+                            .step_pair = step_pair,
                             .rate = rate};

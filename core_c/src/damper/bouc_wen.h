@@ -33,5 +33,9 @@ int ed_bouc_wen_check(const ed_bouc_wen_shape *shape, char message[ED_DAMPER_MES
 /* Moves z along a path, exactly to rounding whatever its length (bouc_wen_path.c). slope: derivatives of z at its end to the two
  * unknowns; zero where no direction moves the path. ED_OK; ED_E_ARGUMENT: z lies where no motion leads; ED_E_NOT_CONVERGED. */
 int ed_bouc_wen_follow(const ed_bouc_wen_shape *shape, const ed_path *path, const ed_path direction[2], double *z, double slope[2]);
+/* The same in two directions (bouc_wen_pair.c). slope: derivatives [of z along][to the motion along][to its two unknowns], by
+ * differences of half the digits. ED_OK, ED_E_NOT_CONVERGED, ED_E_NOT_FINITE. */
+int ed_bouc_wen_follow_pair(const ed_bouc_wen_shape *shape, const ed_path path[2], const ed_path direction[2], double z[2],
+                            double slope[2][2][2]);
 
 #endif

@@ -86,7 +86,7 @@ struct ed_law {
   int (*step)(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
               ed_damper_force *out);
   /* The same of a bearing whose forces in two directions depend on each other, alike in all directions of the plane, and in each single
-   * one are those of `step`: committed and trial are of n_memory numbers of each direction. NULL: the law is of one direction. */
+   * one are those of `step`: committed and trial are the state of each direction. NULL: the law is of one direction. */
   int (*step_pair)(const ed_damper *damper, const double *const committed[2], const ed_path path[2], const ed_path direction[2],
                    double *const trial[2], ed_pair_force *out);
   /* Differential equations at deformation u, velocity v, y (n_ode), memory (n_memory): smooth between events. NULL where the

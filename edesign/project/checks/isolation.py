@@ -59,7 +59,7 @@ def check_isolation(project: Project, problems: Problems) -> None:
 NO_WAVE_PASSAGE = "the ground under isolators moves as one; wave passage needs fixed supports [E-ISOL-03]"
 NO_PUSHOVER = (
     "a pushover of an isolated building is not offered: its roof moves with its base, which the targets do not know; "
-    "with `dampers: false` the frame is pushed on the supports that it has without isolators [E-ISOL-03]"
+    "with `dampers: false` it is pushed on the supports that it has without isolators [E-ISOL-03]"
 )
 
 

@@ -19,7 +19,7 @@ Count = Annotated[int, Field(ge=1, le=1000)]
 
 WEIGHED = "friction_pendulum"
 """The law whose forces are proportional to the weight on it, which is its first parameter."""
-CIRCULAR = ("lead_rubber", "elastic_plastic", "friction", "friction_pendulum")
+CIRCULAR = ("lead_rubber", "elastic_plastic", "friction", "friction_pendulum", "bouc_wen")
 """The laws whose forces along x and y lie within a circle."""
 UNCOUPLED = (
     "kelvin_voigt",

@@ -192,7 +192,7 @@ def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushover
     isolated = study.base.isolation is not None
     wanted = [name for name in study.variants_of(pushovers) if study.variants[name].dampers == "project"]
     if isolated and wanted:
-        message = NO_PUSHOVER.replace("with `dampers: false` the frame", "a variant with `dampers: none`")
+        message = NO_PUSHOVER.replace("with `dampers: false` it", "a variant with `dampers: none`")
         problems.at_key((*keys, "variants"), f"{listed(wanted)}: {message}")
 
 
