@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.envelopes import by_largest_part, of_diaphragms
 from edesign.project.criteria.measures import InSpace
 from edesign.project.notation.frames import frames_of_member
 
@@ -85,7 +86,7 @@ def line_and_number(label: str) -> tuple[str, int]:
 def resultant(group: Group, quantity: str) -> tuple[np.ndarray | None, tuple[str, ...]]:
     """Return the largest resultant of a quantity in both directions, and its dimensions.
 
-    Pushovers archive none: of them those of the steps count.
+    Pushovers archive none: of them those of the steps count. Of a floor with several diaphragms the largest counts.
 
     Args:
         group: results of an analysis of a building, as archived.
@@ -93,6 +94,12 @@ def resultant(group: Group, quantity: str) -> tuple[np.ndarray | None, tuple[str
     Returns:
         The values in the unit of the quantity; None without it.
     """
+    found, dims = _resultant(group, quantity)
+    of_parts, _ = _resultant(group, of_diaphragms(quantity))
+    return found if found is None or of_parts is None else by_largest_part(group, found, of_parts), dims
+
+
+def _resultant(group: Group, quantity: str) -> tuple[np.ndarray | None, tuple[str, ...]]:
     stored = group.variables.get(f"{quantity}_resultant_max")
     if stored is not None:
         return np.asarray(stored.values, dtype=float), stored.dims

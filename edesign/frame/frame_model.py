@@ -151,6 +151,23 @@ class Direction:
 
 
 @dataclass(frozen=True)
+class RigidPart:
+    """One of several diaphragms of a floor of a building.
+
+    Attributes:
+        name: number of the floor and its own, such as `3.2`.
+        movers: by direction the displacement of its centre of mass, as of a `Floor`.
+        turn: its turn about the vertical.
+        nodes: names of the nodes that it ties, and last of the one at its centre of mass.
+    """
+
+    name: str
+    movers: tuple[tuple[Sum, ...], ...]
+    turn: Sum
+    nodes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Floor:
     """A floor above the base.
 
@@ -160,8 +177,9 @@ class Floor:
             plane frame those of the nodes on column lines, of a rigid floor of a building that of its centre of mass.
         nodes: names of all nodes at its level.
         gravity: loads of the gravity combination on it, N downwards.
-        turn: its turn about the vertical; () of a plane frame, and of a floor that is not rigid.
+        turn: its turn about the vertical; () of a plane frame, and of a floor that does not turn as one.
         points: by the name of a place of a building its displacements by direction.
+        parts: its diaphragms, if it has several.
     """
 
     number: int
@@ -171,6 +189,12 @@ class Floor:
     gravity: float
     turn: Sum = ()
     points: Mapping[str, tuple[Sum, ...]] = field(default_factory=dict)
+    parts: tuple[RigidPart, ...] = ()
+
+    @property
+    def rigid(self) -> tuple[Floor | RigidPart, ...]:
+        """What turns about the vertical as one: its diaphragms, the floor itself, or nothing."""
+        return self.parts or ((self,) if self.turn else ())
 
 
 @dataclass(frozen=True)

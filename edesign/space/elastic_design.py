@@ -61,7 +61,7 @@ from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.structure.masses import node_masses
-from edesign.space.structure.model import diaphragm_floors, member_properties, space_model
+from edesign.space.structure.model import member_properties, space_model
 from edesign.space.structure.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
 
 
@@ -452,7 +452,7 @@ class ElasticAnalysis:
                 f"the masses weigh {weight / 1e3:.0f} kN and the loads beside the seismic action only "
                 f"{loads / 1e3:.0f} kN; P and theta are those of the loads"
             )
-        if self._design.accidental_torsion and not diaphragm_floors(frame):
+        if self._design.accidental_torsion and not frame.diaphragms:
             found.append("accidental torsion is left out: no floor is rigid, and its moments act on rigid floors")
         return found
 

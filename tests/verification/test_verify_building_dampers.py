@@ -365,7 +365,7 @@ def test_complex_modes_of_a_building_with_dashpots(rigid_in_shear: None) -> None
     sizes, braces, apart = pushed_apart(places)
     loads, inertia = [], []
     for floor in (1, 2):
-        at = np.flatnonzero(space.node_floor == floor)
+        at = np.flatnonzero(space.node_diaphragm == floor - 1)
         m = space.node_mass[at]
         arm = space.coordinates[at, :2] - m @ space.coordinates[at, :2] / m.sum()
         turn = float(m @ (arm**2).sum(axis=1))

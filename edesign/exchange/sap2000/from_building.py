@@ -63,9 +63,9 @@ def from_building(building: Building) -> tuple[Sap2000Model, list[str]]:
             model.restraints[name] = _flags(fixed)
         if springs_of_node.any():
             model.springs[name] = _six(springs_of_node)
-    for name, floor, mass in zip(names, space.node_floor, space.node_mass, strict=True):
-        if floor != NO_DIAPHRAGM:
-            model.diaphragms.setdefault(f"FLOOR{floor}", []).append(name)
+    for name, number, mass in zip(names, space.node_diaphragm.tolist(), space.node_mass, strict=True):
+        if number != NO_DIAPHRAGM:
+            model.diaphragms.setdefault(f"FLOOR{space.diaphragms[number]}", []).append(name)
         if mass > 0.0:
             model.joint_masses[name] = float(mass), float(mass), 0.0
     _loads(building, space, model)

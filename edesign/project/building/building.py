@@ -25,7 +25,7 @@ from edesign.project.building.layout import Layout, Panel
 from edesign.project.building.loads import Loads, Masses
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
 from edesign.project.building.names import ColumnLine, Direction
-from edesign.project.building.places import Bays, ColumnLineSelection, panels_in, parse_column_lines
+from edesign.project.building.places import Bays, ColumnLineSelection, panels_in, parse_column_lines, parts_of
 from edesign.project.building.steel import Steel
 from edesign.project.building.supports import RestrainedFloors, Springs, Support, springs_of
 from edesign.project.dampers.dampers import DamperRun, Dampers
@@ -92,11 +92,11 @@ class Setback(Model):
 
 
 class PartialDiaphragm(Model):
-    """Floors of which a part alone is rigid in its plane.
+    """Floors of which a part alone is rigid in its plane, or several are, each by an entry of its own.
 
     Attributes:
         floors: floors that are rigid in part.
-        bays: bays of the rigid part.
+        bays: bays of one rigid part.
     """
 
     floors: Numbers
@@ -129,8 +129,8 @@ class Building(spacing.Storeys, AnalysisFile):
             else `fixed`.
         restrained_floors: floors above the base that the ground holds in plan; in analyses alone.
         soils: soils by name, on which footings stand.
-        diaphragms: floors that are rigid in their plane.
-        partial_diaphragms: those of these floors of which a part alone is rigid.
+        diaphragms: floors that are rigid in their plane, in each part of them that does not touch another.
+        partial_diaphragms: those of these floors of which some bays alone are rigid, in one or more parts.
         columns: runs of columns; a later one overrides an earlier one.
         beams: runs of beams; a later one overrides an earlier one.
         braces: runs of pin-ended braces.
@@ -226,14 +226,13 @@ class Building(spacing.Storeys, AnalysisFile):
         """The floors that are rigid in plan, whose masses may stand beside their places."""
         return tuple(self.diaphragms.numbers(1, self.n_storeys))
 
-    def rigid_bays(self, floor: int) -> frozenset[Panel]:
-        """Return the bays of the rigid part of a floor; none of one that is not rigid."""
+    def rigid_parts(self, floor: int) -> tuple[frozenset[Panel], ...]:
+        """Return the bays of each rigid part of a floor; none of one that is not rigid."""
         if floor not in self.rigid_floors:
-            return frozenset()
-        for part in self.partial_diaphragms:
-            if floor in part.floors.numbers(1, self.n_storeys):
-                return panels_in(part.bays, self.n_bays("x"), self.n_bays("y"))
-        return self.layout.floors[floor]
+            return ()
+        partial = [part for part in self.partial_diaphragms if floor in part.floors.numbers(1, self.n_storeys)]
+        given = tuple(panels_in(part.bays, self.n_bays("x"), self.n_bays("y")) for part in partial)
+        return given or parts_of(self.layout.floors[floor])
 
     @property
     def held_floors(self) -> tuple[int, ...]:

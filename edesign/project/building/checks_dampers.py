@@ -106,7 +106,7 @@ def _apart(building: Building, problems: Problems, keys: Keys, device: DamperBet
     rigid = {layout.tied.get(name) for name in device.nodes}
     what = ""
     if len(rigid) == 1 and rigid != {None}:
-        what = f"both are on floor {floors.pop()}, which is rigid in its plane"
+        what = f"both are on floor {floors.pop()}, in what is rigid in its plane"
     elif floors == {0}:
         bases = {node_name(line, 0): building.support(line) for line in layout.node_lines[0]}
         held = [support.all()[:3] for name in device.nodes if isinstance(support := bases[name], Springs)]
@@ -124,8 +124,9 @@ def _attachment(building: Building, problems: Problems, keys: Keys, item: Attach
     if item.floor > building.n_storeys:
         return
     if item.at is None:
-        if item.floor not in building.diaphragms.numbers(1, building.n_storeys):
-            loose = f"floor {item.floor} is not rigid and has no one centre of mass"
+        if len(building.rigid_parts(item.floor)) != 1:
+            rigid = "is in several rigid parts" if item.floor in building.rigid_floors else "is not rigid"
+            loose = f"floor {item.floor} {rigid} and has no one centre of mass"
             problems.under(keys, "at", f"this key is missing: {loose}; give a column line, such as `A1` [E-KEY-02]")
         return
     if item.at not in grid.lines:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 
 from pydantic_core import PydanticCustomError
 
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
-from edesign.project.building.layout import DIRECTIONS, Panel, met_beam, ways
+from edesign.project.building.layout import DIRECTIONS, Panel, corners, met_beam, ways
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
-from edesign.project.building.places import panels_in, parse_column_lines
+from edesign.project.building.places import panels_in, parse_column_lines, parts_of
 from edesign.project.checks.sections import check_own_sections
 from edesign.project.frame.sections import Catalogue, RectangleSection, SpaceElasticSection, no_section
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -140,42 +141,39 @@ def _floors(building: Building, problems: Problems) -> bool:
         problems.at_key(("setbacks",), f"floor {floor} covers no bay [E-NAME-01]")
     in_part = _partial(building, problems)
     for floor in building.rigid_floors:
-        if floor not in in_part and not _connected(layout.floors[floor]):
-            parts = f"floor {floor} is in parts that do not touch, which one diaphragm would tie"
+        if floor not in in_part and (shared := _shared(building.rigid_parts(floor))):
+            parts = f"floor {floor} is in parts that touch at {listed(shared)} alone, which two diaphragms cannot share"
             message = f"{parts}; leave it out of `diaphragms` [E-VALUE-04]"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
 
 
 def _partial(building: Building, problems: Problems) -> set[int]:
-    """Floors that are rigid in part have one rigid part, which they cover; returns their numbers."""
-    found: set[int] = set()
+    """Rigid parts of a floor are covered by it and have no node in common; returns the floors that have some."""
+    found: dict[int, frozenset[Panel]] = {}
     for i, part in enumerate(building.partial_diaphragms):
         keys: Keys = ("partial_diaphragms", i)
         panels = panels_in(part.bays, building.n_bays("x"), building.n_bays("y"))
         for floor in part.floors.numbers(1, building.n_storeys):
-            if floor in found:
-                message = f"floor {floor} has a rigid part by an entry before this one; one on each floor is possible"
-                problems.at_value((*keys, "floors"), f"{message} [E-NAME-02]")
-            elif floor not in building.rigid_floors:
+            before = found.get(floor, frozenset())
+            if floor not in building.rigid_floors:
                 problems.at_value((*keys, "floors"), f"floor {floor} is not among `diaphragms` [E-NAME-01]")
             elif panels - building.layout.floors[floor]:
                 problems.at_key((*keys, "bays"), f"floor {floor} does not cover all of these bays [E-NAME-01]")
-            elif not _connected(panels):
-                message = "the bays are in parts that do not touch, which one diaphragm would tie [E-VALUE-04]"
+            elif len(parts_of(panels)) > 1:
+                message = "the bays are in parts that do not touch; give each of them an entry of its own [E-VALUE-04]"
                 problems.at_key((*keys, "bays"), message)
-            found.add(floor)
-    return found
+            elif shared := _shared((before, panels)):
+                message = f"floor {floor} has a rigid part by an entry before this one, which ties {listed(shared)} too"
+                problems.at_value((*keys, "floors"), f"{message} [E-NAME-02]")
+            found[floor] = before | panels
+    return set(found)
 
 
-def _connected(panels: frozenset[Panel]) -> bool:
-    """Whether bays of a floor all hang together by common sides."""
-    found, edge = set[Panel](), set(sorted(panels)[:1])
-    while edge:
-        found |= edge
-        beside = {(i + a, j + b) for i, j in edge for a, b in ((1, 0), (-1, 0), (0, 1), (0, -1))}
-        edge = (beside & panels) - found
-    return found == panels
+def _shared(parts: tuple[frozenset[Panel], ...]) -> list[str]:
+    """The column lines at corners of more than one part of a floor."""
+    lines = Counter(str(line) for panels in parts for line in {line for panel in panels for line in corners(panel)})
+    return sorted(line for line, count in lines.items() if count > 1)
 
 
 def _covered(building: Building, check: Selections) -> bool:

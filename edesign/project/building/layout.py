@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from pydantic_core import PydanticCustomError
 
@@ -31,6 +31,21 @@ if TYPE_CHECKING:
 Panel = tuple[int, int]
 """A bay of the plan: its bay along x and along y, from 1."""
 DIRECTIONS: tuple[Direction, Direction] = ("x", "y")
+
+
+class Diaphragm(NamedTuple):
+    """A floor that is rigid in its plane, or one of several rigid parts of a floor.
+
+    Attributes:
+        floor: its number; 0 is an isolated base.
+        part: its number among those of the floor, from 1; 0: the floor has no other.
+    """
+
+    floor: int
+    part: int = 0
+
+    def __str__(self) -> str:
+        return f"{self.floor}.{self.part}" if self.part else str(self.floor)
 
 
 class Layout(Storeys):
@@ -147,18 +162,25 @@ class Layout(Storeys):
         return found
 
     @cached_property
-    def tied(self) -> dict[str, int]:
-        """By the name of each node that a rigid floor ties, or the rigid part of one, the number of the floor."""
-        found: dict[str, int] = {}
+    def diaphragms(self) -> dict[Diaphragm, frozenset[str]]:
+        """The names of the nodes that each rigid floor ties, or each rigid part of one, from below."""
+        found = {}
         for floor in self._building.rigid_floors:
-            panels = self._building.rigid_bays(floor)
-            lines = {line for panel in panels for line in corners(panel)} & set(self.node_lines[floor])
-            beams = {edge for panel in panels for edge in edges(panel, floor)} & self.halved_beams
-            if panels == self.floors[floor]:
-                lines = set(self.node_lines[floor])
-                beams = {beam for beam in self.halved_beams if beam.floor == floor}
-            found |= dict.fromkeys([*(node_name(line, floor) for line in lines), *map(str, beams)], floor)
+            parts = self._building.rigid_parts(floor)
+            for number, panels in enumerate(parts, start=1):
+                lines = {line for panel in panels for line in corners(panel)} & set(self.node_lines[floor])
+                beams = {edge for panel in panels for edge in edges(panel, floor)} & self.halved_beams
+                if panels == self.floors[floor]:
+                    lines = set(self.node_lines[floor])
+                    beams = {beam for beam in self.halved_beams if beam.floor == floor}
+                if names := frozenset([*(node_name(line, floor) for line in lines), *map(str, beams)]):
+                    found[Diaphragm(floor, number if len(parts) > 1 else 0)] = names
         return found
+
+    @cached_property
+    def tied(self) -> dict[str, Diaphragm]:
+        """What ties a node, by the name of each node that a rigid floor ties, or a rigid part of one."""
+        return {name: diaphragm for diaphragm, names in self.diaphragms.items() for name in names}
 
     def beam_members(self, place: BeamPlace) -> tuple[str, ...]:
         """Return the name of a beam, or those of the two halves of one that braces meet in the middle."""

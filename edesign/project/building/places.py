@@ -121,6 +121,20 @@ def panels_in(bays: tuple[Panels, ...], n_x: int, n_y: int) -> frozenset[tuple[i
     return frozenset(place for block in bays for place in block.numbers(n_x, n_y))
 
 
+def parts_of(panels: frozenset[tuple[int, int]]) -> tuple[frozenset[tuple[int, int]], ...]:
+    """Return the parts of some bays of a plan that hang together by common sides, that with the first bay first."""
+    found, left = [], set(panels)
+    while left:
+        part, edge = set[tuple[int, int]](), {min(left)}
+        while edge:
+            part |= edge
+            beside = {(i + a, j + b) for i, j in edge for a, b in ((1, 0), (-1, 0), (0, 1), (0, -1))}
+            edge = (beside & left) - part
+        found.append(frozenset(part))
+        left -= part
+    return tuple(found)
+
+
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
     match = None if isinstance(item, (bool, float)) or not str(item).strip() else _LINES.fullmatch(str(item))
     if not match or isinstance(item, (list, tuple, dict)):

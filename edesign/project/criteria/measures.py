@@ -55,6 +55,8 @@ RESULTANTS = (
     "floor_acceleration",
     "point_displacement",
     "point_acceleration",
+    "diaphragm_displacement",
+    "diaphragm_acceleration",
     "storey_shear",
     "base_shear",
     "base_displacement",

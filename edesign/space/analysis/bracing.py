@@ -126,7 +126,7 @@ def bracing(frame: SpaceFrame) -> Bracing:
         columns=frame.columns,
         to_columns=_to_columns(frame, braces, sine, middles),
         collectors=collectors,
-        in_model=frame.node_floor[frame.ends[0][collectors]] == NO_DIAPHRAGM,
+        in_model=frame.node_diaphragm[frame.ends[0][collectors]] == NO_DIAPHRAGM,
         to_collectors=to_collectors,
         halves=np.array(halves, dtype=int),
         middles=np.array(sorted(middles), dtype=int),

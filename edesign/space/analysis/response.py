@@ -21,7 +21,6 @@ from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.space.structure.frame import AXES, Axis, LoadCase, SpaceFrame
 from edesign.space.structure.masses import mass_shift
-from edesign.space.structure.model import diaphragm_floors
 
 if TYPE_CHECKING:
     from edesign.project.building.design import Design
@@ -214,19 +213,22 @@ class ResponseSpectrumAnalysis:
     def _accidental_torsion(self, axis: Axis, F_b: float, ratio: float) -> _Twist:
         """Return the effects of M_ai = e_ai F_i, F_i by the heights of all masses (Eq. 4.11), without sign.
 
-        Floors that are not rigid have a part of F_b, and nothing to turn.
+        Floors that are not rigid have a part of F_b, and nothing to turn. Of several diaphragms of a floor each has
+        the part of F_i that its mass is of that of the floor, and its own length.
         """
         frame, level = self.frame, self.frame.level_of_nodes
-        rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
+        rigid = [int(np.flatnonzero(frame.node_diaphragm == number)[0]) for number in range(len(frame.diaphragms))]
         if ratio == 0.0 or not rigid:
             nothing = np.zeros((len(frame.members), STATIONS.size, 6))
             return _Twist(nothing, np.zeros(frame.columns.size), np.zeros((self.supports.nodes.size, 6)))
         floors = level[rigid]
         mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)
-        across = frame.coordinates[:, 1 - AXES.index(axis)]
-        length = np.array([np.ptp(across[level == floor]) for floor in floors])
+        forces = lateral_forces(F_b, mass, frame.levels)[floors]
+        for number, at in enumerate(frame.diaphragms):
+            if at.part and mass[at.floor]:
+                forces[number] *= frame.node_mass[frame.node_diaphragm == number].sum() / mass[at.floor]
         nodal = np.zeros((len(frame.node_names), 6))
-        nodal[rigid, 5] = accidental_moments(lateral_forces(F_b, mass, frame.levels)[floors], length, ratio)
+        nodal[rigid, 5] = accidental_moments(forces, frame.diaphragm_sizes[:, 1 - AXES.index(axis)], ratio)
         found = static_cases(self.model, (nodal_case(frame, "torsion", nodal),))
         start, end = (nodes[frame.columns] for nodes in frame.ends)
         moved = found.displacements[0][:, AXES.index(axis)]

@@ -402,10 +402,10 @@ class _Role:
 
 
 def _compressed(frame: SpaceFrame, bracing: Bracing) -> np.ndarray:
-    """Return which members may have axial forces, (n_members,): all but beams of rigid floors without braces."""
+    """Return which members may have axial forces, (n_members,): all but beams inside a diaphragm without braces."""
     start, end = frame.ends
     found = np.array([member.kind != "beam" for member in frame.members])
-    found |= (frame.node_floor[start] == NO_DIAPHRAGM) | (frame.node_floor[end] == NO_DIAPHRAGM)
+    found |= (frame.node_diaphragm[start] == NO_DIAPHRAGM) | (frame.node_diaphragm[start] != frame.node_diaphragm[end])
     found[bracing.collectors] = True
     return found
 

@@ -25,6 +25,7 @@ from edesign.codes.ec8.regularity import (
 from edesign.codes.rule_check import RuleCheck, at_most
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
+from edesign.project.building.places import parts_of
 from edesign.space.structure.design_block import Regular, design_of
 from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, SpaceFrame
 from edesign.space.structure.plan_outline import recess_areas
@@ -69,8 +70,8 @@ def regularity(
     """Return whether a building counts as regular, and the rules that say so.
 
     It is what its file says, or else what is found. A rule that does not hold fails where the file claims that it
-    does; otherwise it informs. Where a centre of stiffness cannot be found, as not all floors are rigid, the building
-    is not found to be regular in plan.
+    does; otherwise it informs. Where a centre of stiffness cannot be found, as not every floor is one diaphragm, the
+    building is not found to be regular in plan.
 
     Args:
         building: with its block `design`.
@@ -119,8 +120,9 @@ def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[RuleCheck]:
     lines = [np.concatenate([[0.0], np.cumsum(building.widths(axis))]).tolist() for axis in AXES]
     each = []
     for floor, bays in building.layout.floors.items():
-        areas, whole = recess_areas(bays, *lines)
-        each.append(replace(recess(max(areas, default=0.0), whole), detail=f"floor {floor}"))
+        for part in parts_of(bays):
+            areas, whole = recess_areas(part, *lines)
+            each.append(replace(recess(max(areas, default=0.0), whole), detail=f"floor {floor}"))
     return [slenderness(*extent), max(each, key=lambda rule: rule.value or 0.0)]
 
 
@@ -136,7 +138,7 @@ def _shape_of_elevation(frame: SpaceFrame) -> list[RuleCheck]:
 def _torsion(of: FloorStiffness | None) -> list[RuleCheck]:
     """Return the rules for eccentricity and torsional radius, or that they cannot be found."""
     if of is None:
-        text = "centre of stiffness and torsional radius: not all floors are rigid and have mass"
+        text = "centre of stiffness and torsional radius: not every floor is one diaphragm with mass"
         return [RuleCheck("4.2.3.2(4)", text, None, None, "", None)]
     each = [eccentricity_and_radius(of.e_0[n], of.r[n], of.l_s, axis) for n, axis in enumerate(AXES)]
     return [rule for pair in each for rule in pair]
@@ -148,9 +150,10 @@ def _floor_masses(frame: SpaceFrame) -> np.ndarray:
 
 
 def _floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness | None:
-    """Return the floors under lateral forces; None unless all are rigid and have mass."""
-    rigid = frame.node_floor[frame.level_of_nodes > 0] != NO_DIAPHRAGM
-    return floor_stiffness(frame, model) if rigid.all() and (_floor_masses(frame) > 0.0).all() else None
+    """Return the floors under lateral forces; None unless each is one diaphragm and has mass."""
+    rigid = frame.node_diaphragm[frame.level_of_nodes > 0] != NO_DIAPHRAGM
+    whole = rigid.all() and len(frame.diaphragms) == frame.n_floors
+    return floor_stiffness(frame, model) if whole and (_floor_masses(frame) > 0.0).all() else None
 
 
 def floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness:

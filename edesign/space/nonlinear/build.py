@@ -20,9 +20,10 @@ from edesign.space.nonlinear.bays import building_sites
 from edesign.space.nonlinear.floors import DIRECTIONS, UP, building_floors, building_storeys, control_node
 from edesign.space.nonlinear.gravity import gravity_loads
 from edesign.space.nonlinear.isolation import add_building_base_beams, isolated_base, support_base
-from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, rides, still_beams
+from edesign.space.nonlinear.masses import IN_PLACE, add_masses, attachment_place, ridden, still_beams
 from edesign.space.nonlinear.members import BuildingMembers
 from edesign.space.nonlinear.supports import add_supports, weights_of
+from edesign.space.structure.frame import NO_DIAPHRAGM
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
@@ -49,7 +50,7 @@ def build_building(
         laws: of the dampers, by name; those of other laws are left out; None: the building without dampers.
         attachments: tuned masses.
         outside: names of dampers that stand elsewhere, in a laboratory.
-        eccentricity: by what shares of the lengths of each rigid floor, along x and y, its masses stand beside their
+        eccentricity: by what shares of the lengths of each diaphragm, along x and y, its masses stand beside their
             places; tuned masses stay where they are.
         footings: by lines of columns; without one that is a footing in the file, the line is fixed. None: those of the
             file.
@@ -124,11 +125,12 @@ def _build(
     devices = (*(isolated.devices if isolated is not None else ()), *devices)
     attached = {}
     for item in attachments:
-        node = masters[item.floor] if rides(frame, item) else nodes[node_name(item.at, item.floor)]
+        tied = ridden(frame, item)
+        node = nodes[node_name(item.at, item.floor)] if tied == NO_DIAPHRAGM else masters[tied]
         attached[item.name] = add_attachment(model, item, node, attachment_place(frame, item).tolist())
     floors = building_floors(building, frame, loads, nodes, masters)
     places = dict(zip(model.node_names, model.node_places, strict=True))
-    named = {**nodes, **{model.node_names[master]: master for master in masters.values()}}
+    named = {**nodes, **{model.node_names[master]: master for master in masters}}
     return FrameModel(
         grid=building.grid,
         model=model,

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from edesign.frame.frame_model import Direction, DriftLine, Floor, Member, Storey, Sum, Terms
+from edesign.frame.frame_model import Direction, DriftLine, Floor, Member, RigidPart, Storey, Sum, Terms
 from edesign.project.building.building import Building
 from edesign.project.building.names import ColumnLine, column_name, frame_name, node_name
+from edesign.project.building.places import parts_of
 from edesign.space.nonlinear.gravity import GravityLoads
 from edesign.space.nonlinear.masses import master_name
-from edesign.space.structure.frame import AXES, SpaceFrame
+from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, SpaceFrame
 from edesign.space.structure.plan_outline import corners
 
 DIRECTIONS = tuple(Direction(axis, degree) for degree, axis in enumerate(AXES))
@@ -23,38 +24,34 @@ _UPPER_END = 6  # columns and braces end above; forces of their ends come after 
 
 
 def building_floors(
-    building: Building, frame: SpaceFrame, gravity: GravityLoads, nodes: Mapping[str, int], masters: Mapping[int, int]
+    building: Building, frame: SpaceFrame, gravity: GravityLoads, nodes: Mapping[str, int], masters: Sequence[int]
 ) -> tuple[Floor, ...]:
     """Return the floors above the base; named places are the column lines at the corners of their outlines.
 
-    A floor that is not rigid moves as its masses do in the mean.
+    A floor that is not rigid, or has several diaphragms, moves as its masses do in the mean.
 
     Args:
         building: from `load_building`.
         nodes: ids by name.
-        masters: ids by rigid floor.
+        masters: ids, by diaphragm.
     """
     found = []
     for floor, level in enumerate(building.levels[1:], start=1):
         there = np.flatnonzero(frame.level_of_nodes == floor)
         names = [frame.node_names[node] for node in there]
         points: dict[str, tuple[Sum, ...]] = {}
-        for line in (ColumnLine(*corner) for corner in corners(building.layout.floors[floor])):
+        for line in _corners(building, floor):
             if (name := node_name(line, floor)) in nodes:
                 points[str(line)] = tuple(((1.0, nodes[name], axis.degree),) for axis in DIRECTIONS)
-        if floor in masters:
-            master = masters[floor]
-            movers: tuple[tuple[Sum, ...], ...] = tuple((((1.0, master, axis.degree),),) for axis in DIRECTIONS)
-            turn: Sum = ((1.0, master, TURN),)
-            names.append(master_name(floor))
+        parts = [_part(frame, number, master) for number, master in enumerate(masters) if _at(frame, number) == floor]
+        if len(parts) == 1:
+            movers, turn = parts[0].movers, parts[0].turn
         else:
-            mass = frame.node_mass[there] if frame.node_mass[there].any() else np.ones(there.size)
-            shares = list(zip((mass / mass.sum()).tolist(), there.tolist(), strict=True))
-            movers = tuple(
-                (tuple((share, node, axis.degree) for share, node in shares if share > 0.0),) for axis in DIRECTIONS
-            )
-            turn = ()
-        found.append(Floor(floor, level, movers, tuple(names), float(gravity.of_levels[floor]), turn, points))
+            movers, turn = _mean(frame, there, masters), ()
+        names += [part.nodes[-1] for part in parts]
+        of_level = float(gravity.of_levels[floor])
+        several = tuple(parts) if len(parts) > 1 else ()
+        found.append(Floor(floor, level, movers, tuple(names), of_level, turn, points, several))
     return tuple(found)
 
 
@@ -72,6 +69,35 @@ def control_node(roof: Floor, places: Sequence[Sequence[float]]) -> int:
     centre = sum(share * np.asarray(places[node][:UP]) for node, share in shares.items())
     apart = {node: float(np.linalg.norm(np.asarray(places[node][:UP]) - centre)) for node in shares}
     return min(shares, key=lambda node: (round(apart[node], _PLACES), -round(shares[node], _PLACES)))
+
+
+def _at(frame: SpaceFrame, number: int) -> int:
+    return frame.diaphragms[number].floor
+
+
+def _corners(building: Building, floor: int) -> Iterator[ColumnLine]:
+    """Where the outlines of a floor turn, and those of its rigid parts."""
+    for panels in dict.fromkeys((*parts_of(building.layout.floors[floor]), *building.rigid_parts(floor))):
+        yield from (ColumnLine(*corner) for corner in corners(panels))
+
+
+def _part(frame: SpaceFrame, number: int, master: int) -> RigidPart:
+    """A diaphragm, which moves as its master."""
+    movers = tuple((((1.0, master, axis.degree),),) for axis in DIRECTIONS)
+    nodes = [frame.node_names[node] for node in np.flatnonzero(frame.node_diaphragm == number)]
+    at = frame.diaphragms[number]
+    return RigidPart(str(at), movers, ((1.0, master, TURN),), (*nodes, master_name(at)))
+
+
+def _mean(frame: SpaceFrame, there: np.ndarray, masters: Sequence[int]) -> tuple[tuple[Sum, ...], ...]:
+    """The mean over the masses of nodes of a level, those of diaphragms at their masters."""
+    mass = frame.node_mass[there] if frame.node_mass[there].any() else np.ones(there.size)
+    shares: dict[int, float] = {}
+    for share, node in zip((mass / mass.sum()).tolist(), there.tolist(), strict=True):
+        tied = int(frame.node_diaphragm[node])
+        moving = node if tied == NO_DIAPHRAGM else masters[tied]
+        shares[moving] = shares.get(moving, 0.0) + share
+    return tuple((tuple((of, at, axis.degree) for at, of in shares.items() if of > 0.0),) for axis in DIRECTIONS)
 
 
 def building_storeys(

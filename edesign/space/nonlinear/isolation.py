@@ -11,7 +11,7 @@ from edesign.frame.sections.own_section import section_of
 from edesign.frame.supports import Direction, Grounds, support_springs
 from edesign.project.building.building import Building
 from edesign.project.building.isolation import Isolation
-from edesign.project.building.layout import DIRECTIONS, corners
+from edesign.project.building.layout import DIRECTIONS, Diaphragm, corners
 from edesign.project.building.names import bay_lines, node_name
 from edesign.project.building.supports import Springs
 from edesign.project.frame.supports import VerticalSpring
@@ -55,19 +55,21 @@ def isolated_base(building: Building, isolation: Isolation, frame: SpaceFrame, f
         for line in building.layout.node_lines[0]
     }
     fixed, springs = frame.fixed.copy(), frame.springs.copy()
-    floor, mass = frame.node_floor.copy(), frame.node_mass.copy()
+    rigid = frame.diaphragms if fixed_base else (Diaphragm(0), *frame.diaphragms)
+    tied, mass = frame.node_diaphragm.copy(), frame.node_mass.copy()
+    tied[tied != NO_DIAPHRAGM] += len(rigid) - len(frame.diaphragms)
     of_base = _mass(building, isolation, areas)
     for name, restraints in directions.items():
         node = nodes[name]
         fixed[node] = [restraint == "fixed" for restraint in restraints]
         springs[node] = 0.0
-        floor[node] = NO_DIAPHRAGM if fixed_base else 0
+        tied[node] = NO_DIAPHRAGM if fixed_base else 0
         mass[node] += of_base.get(name, 0.0)
     G, Q = isolation.base.G, isolation.base.Q
     load = gravity_factor(building, "permanent") * G
     if isolation.base.category is not None:
         load += gravity_factor(building, isolation.base.category) * Q
-    standing = replace(frame, fixed=fixed, springs=springs, node_floor=floor, node_mass=mass)
+    standing = replace(frame, fixed=fixed, springs=springs, node_diaphragm=tied, diaphragms=rigid, node_mass=mass)
     return BuildingBase(standing, directions, {name: load * area for name, area in areas.items()})
 
 

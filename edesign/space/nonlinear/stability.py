@@ -7,12 +7,12 @@ import re
 import numpy as np
 
 from edesign.core import Modes
-from edesign.frame.frame_model import FrameModel
+from edesign.frame.frame_model import FrameModel, RigidPart
 from edesign.project.building.building import Building
 from edesign.project.reading.problems import listed
 from edesign.space.nonlinear.masses import MASTER
 
-_FREE = re.compile(rf"((?:[A-Z]+\d+\.|{re.escape(MASTER)}|B[XY]_\w+\.?)\d*)\.(ux|uy|uz|rx|ry|rz)\b")
+_FREE = re.compile(rf"((?:[A-Z]+\d+\.|{re.escape(MASTER)}(?:\d+\.)?|B[XY]_\w+\.?)\d*)\.(ux|uy|uz|rx|ry|rz)\b")
 _ALONG = {"ux": "slides along x", "uy": "slides along y", "uz": "moves up and down"}
 
 
@@ -29,7 +29,7 @@ def free_motion(building: Building, text: str) -> str:
     turns = {degree for degree in degrees if degree.startswith("r")}
     level = {node: round(place[2], 6) for node, place in building.grid.nodes.items()}
     floors = {building.levels.index(level[node]) for node, _ in named if node in level}
-    floors |= {int(node.removeprefix(MASTER)) for node, _ in named if node.startswith(MASTER)}
+    floors |= {int(node.removeprefix(MASTER).partition(".")[0]) for node, _ in named if node.startswith(MASTER)}
     if degrees == turns and not any(node.startswith(MASTER) for node, _ in named):
         node, degree = named[0]
         members = [name for name, ends in building.grid.ends.items() if node in ends]
@@ -48,12 +48,13 @@ def softest_motion(frame: FrameModel, modes: Modes) -> str:
         frame: of the building.
     """
     found = []
-    for floor in frame.floors:
-        x, y = (float(np.mean([modes.moved(one)[0] for one in alike])) for alike in floor.movers)
-        plan = np.array([frame.places[node][:2] for node in floor.nodes])
+    for body in (body for floor in frame.floors for body in floor.parts or (floor,)):
+        x, y = (float(np.mean([modes.moved(one)[0] for one in alike])) for alike in body.movers)
+        plan = np.array([frame.places[node][:2] for node in body.nodes])
         radius = 0.5 * float(np.hypot(*np.ptp(plan, axis=0)))
-        turn = float(modes.moved(floor.turn)[0]) * radius if floor.turn else 0.0
+        turn = float(modes.moved(body.turn)[0]) * radius if body.turn else 0.0
         words = ("sways along x", "sways along y", "turns about the vertical")
         most = int(np.argmax(np.abs([x, y, turn])))
-        found.append((abs((x, y, turn)[most]), f"floor {floor.number} {words[most]}"))
+        subject = f"diaphragm {body.name}" if isinstance(body, RigidPart) else f"floor {body.number}"
+        found.append((abs((x, y, turn)[most]), f"{subject} {words[most]}"))
     return max(found)[1]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -41,27 +41,27 @@ def add_supports(
     frame: SpaceFrame,
     model: Model,
     footings: Mapping[str, FootingSprings],
-    masters: Mapping[int, int],
+    masters: Sequence[int],
 ) -> BuiltSupports:
     """Support column bases and floors that the ground holds, and fix turns that nothing restrains or works on.
 
-    A rigid floor that is fixed in plan is so at its master, where its reactions are.
+    A diaphragm that is fixed in plan is so at its master, where its reactions are.
 
     Args:
         building: from `load_building`.
         frame: of the building.
         model: of the core, which has the nodes of the frame in their order.
         footings: by lines of columns; a line whose footing is not among them is fixed.
-        masters: ids by rigid floor.
+        masters: ids, by diaphragm.
     """
     found = BuiltSupports()
-    of_floors: dict[int, np.ndarray] = {}
+    of_diaphragms: dict[int, np.ndarray] = {}
     loose = unrestrained_turns(frame)
     on_footings = {node_name(line, 0): footings.get(line) for line in building.footings}
     for node, name in enumerate(frame.node_names):
         fixed = frame.fixed[node].copy()
-        if (floor := int(frame.node_floor[node])) in masters and (fixed & _IN_PLAN).any():
-            of_floors[floor] = fixed & _IN_PLAN
+        if (tied := int(frame.node_diaphragm[node])) != NO_DIAPHRAGM and (fixed & _IN_PLAN).any():
+            of_diaphragms[tied] = fixed & _IN_PLAN
             fixed &= ~_IN_PLAN
         held = fixed.copy()
         held[3:] |= loose[node]
@@ -78,9 +78,9 @@ def add_supports(
         elif frame.springs[node].any():
             springs: list[Direction] = [value if value > 0.0 else "free" for value in frame.springs[node].tolist()]
             found.grounds[name] = support_springs(model, name, node, model.node_places[node], springs)
-    for floor, fixed in of_floors.items():
-        ux, uy, _, _, _, rz = found.restrained[master_name(floor)] = tuple(fixed.tolist())
-        model.fix(masters[floor], ux=ux, uy=uy, rz=rz, uz=True, rx=True, ry=True)
+    for number, fixed in of_diaphragms.items():
+        ux, uy, _, _, _, rz = found.restrained[master_name(frame.diaphragms[number])] = tuple(fixed.tolist())
+        model.fix(masters[number], ux=ux, uy=uy, rz=rz, uz=True, rx=True, ry=True)
     return found
 
 
@@ -101,7 +101,7 @@ def unrestrained_turns(frame: SpaceFrame) -> np.ndarray:
     the axes of the building.
     """
     held = frame.fixed[:, 3:] | (frame.springs[:, 3:] > 0.0)
-    held[:, 2] |= frame.node_floor != NO_DIAPHRAGM
+    held[:, 2] |= frame.node_diaphragm != NO_DIAPHRAGM
     along = np.argmax(np.abs(member_axes(frame)) > _SETTLED, axis=2)
     handed = []
     for member, (twist, about_y, about_z) in zip(frame.members, along, strict=True):

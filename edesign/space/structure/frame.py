@@ -16,6 +16,7 @@ import numpy as np
 
 from edesign.codes.ec3.section import SteelSection
 from edesign.frame.sections.steel_section import steel_section
+from edesign.project.building.layout import Diaphragm
 
 Kind = Literal["column", "beam", "brace"]
 RIGID = float("inf")
@@ -96,7 +97,7 @@ class SpaceFrame:
     Attributes:
         node_names: `A2.3`: column line A2, floor 3; floor 0 is the base. `BX_2_1_5`: the middle of that beam.
         coordinates: (n_nodes, 3) m.
-        node_floor: (n_nodes,) floor of the rigid diaphragm, 1 at the bottom; `NO_DIAPHRAGM` without one.
+        node_diaphragm: (n_nodes,) number in `diaphragms` of what ties it; `NO_DIAPHRAGM`: nothing does.
         levels: (n_floors + 1,) level of each floor above the base, m; the base is first.
         fixed: (n_nodes, 6) True where ux, uy, uz, rx, ry, rz is restrained.
         springs: (n_nodes, 6) stiffness of elastic supports, N/m and N m/rad; 0 elsewhere.
@@ -104,11 +105,12 @@ class SpaceFrame:
         cases: load cases by name.
         node_mass: (n_nodes,) kg, acts horizontally at the node.
         own_sections: of the file, by name.
+        diaphragms: rigid floors, and rigid parts of floors, from below.
     """
 
     node_names: tuple[str, ...]
     coordinates: np.ndarray
-    node_floor: np.ndarray
+    node_diaphragm: np.ndarray
     levels: np.ndarray
     fixed: np.ndarray
     springs: np.ndarray
@@ -116,6 +118,7 @@ class SpaceFrame:
     cases: dict[str, LoadCase]
     node_mass: np.ndarray
     own_sections: Mapping[str, SteelSection] = field(default_factory=dict)
+    diaphragms: tuple[Diaphragm, ...] = ()
 
     def section(self, name: str) -> SteelSection:
         """Return a section that a member names: one of the file, or one of the catalogue.
@@ -186,6 +189,18 @@ class SpaceFrame:
     def level_of_nodes(self) -> np.ndarray:
         """Floor at the level of each node, 0 at the base, (n_nodes,); nodes between two floors count up."""
         return np.searchsorted(self.levels, self.coordinates[:, 2] - 1e-9 * self.levels[-1])
+
+    @cached_property
+    def diaphragm_sizes(self) -> np.ndarray:
+        """Lengths along x and y of what accidental eccentricity goes by, (n_diaphragms, 2) m.
+
+        It is the whole floor where it has one diaphragm, and otherwise its own nodes.
+        """
+        found = []
+        for number, at in enumerate(self.diaphragms):
+            own = self.node_diaphragm == number if at.part else self.level_of_nodes == at.floor
+            found.append(np.ptp(self.coordinates[own, :2], axis=0))
+        return np.array(found).reshape(-1, 2)
 
     def with_sections(
         self, members: tuple[Member, ...], cases: Mapping[str, LoadCase], node_mass: np.ndarray

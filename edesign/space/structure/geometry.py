@@ -11,7 +11,7 @@ import numpy as np
 from edesign.frame.footings import springs_under
 from edesign.frame.sections.own_section import own_section
 from edesign.project.building.building import Building
-from edesign.project.building.layout import ways
+from edesign.project.building.layout import Diaphragm, ways
 from edesign.project.building.members import BeamRun, BraceRun, End
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, column_name, frame_name, node_name
 from edesign.project.frame.foundations import FootingSupport
@@ -41,10 +41,11 @@ def space_frame(building: Building) -> SpaceFrame:
     fixed, springs = _supports(building, nodes)
     ends = {name: (nodes[start], nodes[end]) for name, (start, end) in layout.ends.items()}
     members = (*_columns(building, ends), *_beams(building, ends), *_braces(building, ends, coordinates))
+    numbers: dict[Diaphragm | None, int] = {at: number for number, at in enumerate(layout.diaphragms)}
     bare = SpaceFrame(
         node_names=tuple(nodes),
         coordinates=coordinates,
-        node_floor=np.array([layout.tied.get(name, NO_DIAPHRAGM) for name in nodes]),
+        node_diaphragm=np.array([numbers.get(layout.tied.get(name), NO_DIAPHRAGM) for name in nodes]),
         levels=np.array(building.levels),
         fixed=fixed,
         springs=springs,
@@ -52,6 +53,7 @@ def space_frame(building: Building) -> SpaceFrame:
         cases={},
         node_mass=np.zeros(len(nodes)),
         own_sections={name: own_section(name, own) for name, own in building.sections.items()},
+        diaphragms=tuple(layout.diaphragms),
     )
     loaded = replace(bare, cases=load_cases(building, bare))
     return replace(loaded, node_mass=node_masses(building, loaded))

@@ -91,22 +91,20 @@ def floor_masses(frame: SpaceFrame) -> FloorMasses:
 def mass_shift(frame: SpaceFrame, eccentricity: tuple[float, float]) -> np.ndarray:
     """Return by how much the masses of each node stand beside it, (n_nodes, 2) m.
 
-    Those of all rigid floors stand to one side, together. Others are held by the nodes that they stand at.
+    Those of all diaphragms stand to one side, together. Others are held by the nodes that they stand at.
 
     Args:
         frame: of the building.
-        eccentricity: share of the length of each floor along x and y.
+        eccentricity: share of the length of each floor along x and y, of its own where a floor has several diaphragms.
 
     Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3.
     """
     found = np.zeros((len(frame.node_names), 2))
-    for level in range(frame.n_floors + 1):
-        at_floor = frame.level_of_nodes == level
+    for number, lengths in enumerate(frame.diaphragm_sizes):
         for axis, share in enumerate(eccentricity):
             if share != 0.0:
-                length = np.ptp(frame.coordinates[at_floor, axis])
-                beside = np.copysign(accidental_eccentricity(length, abs(share)), share)
-                found[at_floor & (frame.node_floor >= 0), axis] = beside
+                beside = np.copysign(accidental_eccentricity(lengths[axis], abs(share)), share)
+                found[frame.node_diaphragm == number, axis] = beside
     return found
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.core.space import PROPERTIES, SpaceMembers, SpaceModel
 from edesign.project.building.building import Steel
-from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
+from edesign.space.structure.frame import SpaceFrame
 
 TENSION_ONLY_SHARE = 0.5
 """Share of its area that a brace has in the model if it does not count in compression."""
@@ -21,7 +21,7 @@ them where all beams of a direction are pinned.
 
 
 def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool = False) -> SpaceModel:
-    """Return the model of a frame; the master of each rigid floor is at the centre of its mass.
+    """Return the model of a frame; the master of each diaphragm is at the centre of its mass.
 
     Braces that do not count in compression come in pairs, of which one is in tension. In a linear model each has half
     its area, so that a pair is as stiff as the one that acts (`TENSION_ONLY_SHARE`; EN 1998-1, 6.7.2(2)P).
@@ -39,7 +39,7 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool
     properties = dict(zip(PROPERTIES, member_properties(frame, materials, gravity).T, strict=True))
     return SpaceModel(
         coordinates=frame.coordinates,
-        node_floor=_diaphragm_numbers(frame),
+        node_floor=frame.node_diaphragm,
         masters=masters(frame),
         fixed=frame.fixed,
         springs=frame.springs,
@@ -81,30 +81,15 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
     return found
 
 
-def diaphragm_floors(frame: SpaceFrame) -> tuple[int, ...]:
-    """Return the floors that are rigid in their plane, from below.
-
-    Args:
-        frame: of the building.
-    """
-    return tuple(sorted({int(floor) for floor in frame.node_floor if floor != NO_DIAPHRAGM}))
-
-
-def _diaphragm_numbers(frame: SpaceFrame) -> np.ndarray:
-    """Return the number of the diaphragm of each node, from 0; `NO_DIAPHRAGM` without one."""
-    numbers = np.searchsorted(np.array(diaphragm_floors(frame)), frame.node_floor)
-    return np.where(frame.node_floor == NO_DIAPHRAGM, NO_DIAPHRAGM, numbers)
-
-
 def masters(frame: SpaceFrame) -> np.ndarray:
-    """Return the centre of mass of each rigid floor, or of its nodes if it has no mass, (n_diaphragms, 2) m.
+    """Return the centre of mass of each diaphragm, or of its nodes if it has no mass, (n_diaphragms, 2) m.
 
     Args:
         frame: of the building.
     """
     found = []
-    for floor in diaphragm_floors(frame):
-        of_floor = frame.node_floor == floor
-        mass = frame.node_mass[of_floor]
-        found.append(np.average(frame.coordinates[of_floor, :2], axis=0, weights=mass if mass.any() else None))
+    for number in range(len(frame.diaphragms)):
+        own = frame.node_diaphragm == number
+        mass = frame.node_mass[own]
+        found.append(np.average(frame.coordinates[own, :2], axis=0, weights=mass if mass.any() else None))
     return np.array(found).reshape(-1, 2)

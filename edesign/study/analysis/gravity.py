@@ -14,7 +14,7 @@ from edesign.study.analysis.structure import make_structure
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.dampers import damper_quantities
-from edesign.study.results.floors import base_displacement, floor_displacements, floor_rotations
+from edesign.study.results.floors import base_displacement, diaphragm_motions, floor_displacements, floor_rotations
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.springs import spring_quantities
@@ -50,6 +50,7 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
         floor_displacements(frame, history=False),
         storey_drifts(frame, history=False),
         *floor_rotations(frame, history=False),
+        *diaphragm_motions(frame, group, history=False),
         storey_shears(frame, history=False),
         *storey_torques(frame, history=False),
         base_shear(frame, history=False),

@@ -91,7 +91,8 @@ def eccentric_moments(
 ) -> dict[str, float]:
     """Return the moments about the vertical of loads that act where accidental eccentricity puts the masses, N m.
 
-    Rigid floors turn about the vertical, and they alone have one. The dimension of a floor is that of its nodes.
+    Diaphragms turn about the vertical, and they alone have one. The dimension of a floor is that of its nodes, and of
+    one of several diaphragms that of its own.
 
     Args:
         loads: on the nodes by name, N; those of rigid floors at their centres of mass.
@@ -105,11 +106,11 @@ def eccentric_moments(
     if share == 0.0:
         return {}
     found = {}
-    for floor in frame.floors:
-        for _, node, _ in floor.turn:
+    for rigid in (rigid for floor in frame.floors for rigid in floor.rigid):
+        for _, node, _ in rigid.turn:
             name = frame.model.node_names[node]
             if name in loads:
-                length = float(np.ptp([frame.places[one][across] for one in floor.nodes]))
+                length = float(np.ptp([frame.places[one][across] for one in rigid.nodes]))
                 arm = math.copysign(float(accidental_eccentricity(length, abs(share))), share)
                 found[name] = (-arm if direction == 0 else arm) * loads[name]
     return found

@@ -139,6 +139,16 @@ def _store_torsion(group: Group, frame: FrameModel, modes: Modes, scale: np.ndar
     turns = np.array([modes.moved(floor.turn) if floor.turn else np.zeros(scale.size) for floor in frame.floors]).T
     label = "turn of the floor about the vertical in the mode, per m of the scale"
     group.add("floor_rotation_shape", ("mode", "floor"), turns / scale[:, None], "rad/m", label)
+    parts = [part for floor in frame.floors for part in floor.parts]
+    if not parts:
+        return
+    coordinate(group, "diaphragm", [part.name for part in parts], "", "diaphragm as floor.number on it")
+    moved = np.array([[modes.moved(mover) / scale for (mover,) in part.movers] for part in parts])
+    label = "horizontal displacement of the diaphragm in the mode, at its centre of mass"
+    group.add("diaphragm_shape", ("mode", "diaphragm", "direction"), np.moveaxis(moved, -1, 0), "1", label)
+    turns = np.array([modes.moved(part.turn) / scale for part in parts]).T
+    label = "turn of the diaphragm about the vertical in the mode, per m of the scale"
+    group.add("diaphragm_rotation_shape", ("mode", "diaphragm"), turns, "rad/m", label)
 
 
 def _scale(floors: np.ndarray, shapes: np.ndarray) -> np.ndarray:

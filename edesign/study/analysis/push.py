@@ -25,7 +25,7 @@ from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.couples import LackingCouples
 from edesign.study.results.dampers import damper_quantities
-from edesign.study.results.floors import floor_displacements, floor_rotations
+from edesign.study.results.floors import diaphragm_motions, floor_displacements, floor_rotations
 from edesign.study.results.member_use import member_use
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
@@ -137,6 +137,7 @@ def push(
         load_factor,
         floor_displacements(frame, history=True),
         *floor_rotations(frame, history=True),
+        *diaphragm_motions(frame, group, history=True),
         storey_drifts(frame, history=True),
         storey_shears(frame, history=True),
         *storey_torques(frame, history=True),

@@ -9,7 +9,7 @@ import numpy as np
 from edesign.codes.ec8.modal_combination import LEAST_MASS, cqc, cqc_coefficients
 from edesign.codes.spectrum import Spectrum
 from edesign.core import Modes
-from edesign.frame.frame_model import FrameModel
+from edesign.frame.frame_model import Floor, FrameModel, RigidPart
 from edesign.study.analysis.push import Push
 from edesign.study.analysis.structure import Structure
 
@@ -43,7 +43,7 @@ class TorsionalAmplification:
 def torsional_amplification(
     push: Push, structure: Structure, stiffness: np.ndarray | None, spectrum: Spectrum
 ) -> TorsionalAmplification | None:
-    """Compare an elastic modal analysis of a building with a push of it; None where no floor turns as a rigid one.
+    """Compare an elastic modal analysis of a building with a push of it; None where nothing turns as a rigid floor.
 
     Args:
         push: at whose end the displacements count, less those under gravity.
@@ -59,17 +59,20 @@ def torsional_amplification(
     """
     frame = push.frame
     tops = {at.line: storey.number for storey in frame.storeys for at in storey.drifts[push.direction]}
-    tops = {line: floor for line, floor in tops.items() if frame.floors[floor - 1].turn}
+    tying = {line: _tying(frame, frame.grid.node_name(line, floor), floor) for line, floor in tops.items()}
+    tops = {line: floor for line, floor in tops.items() if tying[line] is not None}
+    rigid = [of for of in tying.values() if of is not None]
     if not tops:
         return None
     degree = frame.directions[push.direction].degree
-    moved, turned = ((of[-1] - of[0]) for of in (push.floors, push.turned))
-    levers = np.array([_lever(frame, line, floor, degree) for line, floor in tops.items()])
-    floors = np.array(list(tops.values())) - 1
-    pushed = 1.0 + levers * turned[floors] / moved[floors]
+    levers = np.array(
+        [_lever(frame, line, floor, of, degree) for (line, floor), of in zip(tops.items(), rigid, strict=True)]
+    )
+    moved, turned = np.array([_pushed(push, of) for of in rigid]).T
+    pushed = 1.0 + levers * turned / moved
 
     modes = _modes(structure, degree, stiffness)
-    masters = [_master(structure.frame, floor) for floor in tops.values()]
+    masters = [of.turn[0][1] for of in rigid]
     nodes = [structure.frame.nodes[frame.grid.node_name(line, floor)] for line, floor in tops.items()]
     peaks = modes.participation[:, degree] * np.asarray(spectrum.displacement(modes.period))
     on_lines = peaks[:, None] * modes.shapes[:, nodes, degree]
@@ -89,13 +92,25 @@ def _modes(structure: Structure, degree: int, stiffness: np.ndarray | None) -> M
         count = min(2 * count, most)
 
 
-def _master(frame: FrameModel, floor: int) -> int:
-    (_, master, _), *_ = frame.floors[floor - 1].turn
-    return master
+def _tying(frame: FrameModel, node: str, floor: int) -> Floor | RigidPart | None:
+    """What turns as one with a node of a floor."""
+    return next((of for of in frame.floors[floor - 1].rigid if node in of.nodes), None)
 
 
-def _lever(frame: FrameModel, line: str, floor: int, degree: int) -> float:
-    """Displacement on a column line for a unit turn of its floor about the centre of mass, m."""
+def _pushed(push: Push, rigid: Floor | RigidPart) -> tuple[float, float]:
+    """How far a push moved the centre of mass of a floor or diaphragm, m, and turned it, rad, since gravity."""
+    if isinstance(rigid, RigidPart):
+        at = list(push.group.coords["diaphragm"].values).index(rigid.name)
+        moved = push.group.variables["diaphragm_displacement"].values[:, at, push.direction]
+        turned = push.group.variables["diaphragm_rotation"].values[:, at]
+    else:
+        moved, turned = push.floors[:, rigid.number - 1], push.turned[:, rigid.number - 1]
+    return float(moved[-1] - moved[0]), float(turned[-1] - turned[0])
+
+
+def _lever(frame: FrameModel, line: str, floor: int, rigid: Floor | RigidPart, degree: int) -> float:
+    """Displacement on a column line for a unit turn of what ties it about the centre of mass, m."""
+    (_, master, _), *_ = rigid.turn
     x, y, *_ = frame.grid.nodes[frame.grid.node_name(line, floor)]
-    x_m, y_m, *_ = frame.model.node_places[_master(frame, floor)]
+    x_m, y_m, *_ = frame.model.node_places[master]
     return y_m - y if degree == 0 else x - x_m

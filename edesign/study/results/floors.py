@@ -59,8 +59,37 @@ def floor_rotations(frame: FrameModel, history: bool) -> list[Quantity]:
         history: whether values over time are kept.
     """
     cells = tuple(recorded(floor.turn) for floor in frame.floors)
-    name = "turn of the floor about the vertical; 0: it is not rigid"
+    name = "turn of the floor about the vertical; 0: it does not turn as one"
     return [Quantity("floor_rotation", ("floor",), (len(cells),), cells, "rad", name, history)] if any(cells) else []
+
+
+def diaphragm_motions(frame: FrameModel, group: Group, history: bool, accelerations: bool = False) -> list[Quantity]:
+    """Return the motions of the diaphragms of floors that have several, and add their names to a group.
+
+    Args:
+        group: of the analysis.
+        history: whether values over time are kept.
+        accelerations: whether total accelerations are among them.
+    """
+    parts = [(floor.number, part) for floor in frame.floors for part in floor.parts]
+    if not parts:
+        return []
+    coordinate(group, "diaphragm", [part.name for _, part in parts], "", "diaphragm as floor.number on it")
+    group.add("diaphragm_floor", ("diaphragm",), [floor for floor, _ in parts], "1", "floor of the diaphragm")
+    dims, shape = ("diaphragm", "direction"), (len(parts), len(frame.directions))
+    moved = [mover for _, part in parts for (mover,) in part.movers]
+    label = "horizontal displacement of the diaphragm relative to the ground, at its centre of mass"
+    cells = tuple(recorded(mover) for mover in moved)
+    found = [Quantity("diaphragm_displacement", dims, shape, cells, "m", label, history)]
+    cells = tuple(recorded(part.turn) for _, part in parts)
+    label = "turn of the diaphragm about the vertical"
+    found.append(Quantity("diaphragm_rotation", dims[:1], shape[:1], cells, "rad", label, history))
+    if accelerations:
+        cells = tuple(recorded(mover, "total_acceleration") for mover in moved)
+        label = "total horizontal acceleration of the diaphragm, at its centre of mass"
+        keep = ("max", "min")
+        found.append(Quantity("diaphragm_acceleration", dims, shape, cells, "m/s^2", label, history, keep))
+    return found
 
 
 def point_motions(frame: FrameModel, group: Group, history: bool) -> list[Quantity]:

@@ -349,7 +349,7 @@ def test_shifted_masses_twist_a_symmetric_storey_as_the_closed_form_says() -> No
     Om2 = (found.modes.omega[turning] / found.modes.omega[along_x]) ** 2
     rho2 = 3.0**2 + 4.0**2  # masses in the corners of 6 m x 8 m
     e = 0.4
-    shift = np.where(found.frame.node_floor[:, None] >= 0, [0.0, e], 0.0)
+    shift = np.where(found.frame.node_diaphragm[:, None] >= 0, [0.0, e], 0.0)
     shifted = model.modes(found.frame.node_mass, mass_shift=shift)
     total = 1.0 + Om2 + e**2 / rho2
     expected = 0.5 * (total + np.array([-1.0, 1.0]) * np.sqrt(total**2 - 4.0 * Om2))

@@ -105,7 +105,7 @@ def test_members_of_a_small_building() -> None:
     assert (frame.node_names[brace.start], frame.node_names[brace.end]) == ("A1.1", "A2.2")
     assert brace.axial_only and not brace.compression
     assert frame.fixed[:9].all() and not frame.fixed[9:].any() and not frame.springs.any()
-    assert list(frame.node_floor) == [NO_DIAPHRAGM] * 9 + [1] * 9 + [2] * 9
+    assert list(frame.node_diaphragm) == [NO_DIAPHRAGM] * 9 + [0] * 9 + [1] * 9
     assert frame.node_mass[:9].sum() == 0.0
 
 
@@ -123,7 +123,7 @@ def test_members_of_a_building_with_chevrons_and_springs() -> None:
     rising, falling = member(frame, "DY_A_2_2_r"), member(frame, "DY_A_2_2_f")
     middle = frame.node_names.index("BY_A_2_2")
     assert first.end == second.start == rising.end == falling.end == middle
-    assert list(frame.coordinates[middle]) == [0.0, 8.0, 8.5] and frame.node_floor[middle] == 2
+    assert list(frame.coordinates[middle]) == [0.0, 8.0, 8.5] and frame.node_diaphragm[middle] == 1
     assert first.ends == (0.0, 0.0, RIGID, RIGID) and second.ends == (RIGID, RIGID, 0.0, 0.0)
     v = member(frame, "DY_A_2_3_r")
     assert (v.start, frame.node_names[v.end]) == (middle, "A3.3") and v.compression
@@ -188,7 +188,7 @@ def test_loads_upwards_give_no_negative_mass() -> None:
 
 def test_floors_without_a_diaphragm() -> None:
     frame = space_frame(building(SMALL, ("columns: [", "diaphragms: 2\ncolumns: [")))
-    assert set(frame.node_floor[:18]) == {NO_DIAPHRAGM} and set(frame.node_floor[18:]) == {2}
+    assert set(frame.node_diaphragm[:18]) == {NO_DIAPHRAGM} and set(frame.node_diaphragm[18:]) == {0}
 
 
 @pytest.fixture(scope="module")
