@@ -78,7 +78,7 @@ def moving_group(building: Building, motion: bool = True) -> Group:
     along("end", ["start", "end"])
     along("axis", ["y", "z"])
     along("damper", list(DAMPERS))
-    along("point", [f"{floor}.{line}" for floor, line in points])
+    along("point", [f"{line}.{floor}" for floor, line in points])
     along("column", members["column"])
     along("beam", members["beam"])
     centre = {f"m{level}": (*CENTRE, level) for level in (4.0, 7.0)}

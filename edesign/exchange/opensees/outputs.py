@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from edesign.exchange.opensees.commands import Value
 from edesign.exchange.opensees.structure import Structure
-from edesign.frame.frame_model import FrameModel, Sum
+from edesign.frame.frame_model import Floor, FrameModel, RigidPart, Sum
 
 Outputs = dict[str, Value | dict[str, Value]]
 
@@ -55,12 +55,15 @@ def _of_building(frame: FrameModel, structure: Structure) -> Outputs:
 
 
 def _floors(frame: FrameModel, structure: Structure) -> Iterator[Value]:
-    """Number, way, unit and sum of what a floor of a building does, which its first mover leads."""
+    """Name, way, unit and sum of what a floor of a building does, which its first mover leads, and its diaphragms."""
     for floor in frame.floors:
-        for direction, (mover, *_) in zip(frame.directions, floor.movers, strict=True):
-            yield floor.number, direction.name, "m", _sum(mover, structure)
-        if floor.turn:
-            yield floor.number, "turn", "rad", _sum(floor.turn, structure)
+        named: list[tuple[int | str, Floor | RigidPart]] = [(floor.number, floor)]
+        named += [(part.name, part) for part in floor.parts]
+        for name, of in named:
+            for direction, (mover, *_) in zip(frame.directions, of.movers, strict=True):
+                yield name, direction.name, "m", _sum(mover, structure)
+            if of.turn:
+                yield name, "turn", "rad", _sum(of.turn, structure)
 
 
 def _sum(terms: Sum, structure: Structure) -> Value:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
+from edesign.project.reading.problems import listed
 
 Rows = list[tuple[str, str]]
 NOT_CHECKED = (
@@ -44,7 +45,9 @@ def _floors(building: Building) -> str:
     which = "All floors are" if len(stiff) == building.n_storeys else f"Floors {building.diaphragms} are"
     if building.partial_diaphragms:
         which = f"{which} in part" if len(stiff) == 1 else f"{which}, some in part alone,"
-    return f"{which} rigid in their plane; beams in them have no axial forces. Slabs add no strength to beams."
+    several = [str(floor) for floor in stiff if len(building.rigid_parts(floor)) > 1]
+    apart = f" The parts of floors {listed(several)} move apart." if several else ""
+    return f"{which} rigid in their plane; beams in them have no axial forces.{apart} Slabs add no strength to beams."
 
 
 def _ends(building: Building) -> str:

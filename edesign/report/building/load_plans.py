@@ -19,6 +19,7 @@ from edesign.report.model.words import short
 from edesign.space.check import floor_loads
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.masses import floor_masses
+from edesign.space.structure.model import masters
 
 WIDTH = 6.4  # of the legend, inches
 AREA = "#eaf1f8"
@@ -174,6 +175,11 @@ def _sums(frame: SpaceFrame, floors: Sequence[int]) -> Iterator[Entry]:
             centre = f"at x = {masses.x[floor]:.2f} m, y = {masses.y[floor]:.2f} m"
             parts.append(f"mass {short(masses.mass[floor] / 1e3)} t {centre}")
         yield Entry(f"floor {floor}: {', '.join(parts) or 'no load'}")
+        for number, at in enumerate(frame.diaphragms):
+            mass = frame.node_mass[frame.node_diaphragm == number].sum()
+            if at.part and at.floor == floor and mass > 0.0:
+                x, y = masters(frame)[number]
+                yield Entry(f"its diaphragm {at}: mass {short(mass / 1e3)} t at x = {x:.2f} m, y = {y:.2f} m")
 
 
 def _in_words(case: str) -> str:

@@ -12,7 +12,7 @@ from edesign.report.response.histories import names_of
 def floors_in_plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.ndarray:
     """Return base and floors of a building as rigid bodies, by the places that a history kept of each.
 
-    A floor without two such places does not turn.
+    A floor without two such places does not turn, and neither does one with several diaphragms.
 
     Args:
         floors: displacement of base and floors along x and y, (times, floors + 1, 2) m.
@@ -24,9 +24,9 @@ def floors_in_plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.n
     known = names_of(group, "point") if points is not None and points.dims[0] == "time" else []
     found = np.zeros((*floors.shape[:2], 3))
     found[..., :2] = floors
-    for floor in range(1, floors.shape[1]):
-        lines = {i: name.partition(".")[2] for i, name in enumerate(known) if name.startswith(f"{floor}.")}
-        there = {i: f"{line}.{floor}" for i, line in lines.items() if f"{line}.{floor}" in geometry.nodes}
+    several = group.variables["diaphragm_floor"].values if "diaphragm_floor" in group.variables else ()
+    for floor in set(range(1, floors.shape[1])) - set(several):
+        there = {i: name for i, name in enumerate(known) if name.endswith(f".{floor}") and name in geometry.nodes}
         if points is not None and len(there) > 1:
             places = np.array([geometry.nodes[node][:2] for node in there.values()])
             middle, mean, turn = rigid_motion(places, np.asarray(points.values, dtype=float)[:, list(there)])

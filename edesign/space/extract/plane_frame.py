@@ -200,9 +200,9 @@ class PlaneFrame:
         if self.building.held_floors:
             message = "project files have no floors that the ground holds [E-SPACE-04]"
             raise self._refuse(message, "restrained_floors")
-        if self.building.partial_diaphragms:
-            message = "project files have no floors that are rigid in part [E-SPACE-04]"
-            raise self._refuse(message, "partial_diaphragms")
+        if self.building.partial_diaphragms or any(at.part for at in self.building.layout.diaphragms):
+            message = "project files have no floors that are rigid in part, or in several parts [E-SPACE-04]"
+            raise self._refuse(message, "partial_diaphragms" if self.building.partial_diaphragms else "setbacks")
         if not self.columns:
             raise self._refuse("no column stands in it [E-SPACE-05]", "missing", "columns")
         if loose := self._loose_nodes():
