@@ -1184,7 +1184,7 @@ LEFT = {
     ),
     "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
         "leave `design` or this key out", "give `rz: fixed`, or stiffnesses along x and y",
-        "all directions are `free`; leave this entry out",
+        "all directions are `free`; leave this entry out", "give each of them an entry of its own",
     ),
     "it is of a substructure test on a project of its own; tests/unit/substructure provokes it": (
         "by them alone; take more `sub_steps`", "and the file names none under `structure`", "or give a `law_file`",

@@ -242,6 +242,11 @@ def test_mistakes_of_held_floors_are_reported_with_their_place(new: str, said: s
         ("[{floors: 1, bays: {x: @1-3, y: 1}}]", "partial_diaphragms[0].bays.x 3 E-NAME-01"),
         ("[{floors: 1, bays: all}, {floors: @1, bays: {x: 1, y: 1}}]", "partial_diaphragms[1].floors E-NAME-02"),
         ("[{floors: 1, @bays: [{x: 1, y: 1}, {x: 2, y: 2}]}]", "partial_diaphragms[0].bays touch E-VALUE-04"),
+        (
+            "[{floors: 1, bays: {x: 1, y: 1}}, {floors: @1-2, bays: {x: 2, y: 1}}]",
+            "partial_diaphragms[1].floors `B1` `B2` E-NAME-02",
+        ),
+        ("@diaphragms: all\nsetbacks: [{floors: 2, bays: [{x: 1, y: 1}, {x: 2, y: 2}]}]", "diaphragms B2 E-VALUE-04"),
         ("[{floors: @1, bays: all}]\ndiaphragms: none", "partial_diaphragms[0].floors `diaphragms` E-NAME-01"),
         (
             "[{floors: 2, @bays: all}]\nsetbacks: [{floors: 2, bays: {x: 1, y: all}}]",
@@ -251,7 +256,8 @@ def test_mistakes_of_held_floors_are_reported_with_their_place(new: str, said: s
 )
 def test_mistakes_of_partial_diaphragms_are_reported_with_their_place(new: str, said: str) -> None:
     base = building_text_without_braces()
-    _is_reported(base, FOOT, f"partial_diaphragms: {new}\n{FOOT}", said)
+    new = new if "diaphragms: all" in new else f"partial_diaphragms: {new}"
+    _is_reported(base, FOOT, f"{new}\n{FOOT}", said)
 
 
 def building_text_without_braces() -> str:
