@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.damper import METHODS, TOLERANCE, CoreDamper, Method, fineness
+from edesign.core.damper import METHODS, TOLERANCE, CoreDamper
 from edesign.core.errors import CoreError, status_name
 from edesign.core.stop import raise_if_stopped
 
@@ -39,8 +39,6 @@ def linked_histories(
     seen: np.ndarray,
     tests: Sequence[LinkedTest],
     carry: bool = False,
-    method: Method = "best",
-    length: float | None = None,
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Return the states and the forces of the links in tests of one structure, each from rest.
 
@@ -48,8 +46,6 @@ def linked_histories(
         seen: (2 links, n) rows that give their deformations, then their velocities, of the state.
         tests: in the order in which they were made.
         carry: whether what effects of the links remember goes on from test to test.
-        method: as in `CoreDamper.force`.
-        length: of the method "fixed", m.
 
     Returns:
         States (t, n) and forces (t, links) of each test.
@@ -84,8 +80,8 @@ def linked_histories(
         for_core,
         lib.ED_CARRY_EFFECTS if carry else lib.ED_CARRY_NOTHING,
         _REST,
-        METHODS[method],
-        fineness(method, TOLERANCE, length),
+        METHODS["best"],
+        TOLERANCE,
         ffi.from_buffer("double[]", state),
         ffi.from_buffer("double[]", force),
         end,

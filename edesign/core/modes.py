@@ -38,11 +38,6 @@ class Modes:
     effective_mass_ratio: np.ndarray
 
     @property
-    def participation_x(self) -> np.ndarray:
-        """Participation factors for ground motion along x, (n,) sqrt(kg)."""
-        return self.participation[:, 0]
-
-    @property
     def effective_mass_ratio_x(self) -> np.ndarray:
         """Effective modal masses over the total mass that moves along x, (n,)."""
         return self.effective_mass_ratio[:, 0]

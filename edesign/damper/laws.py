@@ -11,8 +11,8 @@ from edesign.project.reading.problems import did_you_mean
 _K, _C, _F, _T, _STRESS = "N/m", "N*s/m", "N", "s", "Pa"
 
 
-def _alpha(name: str, meaning: str, upper_allowed: bool = False) -> Parameter:
-    return Parameter(name, meaning, "", upper=1.0, upper_allowed=upper_allowed)
+def _alpha(name: str, meaning: str) -> Parameter:
+    return Parameter(name, meaning, "", upper=1.0, upper_allowed=False)
 
 
 def _not_negative(name: str, meaning: str, unit: str, default: float | None = None) -> Parameter:

@@ -76,45 +76,6 @@ def in_series(damper: complex | np.ndarray, brace: float | np.ndarray) -> comple
     return damper / (1.0 + damper / brace)
 
 
-def equivalent_stiffness(
-    k_d: float, c_d: float, k_b: float, omega: float, alpha_d: float = 1.0, alpha_b: float = 1.0
-) -> float:
-    """Return what brace and damper add to the stiffness of a storey, N/m.
-
-    Args:
-        k_d: stiffness of the damper, N/m.
-        c_d: its damping coefficient, N s/m.
-        k_b: stiffness of a brace, N/m.
-        omega: rad/s.
-        alpha_d: attachment coefficient of the damper, e.g. 1 of a chevron.
-        alpha_b: attachment coefficient of the braces, e.g. 2 cos^2 theta of a chevron.
-
-    Source: thesis Eq. 5.10 without k_S.
-    """
-    d, b = alpha_d * k_d, alpha_b * k_b
-    viscous = (omega * alpha_d * c_d) ** 2
-    return (d * b * (d + b) + viscous * b) / ((d + b) ** 2 + viscous)
-
-
-def equivalent_damping(
-    k_d: float, c_d: float, k_b: float, omega: float, alpha_d: float = 1.0, alpha_b: float = 1.0
-) -> float:
-    """Return what brace and damper add to the damping coefficient of a storey, N s/m.
-
-    Args:
-        k_d: stiffness of the damper, N/m.
-        c_d: its damping coefficient, N s/m.
-        k_b: stiffness of a brace, N/m.
-        omega: rad/s.
-        alpha_d: attachment coefficient of the damper.
-        alpha_b: attachment coefficient of the braces.
-
-    Source: thesis Eq. 5.11 without c_S. For rigid braces it becomes alpha_d c_d (Eq. 5.13, printed alpha_d k_d).
-    """
-    d, b = alpha_d * k_d, alpha_b * k_b
-    return b**2 * alpha_d * c_d / ((d + b) ** 2 + (omega * alpha_d * c_d) ** 2)
-
-
 def layer_area(k_D: Real, thickness: float, G_storage: float, layers: int, dampers: Real) -> Real:
     """Return the area of one layer of elastomer, m2.
 

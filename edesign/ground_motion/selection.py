@@ -104,7 +104,6 @@ def select_records(
     count: int,
     options: SelectionOptions | None = None,
     events: Sequence[str] | None = None,
-    stations: Sequence[str] | None = None,
 ) -> Selection:
     """Choose among records; their spectra are computed on 201 periods a decade.
 
@@ -115,7 +114,6 @@ def select_records(
         count: how many are chosen.
         options: for scaling and comparing.
         events: earthquake of each record; None: they are not known.
-        stations: station of each record; None: they are not known.
 
     Returns:
         The choice, as of `select`.
@@ -127,7 +125,7 @@ def select_records(
     T = selection_periods(target.set_rules, T_1, options)
     spectra = np.array([psa(record.acceleration, record.time_step, T) for record in records])
     pgas = np.array([record.pga for record in records])
-    return select(T, spectra, pgas, target, T_1, count, options, events, stations)
+    return select(T, spectra, pgas, target, T_1, count, options, events)
 
 
 def selection_periods(rules: SetRules, T_1: float, options: SelectionOptions) -> np.ndarray:

@@ -227,20 +227,19 @@ BY_MEMBERS = TableSpec[SetPerformance](
 )
 
 
-def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
+def performance_tables(sets: Sequence[HistorySet], members: VariantMembers) -> list[Table]:
     """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations.
 
     Args:
         sets: the histories by variant and level.
         members: acceptance limits of the members, by variant.
-        statistic: the statistic over the records.
     """
-    found = [set_performance(one, members(one.variant), statistic) for one in sets]
+    found = [set_performance(one, members(one.variant), "mean") for one in sets]
     known = any(members(one.variant) for one in sets)
     without = [] if known else ["No member has a section and a material that Table 5-6 knows."]
     return [
-        BY_DRIFT.of(found, statistic=statistic, notes=missing_notes(sets)),
-        BY_MEMBERS.of(found, statistic=statistic, notes=without),
+        BY_DRIFT.of(found, statistic="mean", notes=missing_notes(sets)),
+        BY_MEMBERS.of(found, statistic="mean", notes=without),
     ]
 
 

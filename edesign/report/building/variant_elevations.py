@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from edesign.project.building import Building
 from edesign.project.dampers.dampers import Dampers
@@ -13,12 +13,11 @@ from edesign.space.structure.geometry import space_frame
 from edesign.study.plan.variants import variant_project
 
 
-def variant_elevations(study: Study, designed: Mapping[str, Dampers], heading: Sequence[str] = ()) -> Iterator[Named]:
+def variant_elevations(study: Study, designed: Mapping[str, Dampers]) -> Iterator[Named]:
     """Yield the frames with dampers of each variant that has designs; of variants with the same designs the first.
 
     Args:
         designed: dampers by name of the design, as far as they are known.
-        heading: lines above each drawing; (): none.
     """
     drawn = set()
     for name, variant in study.variants.items():
@@ -27,4 +26,4 @@ def variant_elevations(study: Study, designed: Mapping[str, Dampers], heading: S
         drawn.add(variant.designs)
         building = variant_project(study, name, designed)
         assert isinstance(building, Building)
-        yield from model_elevations(building, space_frame(building), heading, name)
+        yield from model_elevations(building, space_frame(building), variant=name)

@@ -173,14 +173,14 @@ class Loop:
     residual: np.ndarray
 
 
-def residual_loop(test: Residual, motion: Cycles, points: int = _POINTS) -> Loop | None:
+def residual_loop(test: Residual, motion: Cycles) -> Loop | None:
     """Mean cycle of the longest steady part of a test; None if it is not periodic or sampled too coarsely."""
     part = motion.longest()
     if part is None:
         return None
     inside = part.samples(test.time)
     phase = np.mod((test.time[inside] - part.start) / part.period, 1.0)
-    points = min(points, int(phase.size / part.cycles / 2.0))
+    points = min(_POINTS, int(phase.size / part.cycles / 2.0))
     number = np.minimum((phase * points).astype(int), points - 1)
     count = np.bincount(number, minlength=points) if points else np.zeros(1)
     if np.min(count) < 1:

@@ -71,7 +71,7 @@ def property_figure(
 
 
 @styled
-def residual_figure(residuals: dict[str, np.ndarray], rows: PropertyRows, title: str = "") -> Figure:
+def residual_figure(residuals: dict[str, np.ndarray], rows: PropertyRows) -> Figure:
     """Draw relative residuals against frequency, a panel a quantity, a line a strain, means over temperature.
 
     Args:
@@ -92,8 +92,6 @@ def residual_figure(residuals: dict[str, np.ndarray], rows: PropertyRows, title:
     axes[0].set_ylabel("predicted / measured - 1 (%)")
     handles = _legend(strains, "strain", True, True)[: len(strains)]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
-    if title:
-        figure.suptitle(title, x=0.01, ha="left", fontsize=9.0)
     return figure
 
 

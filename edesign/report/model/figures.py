@@ -27,30 +27,33 @@ Named = tuple[str, str, "Figure"]
 WIDTH = 6.6  # of the legend, inches
 
 
-def project_figures(project: Project, heading: Sequence[str] = (), of: str = "") -> Iterator[Named]:
+def project_figures(project: Project, heading: Sequence[str] = ()) -> Iterator[Named]:
     """Yield the drawings of a project's model.
 
     Args:
         heading: lines above each drawing; (): none.
-        of: what the model is of where there are several: `variant damped`.
 
     Yields:
         Name of the file, caption and figure.
     """
-    yield geometry(project, heading, of)
+    yield geometry(project, heading)
     if has_loads(project):
-        yield loads_and_masses(project, heading, of)
+        yield loads_and_masses(project, heading)
 
 
 def geometry(project: Project, heading: Sequence[str] = (), of: str = "") -> Named:
-    """Return the drawing of axes, members, supports and dampers; arguments as `project_figures`."""
+    """Return the drawing of axes, members, supports and dampers; otherwise as `project_figures`.
+
+    Args:
+        of: what the model is of where there are several: `variant damped`.
+    """
     dampers = ", dampers" if has_dampers(project) else ""
     caption = f"The model{_of(of)}: axes, spans, heights and levels in m, sections, supports{dampers}."
     return file_name("model", of), caption + _scales(project), geometry_figure(project, _under(heading, caption))
 
 
 def loads_and_masses(project: Project, heading: Sequence[str] = (), of: str = "") -> Named:
-    """Return the drawing of loads and masses; arguments as `project_figures`."""
+    """Return the drawing of loads and masses; arguments as `geometry`."""
     caption = f"Loads and masses of the model{_of(of)}: permanent (G) and variable (Q) loads in kN/m and kN."
     captioned = f"{caption} The sums are those of the floors.{_scales(project)}"
     return file_name("model_loads", of), captioned, loads_figure(project, _under(heading, caption))

@@ -77,14 +77,11 @@ class Scene:
         return replace(self, time=self.time[::every], ground=self.ground[::every], variants=variants)
 
 
-def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
+def scenes(archive: Archive) -> Iterator[Scene]:
     """Yield a scene for each hazard level of an archive whose histories keep the displacements of floors over time.
 
     The record is one of those of which most was kept, and of these the one whose peak drifts are nearest to the means
     of all records.
-
-    Args:
-        most: pictures of a scene.
     """
     levels = by_level(histories(archive))
     file = (archived_project(archive) or archived_building(archive)) if levels else None
@@ -103,7 +100,7 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
         record, counts = _record(found)
         shown = {variant: records[record] for variant, records in found.items() if record in records}
         first = list(shown.items())[:MOST_VARIANTS]
-        time = _pictures([group for _, (_, group) in first], most)
+        time = _pictures([group for _, (_, group) in first])
         rotations = [
             {e: r for e, r in plastic_rotations(group).items() if r > ELASTIC_ROTATION} for _, (_, group) in first
         ]
@@ -159,17 +156,17 @@ def _record(found: dict[str, dict[str, tuple[History, Group]]]) -> tuple[str, tu
     return min(among, key=off), (len(peaks), len(among))
 
 
-def _pictures(groups: Sequence[Group], most: int) -> np.ndarray:
+def _pictures(groups: Sequence[Group]) -> np.ndarray:
     """Times of the pictures to the end of the longest history; where motions were kept, theirs."""
     times = [np.asarray(group.coords["time"].values, dtype=float) for group in groups]
     longest = max(times, key=lambda time: float(time[-1]))
-    step = max(SHORTEST, float(longest[-1] - longest[0]) / (most - 1), float(longest[1] - longest[0]))
+    step = max(SHORTEST, float(longest[-1] - longest[0]) / (MOST_PICTURES - 1), float(longest[1] - longest[0]))
     own = float(longest[1] - longest[0])
     stride = max(1, int(np.ceil(step / own - 1e-9)))
     kept = [group.coords["motion_time"].values for group in groups if "motion_time" in group.coords]
     if kept:
         best = max(kept, key=len)
-        return np.asarray(best[:: max(1, int(np.ceil(len(best) / most)))], dtype=float)
+        return np.asarray(best[:: max(1, int(np.ceil(len(best) / MOST_PICTURES)))], dtype=float)
     return longest[::stride]
 
 

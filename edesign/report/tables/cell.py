@@ -163,25 +163,6 @@ class Rounded(Cell):
 
 
 @dataclass(frozen=True)
-class Span(Cell):
-    """A range, `0.8-1.2`, each end printed as the column prints numbers; a text in files.
-
-    Attributes:
-        low, high: in SI.
-        between: the sign between them.
-    """
-
-    low: float
-    high: float
-    between: str = "-"
-
-    def text(self, column: Column) -> str:
-        """Return both ends, or one number where they are printed alike."""
-        ends = dict.fromkeys((column.text(self.low), column.text(self.high)))
-        return self.between.join(ends)
-
-
-@dataclass(frozen=True)
 class Listed(Cell):
     """Several values in one cell, each printed as the column prints it; a text in files.
 

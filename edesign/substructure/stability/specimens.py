@@ -42,19 +42,18 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
     return value
 
 
-def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray, brace: float = 0.0) -> ComplexStiffness:
+def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray) -> ComplexStiffness:
     """Return a damper law as it is in steady sines of one amplitude.
 
     Args:
         law: with parameters and effects.
         amplitude: of the deformation, m.
         frequency: (n,), Hz, rising, n >= 4; at each the law runs through 12 cycles.
-        brace: stiffness in series, N/m; 0: rigid.
 
     Raises:
         InputError: amplitude or a frequency not greater than zero, or as `tabulated_specimen`.
     """
     if not (amplitude > 0.0 and np.all(frequency > 0.0)):
         raise InputError("a law is linearised at an amplitude and frequencies greater than zero [E-VALUE-02]")
-    values = np.array([complex_stiffness(law, amplitude, f, brace) for f in frequency.tolist()])
+    values = np.array([complex_stiffness(law, amplitude, f) for f in frequency.tolist()])
     return tabulated_specimen(frequency, values)

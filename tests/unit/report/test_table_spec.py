@@ -13,7 +13,7 @@ import edesign
 from edesign.report.export.export_table import export_table
 from edesign.report.export.tables_by_name import tables_by_name
 from edesign.report.html.render import alignments, cells
-from edesign.report.tables.cell import Listed, Marked, Quantity, Rounded, Span, Value, Verdict
+from edesign.report.tables.cell import Listed, Marked, Quantity, Rounded, Value, Verdict
 from edesign.report.tables.column import bounded, col, count, formula, known, literal, text, verdict
 from edesign.report.tables.table import MORE, Row, TableSpec
 from edesign.report.tables.text import plain
@@ -77,8 +77,6 @@ def test_files_get_numbers_with_all_digits_and_units() -> None:
         (Marked(1500.0, " (mean)", "> "), "> 1.500 (mean)", 1.5),
         (Quantity(0.0123, MM, 3), "12.3 mm", 12.3),
         (Rounded("1230", 1234.567), "1230", 1234.567),  # as its error leaves it
-        (Span(800.0, 1200.0), "0.8000-1.200", "0.8000-1.200"),
-        (Span(800.0, 800.0), "0.8000", "0.8000"),
         (Listed((1e3, 2e3)), "1.000, 2.000", "1.000, 2.000"),
     ],
 )
