@@ -13,14 +13,14 @@ from edesign.project.building.names import frame_name
 from edesign.project.notation.frames import Direction, frames_of_line, frames_of_member
 from edesign.report.drawing.frame_drawing import (
     DAMPER,
-    STEEL,
-    SUPPORTS,
     DamperDrawing,
     Line,
     Point,
     damper_in_bay,
+    draw_members,
+    straight_damper,
+    without_scales,
 )
-from edesign.report.drawing.style import MEAN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -110,19 +110,12 @@ class BuildingElevation:
         Args:
             axes: in m, with equal scales afterwards.
         """
-        for member, ((x0, y0), (x1, y1)) in self.lines.items():
-            axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if member.startswith("D") else 1.6, zorder=1.5)
+        draw_members(axes, self.lines, self._bases())
         for name in dampers:
             drawing = self.damper(name)
             for (x0, y0), (x1, y1) in drawing.braces if drawing is not None else ():
                 axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
-        for x, kind in self._bases():
-            axes.plot(x, 0.0, marker=SUPPORTS[kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
-        margin = 0.04 * max(self.width, self.height)
-        axes.set_aspect("equal")
-        axes.set_xlim(-margin, self.width + margin)
-        axes.set_ylim(-margin, self.height + margin)
-        axes.set_axis_off()
+        without_scales(axes, self, self.width)
 
     def damper(self, name: str) -> DamperDrawing | None:
         """Return the lines of a damper; None of one that stands elsewhere, or where there is no such bay or storey.
@@ -136,7 +129,7 @@ class BuildingElevation:
             if not all(node in nodes and self.name in frames_of_line(node.partition(".")[0]) for node in ends):
                 return None
             start, end = (self._seen(node) for node in ends)
-            return DamperDrawing(((start, end),), (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])))
+            return straight_damper(start, end)
         place = damper_bay(name)
         x, levels = self.building.coordinates(self._along), self.building.levels
         if place is None or place.axis + place.line != self.name:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
@@ -84,48 +84,85 @@ class FrameElevation:
 
     @cached_property
     def lines(self) -> Mapping[str, Line]:
-        """Start and end of every member by its name, m."""
-        return member_lines(self.frame)
+        """Start and end of every member by its name, m; columns start below, beams and braces at the left."""
+        frame, found = self.frame, {}
+        for line, storey in frame.column_at:
+            x = frame.x[frame.lines.index(line)]
+            found[names.column_name(line, storey)] = ((x, frame.levels[storey - 1]), (x, frame.levels[storey]))
+        ends = {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
+        ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
+        return found | {name: (frame.nodes[start], frame.nodes[end]) for name, (start, end) in ends.items()}
 
     def damper(self, name: str) -> DamperDrawing | None:
-        """Return the lines of a damper; see `damper_drawing`."""
-        return damper_drawing(self.frame, name)
+        """Return the lines of a damper by its name, such as V_1_3 or N_A0_B1; None if the frame has no such place."""
+        frame = self.frame
+        kind, first, second, *_ = [*name.split("_"), "", ""]
+        if kind == "N":
+            known = first in frame.nodes and second in frame.nodes
+            return straight_damper(frame.nodes[first], frame.nodes[second]) if known else None
+        if kind not in _SHAPES or not (first.isdigit() and second.isdigit()):
+            return None
+        bay, storey = int(first), int(second)
+        if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
+            return None
+        left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.levels[storey - 1], frame.levels[storey]
+        return damper_in_bay(kind, left, right, low, high, name[-1] if name.endswith(("_r", "_f")) else "")
 
     def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
-        """Draw the frame; see `draw_frame`."""
-        draw_frame(axes, self.frame, dampers)
+        """Draw the frame to scale, without scales and frame of the axes.
+
+        Args:
+            axes: in m, with equal scales afterwards.
+        """
+        frame = self.frame
+        for name in dampers:
+            draw_damper(axes, self.damper(name))
+        supports = [
+            (x, support_name(frame.support(line)))
+            for line, x in zip(frame.lines, frame.x, strict=True)
+            if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers
+        ]
+        draw_members(axes, self.lines, supports)
+        isolated = any(name.startswith("I_") for name in dampers)
+        below, right = GAP * frame.height if isolated else 0.0, self.width
+        if isolated:
+            _draw_isolation(axes, frame, dampers, below)
+        if frame.leaning_column is not None:
+            right += 0.5 * frame.bay_widths[-1]
+            _draw_leaning_column(axes, frame, right)
+        without_scales(axes, self, right, 2.0 * below)
 
 
-def member_lines(frame: Frame) -> dict[str, Line]:
-    """Return start and end of every member by its name, m; columns start below, beams and braces at the left."""
-    found = {}
-    for line, storey in frame.column_at:
-        x = frame.x[frame.lines.index(line)]
-        found[names.column_name(line, storey)] = ((x, frame.levels[storey - 1]), (x, frame.levels[storey]))
-    ends = {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
-    ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
-    return found | {name: (frame.nodes[start], frame.nodes[end]) for name, (start, end) in ends.items()}
-
-
-def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
-    """Return the lines of a damper by its name, such as V_1_3 or N_A0_B1; None if the frame has no such place.
+def draw_members(axes: Axes, lines: Mapping[str, Line], supports: Iterable[tuple[float, str]]) -> None:
+    """Draw members to scale, and the signs of supports at level 0.
 
     Args:
-        frame: the frame of the project.
+        lines: start and end of every member by its name, m.
+        supports: where each is, m, and its kind, one of `SUPPORTS`.
     """
-    kind, first, second, *_ = [*name.split("_"), "", ""]
-    if kind == "N":
-        if first not in frame.nodes or second not in frame.nodes:
-            return None
-        start, end = frame.nodes[first], frame.nodes[second]
-        return DamperDrawing(((start, end),), _middle(start, end))
-    if kind not in _SHAPES or not (first.isdigit() and second.isdigit()):
-        return None
-    bay, storey = int(first), int(second)
-    if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
-        return None
-    left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.levels[storey - 1], frame.levels[storey]
-    return damper_in_bay(kind, left, right, low, high, name[-1] if name.endswith(("_r", "_f")) else "")
+    for name, ((x0, y0), (x1, y1)) in lines.items():
+        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D") else 1.6, zorder=1.5)
+    for x, kind in supports:
+        axes.plot(x, 0.0, marker=SUPPORTS[kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
+
+
+def without_scales(axes: Axes, elevation: Elevation, right: float, below: float = 0.0) -> None:
+    """Give axes the limits of an elevation with a margin and equal scales, and take their frame away.
+
+    Args:
+        right: end of what is drawn, m.
+        below: depth of what is drawn under level 0, m.
+    """
+    margin = 0.04 * max(elevation.width, elevation.height)
+    axes.set_aspect("equal")
+    axes.set_xlim(-margin, right + margin)
+    axes.set_ylim(-margin - below, elevation.height + margin)
+    axes.set_axis_off()
+
+
+def straight_damper(start: Point, end: Point) -> DamperDrawing:
+    """Return the lines of a damper between two points, m."""
+    return DamperDrawing(((start, end),), (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])))
 
 
 def damper_in_bay(kind: str, left: float, right: float, low: float, high: float, half: str) -> DamperDrawing:
@@ -142,7 +179,7 @@ def damper_in_bay(kind: str, left: float, right: float, low: float, high: float,
     apex = (0.5 * (left + right), high)
     if kind == "V" and half:
         line = ((left, low), apex) if half == "r" else (apex, (right, low))
-        return DamperDrawing((line,), _middle(*line))
+        return straight_damper(*line)
     if kind == "V":
         return DamperDrawing((((left, low), apex), ((right, low), apex)), apex)
     lines: dict[str, Line] = {
@@ -150,39 +187,7 @@ def damper_in_bay(kind: str, left: float, right: float, low: float, high: float,
         "F": ((left, high), (right, low)),
         "S": ((apex[0], low), apex),
     }
-    return DamperDrawing((lines[kind],), _middle(*lines[kind]))
-
-
-def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
-    """Draw an elevation to scale, without scales and frame of the axes.
-
-    Args:
-        axes: in m, with equal scales afterwards.
-        frame: its members.
-    """
-    for name in dampers:
-        draw_damper(axes, damper_drawing(frame, name))
-    for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
-        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D_") else 1.6, zorder=1.5)
-    isolated = any(name.startswith("I_") for name in dampers)
-    below = GAP * frame.height if isolated else 0.0
-    if isolated:
-        _draw_isolation(axes, frame, dampers, below)
-    for line, x in zip(frame.lines, frame.x, strict=True):
-        if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers:
-            marker = SUPPORTS[support_name(frame.support(line))]
-            axes.plot(
-                x, frame.levels[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False
-            )
-    margin = 0.04 * max(frame.x[-1], frame.height)
-    right = frame.x[-1]
-    if frame.leaning_column is not None:
-        right += 0.5 * frame.bay_widths[-1]
-        _draw_leaning_column(axes, frame, right)
-    axes.set_aspect("equal")
-    axes.set_xlim(-margin, right + margin)
-    axes.set_ylim(-margin - 2.0 * below, frame.height + margin)
-    axes.set_axis_off()
+    return straight_damper(*lines[kind])
 
 
 def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: float) -> None:
@@ -218,7 +223,3 @@ def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:
     axes.plot(*hinges, marker="o", ls="none", ms=3.0, mfc="white", mec=MEAN, mew=0.6, zorder=2)
     for y in frame.levels[1:]:
         axes.plot((frame.x[-1], x), (y, y), color=STEEL, lw=0.7, ls=(0, (4, 3)), zorder=1)
-
-
-def _middle(start: Point, end: Point) -> Point:
-    return 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from functools import partial
 from typing import TYPE_CHECKING
 
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.report.drawing.captions import file_name
-from edesign.report.drawing.frame_drawing import damper_drawing
+from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.model.devices import DevicesOnSheet
 from edesign.report.model.elevation import Elevation, draw_axes
 from edesign.report.model.ends import draw_ends
@@ -148,7 +147,7 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
 
 
 def _devices(project: Project, place: Elevation) -> DevicesOnSheet:
-    return DevicesOnSheet(project, place, partial(damper_drawing, project.frame))
+    return DevicesOnSheet(project, place, FrameElevation(project.frame).damper)
 
 
 def _scales(project: Project) -> str:

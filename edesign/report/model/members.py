@@ -10,7 +10,7 @@ from edesign.project.frame.frame import Frame
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.notation import names
 from edesign.project.project import Project
-from edesign.report.drawing.frame_drawing import member_lines
+from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Elevation
 from edesign.report.model.sheet import INK, Entry, Point, Sheet
@@ -31,7 +31,7 @@ def draw_frame_members(sheet: Sheet, place: Elevation, project: Project, faint: 
     """
     frame, entries = project.frame, []
     color = "#9aa3ae" if faint else INK
-    lines = {name: (place.at(*start), place.at(*end)) for name, (start, end) in member_lines(frame).items()}
+    lines = {name: (place.at(*start), place.at(*end)) for name, (start, end) in FrameElevation(frame).lines.items()}
     bending = [ends for name, ends in lines.items() if not isinstance(frame.members[name], BraceRun)]
     sheet.lines(bending, color, 1.1 if faint else 1.7)
     for (x0, y0), (x1, y1) in bending:

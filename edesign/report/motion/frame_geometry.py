@@ -11,7 +11,7 @@ from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import support_name
 from edesign.project.notation import names
 from edesign.project.notation.names import tuned_mass_floor
-from edesign.report.drawing.frame_drawing import damper_drawing, member_lines
+from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.motion.geometry import (
     BELOW,
     GROUND,
@@ -35,9 +35,8 @@ def moving_frame(frame: Frame, dampers: tuple[str, ...], masses: tuple[str, ...]
         masses: names of its tuned masses.
     """
     at: dict[str, Place] = {name: (float(x), float(y)) for name, (x, y) in frame.nodes.items()}
-    members = {
-        name: (_hung(at, start).nodes[0], _hung(at, end).nodes[0]) for name, (start, end) in member_lines(frame).items()
-    }
+    drawn = FrameElevation(frame)
+    members = {name: (_hung(at, start).nodes[0], _hung(at, end).nodes[0]) for name, (start, end) in drawn.lines.items()}
     order = {name: i for i, name in enumerate(at)}
     column_bases = {line: names.node_name(line, 0) for line in frame.lines if (line, 1) in frame.column_at}
     isolated = any(names.isolator_name(line) in dampers for line in column_bases)
@@ -50,7 +49,7 @@ def moving_frame(frame: Frame, dampers: tuple[str, ...], masses: tuple[str, ...]
     )
     base = [order[column_base] for column_base in column_bases.values()] if isolated else []
     own = Geometry(at, members, (), tuple(float(y) for y in frame.levels), tuple(supports), tuple(base))
-    found = (_damper(frame, at, name) or _of_base(frame, own, name) for name in dampers)
+    found = (_damper(drawn, at, name) or _of_base(frame, own, name) for name in dampers)
     return replace(own, dampers=tuple(damper for damper in found if damper), masses=tuple(_masses(frame, own, masses)))
 
 
@@ -84,8 +83,8 @@ def _masses(frame: Frame, own: Geometry, masses: tuple[str, ...]) -> Iterator[Mo
         yield MovingMass(name, _hung(own.nodes, (x, float(frame.levels[floor]))))
 
 
-def _damper(frame: Frame, at: dict[str, Place], name: str) -> MovingDamper | None:
-    drawing = damper_drawing(frame, name)
+def _damper(frame: FrameElevation, at: dict[str, Place], name: str) -> MovingDamper | None:
+    drawing = frame.damper(name)
     if drawing is None:
         return None
     if len(drawing.braces) == 2:  # a chevron: its apex stands on the floor below, the damper between apex and beam

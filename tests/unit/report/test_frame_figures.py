@@ -13,7 +13,7 @@ from unit.report.figure_archive import TEXT, history, small_archive
 from edesign.archive.reader import open_archive
 from edesign.frame.sections.profiles import profile_names
 from edesign.project import parse_project
-from edesign.report.drawing.frame_drawing import FrameElevation, damper_drawing, member_lines
+from edesign.report.drawing.frame_drawing import FrameElevation
 from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure
 from edesign.report.response.histories import History
 
@@ -81,16 +81,17 @@ def test_classes_of_acceptance_of_a_compact_beam() -> None:
 
 
 def test_members_and_dampers_to_scale() -> None:
-    lines = member_lines(FRAME)
+    drawn = FrameElevation(FRAME)
+    lines = drawn.lines
     assert lines["C_B_2"] == ((6.0, 4.0), (6.0, 7.0))
     assert lines["B_1_2"] == ((0.0, 7.0), (6.0, 7.0))
-    chevron = damper_drawing(FRAME, "V_1_2")
+    chevron = drawn.damper("V_1_2")
     assert chevron is not None and chevron.at == (3.0, 7.0)
     assert chevron.braces == (((0.0, 4.0), (3.0, 7.0)), ((6.0, 4.0), (3.0, 7.0)))
-    falling, between = damper_drawing(FRAME, "F_1_1_2"), damper_drawing(FRAME, "N_A0_B2")
+    falling, between = drawn.damper("F_1_1_2"), drawn.damper("N_A0_B2")
     assert falling is not None and falling.braces == (((0.0, 4.0), (6.0, 0.0)),)
     assert between is not None and between.at == (3.0, 3.5)
-    assert damper_drawing(FRAME, "V_2_1") is None and damper_drawing(FRAME, "N_A0_Z9") is None
+    assert drawn.damper("V_2_1") is None and drawn.damper("N_A0_Z9") is None
 
 
 def test_without_the_project_there_is_no_elevation(tmp_path: Path) -> None:
