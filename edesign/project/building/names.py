@@ -20,6 +20,10 @@ class ColumnLine(NamedTuple):
     def __str__(self) -> str:
         return f"{line_name(self.i)}{self.j + 1}"
 
+    def frame(self, along: Direction) -> int:
+        """Return the number of the frame along a direction in which it stands, from 0."""
+        return self.j if along == "x" else self.i
+
 
 class BeamPlace(NamedTuple):
     """The place of a beam: frame counts from 0, bay and floor from 1."""

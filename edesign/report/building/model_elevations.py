@@ -11,7 +11,7 @@ import numpy as np
 
 from edesign.project.building import Building
 from edesign.project.building.layout import DIRECTIONS
-from edesign.project.building.names import Direction, frame_name, line_label
+from edesign.project.building.names import ColumnLine, Direction, frame_name, line_label
 from edesign.project.building.supports import DIRECTIONS as DEGREES
 from edesign.project.building.supports import FIXED, PINNED, Springs
 from edesign.project.frame.foundations import FootingSupport
@@ -24,7 +24,7 @@ from edesign.report.model.elevation import Grid, draw_axes
 from edesign.report.model.ends import Line
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
-from edesign.report.model.supports import SIGNS, axes, draw_isolation, footing_words
+from edesign.report.model.supports import SIGNS, axes, draw_isolation, footing_words, support_entry
 from edesign.report.model.words import section_words, several_steels, short, steels_of
 from edesign.space.structure.frame import Member, SpaceFrame
 
@@ -108,8 +108,8 @@ def _devices(building: Building, along: Direction, number: int) -> DevicesOnShee
 
 def _bases(building: Building, along: Direction, number: int) -> list[tuple[float, Springs | FootingSupport]]:
     """Places along a frame of its column bases, m, with their supports."""
-    lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
-    return [(building.place(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
+    k = DIRECTIONS.index(along)
+    return [(building.place(line)[k], building.support(line)) for line in _lines_of(building, along, number)]
 
 
 def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction, number: int) -> None:
@@ -159,29 +159,26 @@ def _steels(building: Building, members: Sequence[Member]) -> Iterator[Entry]:
         yield Entry(f"{name}: E = {short(steel.E / 1e9)} GPa, f_y = {short(steel.fy / 1e6)} MPa, {kinds}")
 
 
-def _lines_of(building: Building, along: Direction, number: int) -> dict[str, str]:
+def _lines_of(building: Building, along: Direction, number: int) -> dict[ColumnLine, str]:
     """The column lines of a frame that have a column at the base, with the names of their axes."""
-    lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
-    other: Direction = "y" if along == "x" else "x"
-    return {str(line): line_label(other, line.i if along == "x" else line.j) for line in lines}
+    across: Direction = "y" if along == "x" else "x"
+    lines = [line for line in building.layout.node_lines[0] if line.frame(along) == number]
+    return {line: line_label(across, line.frame(across)) for line in lines}
 
 
 def _under(building: Building, along: Direction, number: int) -> tuple[object, ...]:
     """What distinguishes the isolators below a frame, and what acts beside them along it, from those of others."""
     if building.isolation is None:
         return ()
-    lines = _lines_of(building, along, number)
+    lines = {str(line): axis for line, axis in _lines_of(building, along, number).items()}
     items = (*building.isolation.isolators, *building.isolation.beside)
     return tuple(tuple(lines[line] for line in one.under(tuple(lines))) for one in items if along in one.axes)
 
 
 def _isolators(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> Iterator[Entry]:
-    labels, k = _lines_of(building, along, number), DIRECTIONS.index(along)
-    at = {
-        str(line): grid.across * building.place(line)[k]
-        for line in building.layout.node_lines[0]
-        if str(line) in labels
-    }
+    lines, k = _lines_of(building, along, number), DIRECTIONS.index(along)
+    labels = {str(line): axis for line, axis in lines.items()}
+    at = {str(line): grid.across * building.place(line)[k] for line in lines}
 
     def words(lines: tuple[str, ...]) -> str:
         return axes([labels[line] for line in lines], grid.names)
@@ -202,11 +199,7 @@ def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, nu
             words = f"{kind} support" if kind != "springs" else _springs(support)
         for x in places:
             SIGNS[kind](sheet, grid.across * x, 0.0)
-        up = 0.025 if kind == "fixed" else 0.075
-        sign = SIGNS[kind]
-        entries.append(
-            Entry(words, lambda on, x, y, s=sign, up=up: s(on, x + 0.14, y + up), 0.1 if kind == "fixed" else 0.26)  # type: ignore[misc]
-        )
+        entries.append(support_entry(words, kind))
     return entries
 
 

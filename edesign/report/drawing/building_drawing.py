@@ -147,7 +147,7 @@ class BuildingElevation:
         """Places of the column bases of the frame, and whether each is fixed, pinned or on springs in it."""
         found = []
         for line, storey in self.building.layout.column_at:
-            frame = frame_name(self._along, line.j if self._along == "x" else line.i)
+            frame = frame_name(self._along, line.frame(self._along))
             if storey == 1 and frame == self.name:
                 support = self.building.support(line)
                 turn = getattr(support, "ry" if self._along == "x" else "rx", "footing")

@@ -57,9 +57,8 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
             if mark:
                 sheet.place([Spot(x + 0.22, y - 0.08, "left"), Spot(x - 0.22, y - 0.08, "right")], mark, color=SOFT)
         where = f" ({axes(lines, frame.lines)})" if len(kinds) > 1 else ""
-        high = 0.1 if support == "fixed" else 0.26
         label = f"{mark}: {words(support)}{where}" if mark else f"{words(support)}{where}"
-        entries.append(Entry(label, _handle(sign, support), high))
+        entries.append(support_entry(label, support_name(support)))
     return entries
 
 
@@ -242,9 +241,14 @@ SIGNS: dict[str, Callable[[Sheet, float, float], None]] = {
 }
 
 
-def _handle(sign: Callable[[Sheet, float, float], None], support: Support) -> Callable[[Sheet, float, float], None]:
-    up = 0.025 if support == "fixed" else 0.075
-    return lambda sheet, x, y: sign(sheet, x + 0.14, y + up)
+def support_entry(label: str, kind: str) -> Entry:
+    """Return the line of the legend of a support.
+
+    Args:
+        kind: one of `SIGNS`.
+    """
+    up, high = (0.025, 0.1) if kind == "fixed" else (0.075, 0.26)
+    return Entry(label, lambda sheet, x, y: SIGNS[kind](sheet, x + 0.14, y + up), high)
 
 
 def _colored(sign: Callable[[Sheet, float, float, str], None], color: str) -> Callable[[Sheet, float, float], None]:

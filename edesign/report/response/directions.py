@@ -28,15 +28,9 @@ def in_each_direction(figures: Figures) -> Figures:
     def drawn(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         for direction, seen in by_direction(archive).items():
             for name, caption, figure in figures(seen):
-                yield (
-                    (f"{name}_{direction}", f"Along {direction}: {caption}", figure)
-                    if direction
-                    else (
-                        name,
-                        caption,
-                        figure,
-                    )
-                )
+                if direction:
+                    name, caption = f"{name}_{direction}", f"Along {direction}: {caption}"
+                yield name, caption, figure
 
     return drawn
 
