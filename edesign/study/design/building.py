@@ -170,8 +170,8 @@ def storey_stiffness(frame: CondensedFrame, storeys: np.ndarray) -> np.ndarray:
     """Return the storey stiffness of the frame without dampers under the loads of its first mode, (f,) N/m.
 
     It is storey shear over storey drift. Under these loads the displacements are the mode itself. Of a building both
-    are along the direction of the design in the mode that leads there, the drift at the centre of mass of the floor
-    above. A storey below a floor that the ground holds has none, nan.
+    are along the direction of the design, under the loads of its `Lead`; the drift is at the centre of mass of the
+    floor above. A storey below a floor that the ground holds has none, nan.
 
     Args:
         storeys: with dampers, from 1.
@@ -179,9 +179,8 @@ def storey_stiffness(frame: CondensedFrame, storeys: np.ndarray) -> np.ndarray:
     Raises:
         AnalysisError: a storey with dampers does not shear in the first mode.
     """
-    mode = frame.modes()
-    shear = mode_shears(frame, mode)[mode.first]
-    drift = mode.storeys[mode.first]
+    lead = frame.modes().lead
+    shear, drift = storey_shears(frame.at_floors(lead.loads)), lead.storeys
     shears = shear * drift > 0.0
     if still := [str(storey) for storey in storeys.tolist() if not shears[storey - 1]]:
         raise AnalysisError(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,8 +14,44 @@ from edesign.frame.frame_model import FrameModel, Sum
 from edesign.study.analysis.leading_mode import clusters
 from edesign.study.analysis.structure import Structure
 
+_LEAST_MOMENTUM = 1e-9  # of a floor, over that of its turn about the centre of all masses: below it, rounding
 TOLD = 3
 """Modes that results of designs tell of."""
+
+
+@dataclass(frozen=True)
+class Lead:
+    """The vibration along the direction of a frame: the first mode of a plane frame, of a building what stands for it.
+
+    Torsion or nearly equal periods couple modes of a building, and any of them may lead as dampers are added. So no
+    mode is chosen. The building is guided: its floors neither turn nor move across. Its guided mode v, with most mass
+    along the direction, is regular. The true modes share its motion, and any value is their mean by these shares.
+
+    Attributes:
+        share: (n,) of each mode i in v: (v' M phi_i)^2, in sum 1; of one storey its effective mass over the whole.
+        shape: (m,) displacements of the masses in v, generalised mass 1.
+        loads: (m,) inertia forces of v, N.
+        floors, storeys, dampers: as those of `LinearModes`, under these loads; floors turn and move across freely.
+        participation: of v, sqrt(kg).
+
+    Source: modal expansion of inertia forces, Chopra, Dynamics of Structures, 12.8; docs/how_to/damper_design.md.
+    """
+
+    share: np.ndarray
+    shape: np.ndarray
+    loads: np.ndarray
+    floors: np.ndarray
+    storeys: np.ndarray
+    dampers: np.ndarray
+    participation: float
+
+    def mean(self, of: Callable[[int], float]) -> float:
+        """Return the mean of a value of the modes by their shares.
+
+        Args:
+            of: the value of the mode of an index.
+        """
+        return sum(float(self.share[i]) * of(int(i)) for i in np.flatnonzero(self.share))
 
 
 @dataclass(frozen=True)
@@ -31,6 +68,7 @@ class LinearModes:
         lines: (n, l) drift ratios on the column lines of a building; (n, 0) of a plane frame.
         first: index of the mode that leads in the direction of the frame; of a plane frame the first.
         told: indices of the modes that results tell of, as `told_modes`.
+        lead: what a design calls the first mode.
     """
 
     omega: np.ndarray
@@ -42,15 +80,16 @@ class LinearModes:
     lines: np.ndarray
     first: int
     told: np.ndarray
+    lead: Lead
 
     @property
     def first_omega(self) -> float:
-        """Circular frequency of the mode that leads, rad/s."""
-        return float(self.omega[self.first])
+        """Circular frequency of the vibration along the direction, rad/s."""
+        return self.lead.mean(lambda i: float(self.omega[i]))
 
     @property
     def first_frequency(self) -> float:
-        """Frequency of the mode that leads, Hz."""
+        """Frequency of the vibration along the direction, Hz."""
         return self.first_omega / (2.0 * np.pi)
 
 
@@ -64,6 +103,8 @@ class InPlan:
         storey_of: (l,) index of the storey of each line.
         line_A: (l, m), line_B: (l, d), drift ratio on each line, 1/N.
         storey_A: (f, m), storey_B: (f, d), drift of each storey at the centre of mass of the floor above, m/N.
+        guides: (m, h) orthonormal, what guided floors have none of: the momentum of each across the direction, and
+            about its centre of mass, in displacements times the root of the mass.
     """
 
     ground: np.ndarray
@@ -72,6 +113,7 @@ class InPlan:
     line_B: np.ndarray
     storey_A: np.ndarray
     storey_B: np.ndarray
+    guides: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -136,14 +178,38 @@ class CondensedFrame:
         shapes *= np.where(shapes @ (self.mass * self.influence) < 0.0, -1.0, 1.0)[:, None]
         loads = omega[:, None] ** 2 * self.mass * shapes
         participation = shapes @ (self.mass * self.influence)
-        floors, lines = loads @ self._at_floors(forces).T, loads @ self._at_lines(forces).T
-        storeys = np.diff(floors, axis=1, prepend=0.0)
-        if self.plan is not None:
-            storeys = loads @ (self.plan.storey_A - self.plan.storey_B @ forces).T
-        told, first = self.told_modes(participation), 0
-        if self.plan is not None:
-            first = int(np.argmax(participation**2))
-        return LinearModes(omega, shapes, floors, storeys, loads @ dampers.T, participation, lines, first, told)
+        to_floors, told = self._at_floors(forces), self.told_modes(participation)
+        floors, lines, deformations = loads @ to_floors.T, loads @ self._at_lines(forces).T, loads @ dampers.T
+        if self.plan is None:
+            storeys, first, share = np.diff(floors, axis=1, prepend=0.0), 0, np.eye(1, omega.size)[0]
+            of_first = (shapes[0], loads[0], floors[0], storeys[0], deformations[0], float(participation[0]))
+            lead = Lead(share, *of_first)
+        else:
+            to_storeys = self.plan.storey_A - self.plan.storey_B @ forces
+            storeys, first = loads @ to_storeys.T, int(np.argmax(participation**2))
+            guided_omega, shape = self._guided(root[:, None] * flexibility * root)
+            share, inertia = (shapes @ (self.mass * shape)) ** 2, guided_omega**2 * self.mass * shape
+            led = (to_floors @ inertia, to_storeys @ inertia, dampers @ inertia)
+            lead = Lead(share, shape, inertia, *led, float(shape @ (self.mass * self.influence)))
+        return LinearModes(omega, shapes, floors, storeys, deformations, participation, lines, first, told, lead)
+
+    def _guided(self, flexibility: np.ndarray) -> tuple[float, np.ndarray]:
+        """Circular frequency and shape (m,) of the guided mode with most mass along the direction.
+
+        Args:
+            flexibility: times the roots of the masses, (m, m).
+        """
+        assert self.plan is not None, "a plane frame is guided as it is"
+        guides, root = self.plan.guides, np.sqrt(self.mass)
+        pushed = flexibility @ guides
+        held = flexibility - pushed @ np.linalg.solve(guides.T @ pushed, pushed.T)
+        inverse, vectors = scipy.linalg.eigh(0.5 * (held + held.T))
+        count = self.mass.size - guides.shape[1]  # the others do not move
+        omega = 1.0 / np.sqrt(inverse[::-1][:count])
+        shapes = self._turned(omega, vectors[:, ::-1].T[:count] / root)
+        participation = shapes @ (self.mass * self.influence)
+        at = int(np.argmax(participation**2))
+        return float(omega[at]), shapes[at] * (-1.0 if participation[at] < 0.0 else 1.0)
 
     def told_modes(self, participation: np.ndarray) -> np.ndarray:
         """Return the indices of the modes that results tell of: all of a plane frame.
@@ -299,7 +365,8 @@ def condense(structure: Structure, direction: int = 0) -> CondensedFrame:
         ground = _ground(structure, n)[:, heavy]
         storeys = _storey_rows(structure, floor_rows, direction)
         on_lines = (np.array([i for i, _ in lines]), ratios @ by_masses, ratios @ by_dampers)
-        plan = InPlan(ground, *on_lines, storeys @ by_masses, storeys @ by_dampers)
+        guides = _guides(structure, ground, heavy, direction)
+        plan = InPlan(ground, *on_lines, storeys @ by_masses, storeys @ by_dampers, guides)
     return CondensedFrame(
         mass[heavy],
         influence[heavy],
@@ -347,3 +414,26 @@ def _ground(structure: Structure, n: int) -> np.ndarray:
             if equation >= 0:  # the ground holds the others
                 found[:, equation] = of_ground
     return found
+
+
+def _guides(structure: Structure, ground: np.ndarray, heavy: np.ndarray, direction: int) -> np.ndarray:
+    """The `guides` of a building, (m, h).
+
+    Args:
+        ground: as of `InPlan`, (3, m).
+        heavy: equations with mass, (m,).
+    """
+    frame, equations = structure.frame, structure.analysis.equations
+    root = np.sqrt(structure.analysis.masses()[heavy])
+    found = []
+    for floor in frame.floors:
+        here = np.unique(equations[[frame.nodes[name] for name in floor.nodes]][:, [0, 1, 5]])
+        moves = np.where(np.isin(heavy, here), ground * root, 0.0)
+        x, y, turn = moves
+        for across in (x, y):  # about its own centre of mass
+            if across @ across > 0.0:
+                turn = turn - across * (across @ turn) / (across @ across)
+        whole = _LEAST_MOMENTUM * np.linalg.norm(moves[2])
+        found += [row for row in (moves[1 - direction], turn) if np.linalg.norm(row) > whole]
+    guides = np.array(found).reshape(-1, heavy.size)
+    return np.asarray(guides / np.linalg.norm(guides, axis=1)[:, None]).T

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.damper.sizing import damping_of_frequencies
-from edesign.study.design.condensed import CondensedFrame, LinearModes, alike
+from edesign.study.design.condensed import CondensedFrame, Lead, LinearModes, alike
 
 
 @dataclass(frozen=True)
@@ -19,15 +19,15 @@ class ModalDamping:
         strain_energy: by Eq. 5.6 with the true modes of the frame with dampers.
         frequencies: by Eq. 5.8, from the frequencies without and with dampers.
         complex: of free vibrations with the complex stiffness of the dampers.
-        first, told: indices of modes, as those of `LinearModes`.
+        told, lead: as those of `LinearModes`.
     """
 
     omega: np.ndarray
     strain_energy: np.ndarray
     frequencies: np.ndarray
     complex: np.ndarray
-    first: int
     told: np.ndarray
+    lead: Lead
 
 
 def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarray) -> ModalDamping:
@@ -50,7 +50,7 @@ def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarra
     energies = strain_energy_damping(modes, stiffness)
     loss_factor = stiffness.imag.sum() / stiffness.real.sum()  # of the elastomer, or less behind flexible braces
     by_frequency = damping_of_frequencies(float(loss_factor), without, modes.omega)
-    return ModalDamping(modes.omega, energies, by_frequency, ratio, modes.first, modes.told)
+    return ModalDamping(modes.omega, energies, by_frequency, ratio, modes.told, modes.lead)
 
 
 def strain_energy_damping(modes: LinearModes, stiffness: np.ndarray) -> np.ndarray:

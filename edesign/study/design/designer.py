@@ -144,7 +144,9 @@ class Designer(ABC, Generic[S]):
             if spec.bounds is not None:
                 bounds = analyse_bounds(spec.bounds, partial(self.bound, sizing, action))
                 store_bounds(group, model, results, bounds)
-        warnings = [*shared_mode(model.building.frame, model.bare), *self.further(group, done, found)]
+        state = self.state(sizing)
+        modes = model.building.frame.modes(model.storage(state))
+        warnings = [*shared_mode(modes, model.losses(state, modes)), *self.further(group, done, found)]
         group.attributes["warnings"] = list(dict.fromkeys(warnings))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group

@@ -122,7 +122,7 @@ class DeviceModel(ABC, Generic[D, V]):
             stiffness: complex, of the dampers at each place with their braces, (d,) N/m.
         """
         modes = self.building.frame.modes(stiffness.real)
-        return float(strain_energy_damping(modes, stiffness)[modes.first])
+        return modes.lead.mean(strain_energy_damping(modes, stiffness).__getitem__)
 
     @abstractmethod
     def storage(self, state: V) -> np.ndarray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.study.design.building import Building, mode_shears
+from edesign.study.design.building import Building, storey_shears
 
 
 def pattern_of(building: Building, distribution: str) -> np.ndarray:
@@ -24,11 +24,9 @@ def pattern_of(building: Building, distribution: str) -> np.ndarray:
     if distribution == "uniform":
         return np.full(stiffness.size, stiffness.mean())
     chosen = building.storeys - 1
+    lead = building.frame.modes().lead
     if distribution == "storey_shear":
-        modes = building.frame.modes()
-        share = mode_shears(building.frame, modes)[modes.first, chosen]
+        share = storey_shears(building.frame.at_floors(lead.loads))[chosen]
     else:
-        modes = building.frame.modes()
-        drift = modes.storeys[modes.first, chosen]
-        share = building.computed_stiffness[chosen] * drift**2
+        share = building.computed_stiffness[chosen] * lead.storeys[chosen] ** 2
     return np.asarray(share * (stiffness.mean() / share.mean()))

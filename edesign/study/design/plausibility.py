@@ -12,11 +12,11 @@ from edesign.codes.asce7 import largest_property_factor, smallest_property_facto
 from edesign.project.dampers.designs import Bounds, SizedDesign
 from edesign.project.reading.words import percent
 from edesign.study.design.bounds import property_factors
-from edesign.study.design.condensed import CondensedFrame, LinearModes
+from edesign.study.design.condensed import LinearModes
 from edesign.study.design.loop import Search
 
 ROUNDING = 1e-6  # of shares and ratios
-_SHARED = 0.5  # of the mass of the leading mode; in a uniform cantilever the second has 0.31 (bending), 0.11 (shear)
+_SHARED = 0.5  # of the largest share: the mean says little of either
 _AT_LIMIT = 1e-5  # relative, of a drift that a search has led to its limit
 _LEAST_SHARE = 1e-3  # of the dampers, from which a share with the same damping is looked for
 _SHARES = np.geomspace(_LEAST_SHARE, 1.0, 61)
@@ -42,21 +42,21 @@ def beyond_the_optimum(damping: Callable[[float], float], what: str) -> Iterator
     )
 
 
-def shared_mode(frame: CondensedFrame, bare: LinearModes) -> Iterator[str]:
-    """Say so if modes of a building share the mass along the direction of a design, whose target is of one of them.
+def shared_mode(modes: LinearModes, damping: np.ndarray) -> Iterator[str]:
+    """Say so if modes of a building share the direction of a design, whose target is the mean of their damping.
 
     Args:
-        bare: modes without dampers.
+        modes: with dampers.
+        damping: ratio that the dampers add to each, (n,).
     """
-    if frame.plan is None:
-        return
-    share = bare.participation**2 / float(frame.mass @ frame.influence)
-    other = max((i for i in range(share.size) if i != bare.first), key=lambda i: share[i])
-    if share[other] > _SHARED * share[bare.first]:
+    share = modes.lead.share
+    first, other = np.argsort(-share, kind="stable")[:2] if share.size > 1 else (0, 0)
+    if share[other] > _SHARED * share[first] and other != first:
         yield (
-            f"modes {bare.first + 1} and {other + 1} without dampers both move along the direction, with "
-            f"{percent(share[bare.first])} and {percent(share[other])} of the mass: torsion or nearly equal periods "
-            "couple them, and the target is of the one that leads with the dampers; the table of modes tells both"
+            f"modes {first + 1} and {other + 1} with dampers share the direction, {percent(share[first])} and "
+            f"{percent(share[other])} of it: torsion or nearly equal periods couple them. The dampers add "
+            f"{percent(damping[first])} and {percent(damping[other])} to them by strain energy, and the target is of "
+            "the mean over the modes"
         )
 
 

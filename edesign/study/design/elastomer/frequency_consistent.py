@@ -59,7 +59,7 @@ def at_consistent_frequency(
         stiffness = model.stiffness(wanted, moduli.loss_factor, braces)
         modes = model.building.frame.modes(stiffness.real)
         before, frequency = frequency, modes.first_frequency
-        damping = float(strain_energy_damping(modes, stiffness)[modes.first])
+        damping = modes.lead.mean(strain_energy_damping(modes, stiffness).__getitem__)
         iterations.append(Iteration(before, moduli, wanted, frequency, damping, {}))
         if abs(frequency - before) <= AGREEMENT * frequency:
             reason = ""

@@ -30,7 +30,7 @@ _AREA_RATIO = "area of a layer over that of the prototype, A_D/A_P"
 def _of_first(model: ElastomerModel, one: Round[ElastomerSizing], what: str) -> float:
     """A value of the first mode with the dampers of a round."""
     found = model.modal_damping(one.sizing)
-    return float(getattr(found, what)[found.first])
+    return found.lead.mean(getattr(found, what).__getitem__)
 
 
 _STRAIN_STEPS: tuple[Column, ...] = (

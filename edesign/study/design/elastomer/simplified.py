@@ -185,7 +185,7 @@ def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Elastome
 def _shape(building: Building, spec: SimplifiedDesign, modes: LinearModes) -> np.ndarray:
     frame = building.frame
     if spec.forces == "first_mode":
-        return np.where(frame.influence > 0.0, modes.masses[modes.first], 0.0)
+        return np.where(frame.influence > 0.0, modes.lead.shape, 0.0)
     levels = np.concatenate([np.cumsum(building.heights), [0.0]])  # a mass of no floor (-1) stands at no height
     return levels[frame.floor_of]
 

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.damper.hysteresis import Hysteresis, behind_brace
 from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.project.dampers.designs import HystereticDesign
-from edesign.study.design.building import Building, mode_shears
+from edesign.study.design.building import Building, mode_shears, storey_shears
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.device_model import DeviceModel
@@ -163,13 +163,11 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         return state.stiffness
 
     def added_damping(self, state: SecantVibration, modes: LinearModes) -> np.ndarray:
-        """Return the damping ratio of each mode, (n,): that of the first alone.
+        """Return the damping ratio of each mode, (n,): that of the first alone, in a building by their shares in it.
 
         Source: ASCE/SEI 7-16, 18.7.3.2: hysteretic damping is that of the fundamental mode.
         """
-        added = np.zeros(modes.omega.size)
-        added[modes.first] = state.damping
-        return added
+        return np.asarray(state.damping * (modes.lead.share / modes.lead.share.max()))
 
     def losses(self, state: SecantVibration, modes: LinearModes) -> np.ndarray:
         """Return the damping ratio of each mode by the loops at the amplitude of the design, (n,)."""
@@ -200,11 +198,9 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
             damping: damping ratio that the dampers add to the first.
             action: whose spectrum gives the amplitude; None: what the design says.
         """
-        first = modes.first
-        share = float(modes.participation[first]) * float(modes.floors[first, -1])
-        return self.roof_amplitude(
-            modes.floors[first, -1], modes.storeys[first], share, modes.first_omega, damping, action
-        )
+        lead, at_roof = modes.lead, float(modes.lead.floors[-1])
+        share = lead.participation * at_roof
+        return self.roof_amplitude(at_roof, lead.storeys, share, modes.first_omega, damping, action)
 
     def _shears(self) -> np.ndarray:
         """Shears of the storeys with dampers, without them, linear, (s,) N: of spectrum or first mode, or given."""
@@ -218,8 +214,8 @@ class HystereticModel(DeviceModel[HystereticDesign, SecantVibration]):
         else:
             if self.action is not None:
                 omega, ratio = bare.first_omega, self.action.inherent_damping
-                generalised = float(bare.participation[bare.first]) * self.action.displacement(omega, ratio)
+                generalised = bare.lead.participation * self.action.displacement(omega, ratio)
             else:
-                generalised = self.roof(bare, 0.0, None) / float(bare.floors[bare.first, -1])
-            found = np.abs(generalised * mode_shears(frame, bare)[bare.first])
+                generalised = self.roof(bare, 0.0, None) / float(bare.lead.floors[-1])
+            found = np.abs(generalised * storey_shears(frame.at_floors(bare.lead.loads)))
         return np.asarray(found[self.building.storeys - 1])

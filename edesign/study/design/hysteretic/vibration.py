@@ -18,10 +18,6 @@ from edesign.study.design.relaxation import AGREEMENT, Relaxation
 _MOST_ITERATIONS = 300  # of shapes, and of Newton's method; ten where storeys do not hand the drift to each other
 _MOST_DOUBLINGS = 60  # of an amplitude, or halvings, on the way to the one that is wanted
 _LEAST_STEP = 0.01  # of Newton's
-_COUPLED = (
-    ": with these dampers two modes of the building share the direction of the design, and one or the other leads; "
-    "weaker dampers, or places that turn the floors less, part them"
-)
 _LEAST = 1e-9  # deformation of a damper over the largest: below it, none
 _GAUSS = np.polynomial.legendre.leggauss(64)  # the kink where a damper yields costs the average about 1e-4
 _SHARES, _WEIGHTS = 0.5 * (1.0 + _GAUSS[0]), 0.5 * _GAUSS[1]
@@ -55,8 +51,8 @@ def bare_damping(model: HystereticModel, yield_force: np.ndarray) -> float:
         yield_force: of all dampers of each storey along its drift, (s,) N.
     """
     bare = model.bare
-    roof, first = model.roof(bare, 0.0, None), bare.first
-    at_roof, size = float(bare.floors[first, -1]), np.abs(bare.dampers[first])
+    roof = model.roof(bare, 0.0, None)
+    at_roof, size = float(bare.lead.floors[-1]), np.abs(bare.lead.dampers)
     deformation = roof / abs(at_roof) * np.maximum(size, _LEAST * size.max())
     work = 4.0 * float(model.at_places(yield_force) @ deformation)
     return work / (2.0 * math.pi * (bare.first_omega * (roof / at_roof)) ** 2)
@@ -99,22 +95,19 @@ def _at_roof(model: HystereticModel, scale: np.ndarray, roof: float, start: Seca
     only grow: there is one answer. Its secants give the next shape.
     """
     modes = model.bare if start is None else start.modes
-    u = roof / float(modes.floors[modes.first, -1]) * modes.dampers[modes.first]
-    shape, relax = modes.masses[modes.first] / modes.floors[modes.first, -1], Relaxation()
-    leading = set()
+    u = roof / float(modes.lead.floors[-1]) * modes.lead.dampers
+    shape, relax = modes.lead.shape / modes.lead.floors[-1], Relaxation()
     for _ in range(_MOST_ITERATIONS):
         u = _static(model, scale, roof, model.building.frame.mass * shape, u)
         deformation = np.maximum(np.abs(u), _LEAST * np.abs(u).max())
         secants = model.secants(scale, deformation)
         modes = model.building.frame.modes(secants.force / deformation)
-        leading.add(modes.first)
-        following = roof / float(modes.floors[modes.first, -1]) * modes.dampers[modes.first]
+        following = roof / float(modes.lead.floors[-1]) * modes.lead.dampers
         if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
             return _vibration(model, scale, roof, deformation, secants, modes)
-        shape = relax(shape, modes.masses[modes.first] / modes.floors[modes.first, -1])
+        shape = relax(shape, modes.lead.shape / modes.lead.floors[-1])
     raise AnalysisError(
-        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g}"
-        f"{_COUPLED if len(leading) > 1 else ''} [E-DESIGN-02]"
+        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g} [E-DESIGN-02]"
     )
 
 
@@ -163,19 +156,28 @@ def _vibration(
     secants: Secants,
     modes: LinearModes,
 ) -> SecantVibration:
-    energy = float(secants.energy @ (modes.dampers[modes.first] / deformation) ** 2)  # of generalised displacement 1
-    at_amplitude = energy / (2.0 * math.pi * modes.first_omega**2)
+
+    def of_mode(i: int) -> float:
+        energy = float(secants.energy @ (modes.dampers[i] / deformation) ** 2)  # of generalised displacement 1
+        return energy / (2.0 * math.pi * float(modes.omega[i]) ** 2)
+
+    at_amplitude = modes.lead.mean(of_mode)
     average = model.spec.equivalent_damping == "average"
     damping = _average(model, scale, deformation, modes) if average else at_amplitude
     return SecantVibration(scale, roof, deformation, secants, modes, at_amplitude, math.nan, damping)
 
 
 def _average(model: HystereticModel, scale: np.ndarray, deformation: np.ndarray, modes: LinearModes) -> float:
-    """Mean of the equivalent damping over amplitudes up to that of a deformation (d,) m, in the same shape."""
-    first, amplitudes = modes.dampers[modes.first], _SHARES[:, None] * deformation
+    """Mean of the equivalent damping over amplitudes up to that of a deformation (d,) m, in the same shapes."""
+    amplitudes = _SHARES[:, None] * deformation
     found = model.secants(scale, amplitudes)
     here = model.secants(scale, deformation)
-    frame = modes.first_omega**2 - float((here.force / deformation) @ first**2)
-    stiffness = frame + (found.force / amplitudes) @ first**2
-    energy = found.energy @ (first / deformation) ** 2 / _SHARES**2
-    return float(_WEIGHTS @ (energy / (2.0 * math.pi * stiffness)))
+
+    def of_mode(i: int) -> float:
+        of_dampers = modes.dampers[i]
+        frame = float(modes.omega[i]) ** 2 - float((here.force / deformation) @ of_dampers**2)
+        stiffness = frame + (found.force / amplitudes) @ of_dampers**2
+        energy = found.energy @ (of_dampers / deformation) ** 2 / _SHARES**2
+        return float(_WEIGHTS @ (energy / (2.0 * math.pi * stiffness)))
+
+    return modes.lead.mean(of_mode)

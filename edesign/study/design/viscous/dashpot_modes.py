@@ -10,11 +10,30 @@ import scipy
 from edesign.errors import AnalysisError
 from edesign.study.design.condensed import CondensedFrame, LinearModes
 
-_REAL = 1e-9  # of an eigenvalue: imaginary parts below it are rounding of two modes that do not oscillate
+_REAL = 1e-9  # of the largest eigenvalue: imaginary parts below it are rounding of two modes that do not oscillate
 _STILL = 1e-9  # of the largest displacement of a floor: at the roof, along which the mode does not move
 _ALIKE = 0.5
 """Share of the first mode without dampers in the kinetic energy: at most one mode has more. In a building it is the
-effective mass along the design over that of the leading mode without dampers."""
+effective mass of a guided mode along the design over that without dampers."""
+
+
+@dataclass(frozen=True)
+class FirstVibration:
+    """The first mode with dashpots; of a building what stands for it along the direction, as `Lead`.
+
+    Attributes:
+        omega: rad/s.
+        damping: ratio.
+        roof: displacement of the roof, 1, or where it does not move anything.
+        storeys: drift of each storey, complex (f,), for a roof displacement of 1 (see `LinearModes`).
+        dashpots: amplitude of the deformation of each dashpot without its spring, likewise, (d,).
+    """
+
+    omega: float
+    damping: float
+    roof: complex
+    storeys: np.ndarray
+    dashpots: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -24,33 +43,24 @@ class DashpotModes:
     Attributes:
         omega: abs(s), (n,) rad/s.
         damping: -Re(s) / abs(s), (n,).
-        first: index of the mode most like the first mode without dampers, of a building of the one that leads along the
-            direction; None: that does not oscillate.
-        like: index of the mode whose shape is most like that of the first mode without dampers; None: none is.
-        floors: horizontal displacement of each floor, complex (n, f), in modes of roof displacement 1.
-        storeys: drift of each storey, likewise (see `LinearModes`).
-        dashpots: amplitude of the deformation of each dashpot without its spring, likewise, (n, d).
         told: indices of the modes that results tell of, as `CondensedFrame.told_modes`.
+        first: the vibration that is most like the first mode without dampers; None: that does not oscillate.
     """
 
     omega: np.ndarray
     damping: np.ndarray
-    first: int | None
-    like: int | None
-    floors: np.ndarray
-    storeys: np.ndarray
-    dashpots: np.ndarray
     told: np.ndarray
+    first: FirstVibration | None
 
     @property
     def first_omega(self) -> float:
         """Circular frequency of the first mode, rad/s; nan where the mode does not oscillate."""
-        return np.nan if self.first is None else float(self.omega[self.first])
+        return np.nan if self.first is None else self.first.omega
 
     @property
     def first_damping(self) -> float:
         """Damping ratio of the first mode; 1 where the mode does not oscillate."""
-        return 1.0 if self.first is None else float(self.damping[self.first])
+        return 1.0 if self.first is None else self.first.damping
 
 
 def dashpot_modes(
@@ -88,24 +98,82 @@ def dashpot_modes(
     inverse, vectors = scipy.linalg.eig(np.linalg.solve(right, left))
     if not np.all(np.isfinite(inverse)):
         raise AnalysisError("complex modes: an eigenvalue is not finite [E-DESIGN-02]")
-    oscillates = np.flatnonzero(inverse.imag < -_REAL * np.abs(inverse))
+    oscillates = _oscillates(inverse)
     oscillates = oscillates[np.argsort(-np.abs(inverse[oscillates]), kind="stable")]
     s, shapes = 1.0 / inverse[oscillates], vectors[:, oscillates].T
-    q, velocity = shapes[:, :n], shapes[:, 2 * n :]
-    floors = q @ bare.floors - (velocity * dashpots) @ (frame.floor_B - bare.floors.T @ share.T).T
+    q = shapes[:, :n]
     energy = np.sum(np.abs(q) ** 2, axis=1)
-    participation = np.abs(q @ bare.participation) / np.sqrt(energy)
-    likeness = np.abs(q[:, bare.first]) ** 2 / energy
-    like = int(np.argmax(likeness)) if s.size else None
-    if frame.plan is not None:  # modes of nearly one frequency mix as dampers are added
-        likeness = (participation / bare.participation[bare.first]) ** 2
-    first = int(np.argmax(likeness)) if s.size and likeness.max() > _ALIKE else None
-    roof = floors[:, -1:]
-    roof = np.where(np.abs(roof) > _STILL * np.abs(floors).max(axis=1, keepdims=True), roof, 1.0)
-    floors /= roof
-    storeys = np.diff(floors, axis=1, prepend=0.0)
-    if frame.plan is not None:
-        own = frame.plan.storey_B - bare.storeys.T @ share.T
-        storeys = (q @ bare.storeys - (velocity * dashpots) @ own.T) / roof
-    dashpot, told = np.abs(velocity / s[:, None] / roof), frame.told_modes(participation)
-    return DashpotModes(np.abs(s), -s.real / np.abs(s), first, like, floors, storeys, dashpot, told)
+    told = frame.told_modes(np.abs(q @ bare.participation) / np.sqrt(energy))
+    omega, damping = np.abs(s), -s.real / np.abs(s)
+
+    def vibration(states: np.ndarray, i: int, s: complex, omega: float, damping: float) -> FirstVibration:
+        """That of row i of states that vibrate with exp(s t)."""
+        q, velocity = states[:, :n], states[:, 2 * n :]
+        floors = q @ bare.floors - (velocity * dashpots) @ (frame.floor_B - bare.floors.T @ share.T).T
+        roof = floors[:, -1:]
+        roof = np.where(np.abs(roof) > _STILL * np.abs(floors).max(axis=1, keepdims=True), roof, 1.0)
+        floors /= roof
+        storeys = np.diff(floors, axis=1, prepend=0.0)
+        if frame.plan is not None:
+            own = frame.plan.storey_B - bare.storeys.T @ share.T
+            storeys = (q @ bare.storeys - (velocity * dashpots) @ own.T) / roof
+        return FirstVibration(omega, damping, floors[i, -1], storeys[i], np.abs(velocity[i] / s / roof[i]))
+
+    if frame.plan is None:
+        likeness = np.abs(q[:, bare.first]) ** 2 / energy
+        if not s.size or likeness.max() <= _ALIKE:
+            return DashpotModes(omega, damping, told, None)
+        at = int(np.argmax(likeness))
+        return DashpotModes(omega, damping, told, vibration(shapes, at, s[at], float(omega[at]), float(damping[at])))
+    led = _guided(frame, bare, right, left)
+    if led is None:
+        return DashpotModes(omega, damping, told, None)
+    of_s, state, row = led
+    parts, rest = _shares(vectors, oscillates, row @ left, state)
+    whole = parts.sum()
+    mean_omega = float(parts @ omega / whole)
+    mean_damping = float((parts @ damping + rest) / (whole + rest))  # what does not oscillate is damped critically
+    turned = of_s**2 * np.linalg.solve(right, left @ np.linalg.solve(right, left @ state))  # under its inertia forces
+    return DashpotModes(omega, damping, told, vibration(turned[None], 0, of_s, mean_omega, mean_damping))
+
+
+def _oscillates(inverse: np.ndarray) -> np.ndarray:
+    """Indices of eigenvalues 1/s of vibrations that oscillate, one of each pair."""
+    return np.flatnonzero(inverse.imag < -_REAL * np.abs(inverse).max())
+
+
+def _guided(
+    frame: CondensedFrame, bare: LinearModes, right: np.ndarray, left: np.ndarray
+) -> tuple[complex, np.ndarray, np.ndarray] | None:
+    """The guided vibration (see `Lead`) of right x = s left x: s, state x and row y of y' right = s y' left, y' left x = 1.
+
+    None: it does not oscillate.
+    """
+    assert frame.plan is not None, "a plane frame is guided as it is"
+    n = bare.omega.size
+    guides = (bare.masses * np.sqrt(frame.mass)) @ frame.plan.guides
+    free = scipy.linalg.qr(guides)[0][:, guides.shape[1] :]
+    into = scipy.linalg.block_diag(free, free, np.eye(len(right) - 2 * n))
+    own_right, own_left = into.T @ right @ into, into.T @ left @ into
+    inverse, rows, vectors = scipy.linalg.eig(np.linalg.solve(own_right, own_left), left=True)
+    oscillates = _oscillates(inverse)
+    q = free @ vectors[: free.shape[1], oscillates]
+    likeness = np.abs(bare.participation @ q) ** 2 / np.sum(np.abs(q) ** 2, axis=0) / bare.lead.participation**2
+    if not likeness.size or likeness.max() <= _ALIKE:
+        return None
+    at = oscillates[int(np.argmax(likeness))]
+    state, row = vectors[:, at], np.linalg.solve(own_right.T, rows[:, at].conj())
+    return complex(1.0 / inverse[at]), into @ state, into @ row / (row @ own_left @ state)
+
+
+def _shares(
+    vectors: np.ndarray, oscillates: np.ndarray, row: np.ndarray, state: np.ndarray
+) -> tuple[np.ndarray, float]:
+    """How the vibrations of vectors (columns) share a state: each of those that oscillate, and all others together.
+
+    A part is the size of what a vibration and its conjugate have of row @ state = 1, as `Lead.share` of real modes.
+    Where two coincide both parts grow without limit, alike, so that means by them are continuous.
+    """
+    own, mirrored = np.linalg.lstsq(vectors, np.column_stack([state, state.conj()]))[0].T
+    parts = ((row @ vectors) * own + ((row.conj() @ vectors) * mirrored).conj())[oscillates]
+    return np.abs(parts), float(abs(1.0 - parts.sum()))

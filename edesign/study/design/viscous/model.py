@@ -62,7 +62,7 @@ class Vibration(Dashpots):
     def stroke(self) -> np.ndarray:
         """Amplitude of the dashpots' deformation, (d,) m."""
         assert self.modes.first is not None
-        return self.roof * self.modes.dashpots[self.modes.first]
+        return self.roof * self.modes.first.dashpots
 
     @property
     def deformation(self) -> np.ndarray:
@@ -116,10 +116,10 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
             damping: damping ratio that the dampers add to the first mode; None: that of the modes.
         """
         assert modes.first is not None
-        share = float(self.bare.participation[self.bare.first] * self.bare.floors[self.bare.first, -1])
+        share = self.bare.lead.participation * float(self.bare.lead.floors[-1])
         added = modes.first_damping if damping is None else damping
         return self.roof_amplitude(
-            modes.floors[modes.first, -1], modes.storeys[modes.first], share, modes.first_omega, added, action
+            modes.first.roof, modes.first.storeys, share, modes.first_omega, added, action
         )
 
     def modes(self, linear: np.ndarray, coefficient: np.ndarray) -> DashpotModes:
@@ -219,9 +219,9 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
             coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
             roof: amplitude at the roof, m; it does not matter for linear dashpots.
         """
-        bare, first = self.bare, self.bare.first
-        alpha, at_roof = self.dashpot.alpha, float(bare.floors[first, -1])
-        shape, period = bare.dampers[first] / at_roof, 2.0 * math.pi / bare.first_omega
+        bare, lead = self.bare, self.bare.lead
+        alpha, at_roof = self.dashpot.alpha, float(lead.floors[-1])
+        shape, period = lead.dampers / at_roof, 2.0 * math.pi / bare.first_omega
         amplitude = roof if alpha < 1.0 else 1.0
         return added_damping(self.at_places(coefficient), alpha, shape, amplitude, period, 1.0 / at_roof**2)
 

@@ -11,7 +11,6 @@ from edesign.project.dampers.designs import DriftAmplitude, RoofAmplitude
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.plausibility import beyond_the_optimum, spread
 from edesign.study.design.results import of_storeys
-from edesign.study.design.viscous.dashpot_modes import DashpotModes
 from edesign.study.design.viscous.model import ViscousModel
 from edesign.study.design.viscous.sizing import ViscousSizing
 
@@ -29,7 +28,6 @@ def viscous_warnings(model: ViscousModel, sizing: ViscousSizing, found: FrameEst
     """
     building, vibration, spec = model.building, sizing.vibration, model.spec
     pushed = np.abs(vibration.stiffness(vibration.omega))  # force over drift, with the spring in series
-    yield from _another_leads(vibration.modes)
     ratio = np.bincount(building.place_storey, pushed * building.cosine**2) / building.designed_stiffness
     if ratio.max() > 1.0:
         yield (
@@ -62,17 +60,6 @@ def viscous_warnings(model: ViscousModel, sizing: ViscousSizing, found: FrameEst
             "take another `distribution`"
         )
     yield from _amplitude(model, sizing)
-
-
-def _another_leads(modes: DashpotModes) -> Iterator[str]:
-    """The mode that has the target where it is not the one that leads without dampers, as in coupled buildings."""
-    if modes.first is None or modes.like is None or modes.first == modes.like:
-        return
-    led, leads = ((2.0 * math.pi / modes.omega[at], 100.0 * modes.damping[at]) for at in (modes.like, modes.first))
-    yield (
-        f"with the dampers another mode leads along the direction: that of {leads[0]:.4g} s has the damping of "
-        f"{leads[1]:.4g} %, while the one like the leading mode without dampers, of {led[0]:.4g} s, has {led[1]:.4g} %"
-    )
 
 
 def _amplitude(model: ViscousModel, sizing: ViscousSizing) -> Iterator[str]:

@@ -191,7 +191,7 @@ def _scale_of(model: ViscousModel, pattern: np.ndarray, weight: np.ndarray, damp
     """Scale of a pattern with a damping ratio by the energy of the first mode without dampers."""
     bare = model.bare
     weights = weight * model.at_places(pattern)
-    of_pattern = 0.5 * float(bare.dampers[bare.first] ** 2 @ weights) / bare.first_omega
+    of_pattern = 0.5 * float(bare.lead.dampers**2 @ weights) / bare.first_omega
     return damping / of_pattern
 
 
