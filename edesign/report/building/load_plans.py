@@ -12,7 +12,7 @@ from edesign.project.notation.names import line_name
 from edesign.report.drawing.captions import file_name
 from edesign.report.drawing.style import AFTER
 from edesign.report.model.boxes import Spot
-from edesign.report.model.elevation import Grid, draw_axis_names, draw_chain
+from edesign.report.model.elevation import BELOW, Grid, draw_plan_axes
 from edesign.report.model.figures import Named
 from edesign.report.model.sheet import INK, SOFT, Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.words import short
@@ -23,7 +23,6 @@ from edesign.space.structure.model import masters
 
 WIDTH = 6.4  # of the legend, inches
 AREA = "#eaf1f8"
-BELOW, ROW = 0.62, 0.3  # of the names of axes and of the spans, inches beside the plan
 MOST = 4
 """Plans that are drawn."""
 
@@ -68,23 +67,13 @@ def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, floors: Sequence[
     floor = floors[0]
     xs, ys = building.coordinates("x"), building.coordinates("y")
     grid = Grid.of([line_name(i) for i in range(len(xs))], xs, ys)
-    _axes(sheet, grid)
+    draw_plan_axes(sheet, grid, [str(j + 1) for j in range(len(ys))])
     panels = building.layout.floors[floor]
     for i, j in panels:
         (x0, y0), (x1, y1) = grid.at(xs[i - 1], ys[j - 1]), grid.at(xs[i], ys[j])
         sheet.shape([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], AREA, "#9aa3ae", 0.6, zorder=1.0)
     left_out = list(_areas(sheet, building, grid, floor, panels))
     sheet.legend([*_others(building, floor), *_sums(frame, floors), *unwritten(left_out)], WIDTH)
-
-
-def _axes(sheet: Sheet, grid: Grid) -> None:
-    """Axes with their names and distances at the left and below."""
-    xs, ys = [grid.across * x for x in grid.xs], [grid.up * y for y in grid.ys]
-    draw_axis_names(sheet, grid.names, [(x, -BELOW) for x in xs], [(x, 0.0) for x in xs])
-    numbers = [str(j + 1) for j in range(len(ys))]
-    draw_axis_names(sheet, numbers, [(-BELOW, y) for y in ys], [(0.0, y) for y in ys])
-    draw_chain(sheet, [(x, -ROW) for x in xs], grid.xs, 0.0)
-    draw_chain(sheet, [(-ROW, y) for y in ys], grid.ys, 90.0)
 
 
 def _areas(sheet: Sheet, building: Building, grid: Grid, floor: int, panels: frozenset[Panel]) -> Iterator[str]:

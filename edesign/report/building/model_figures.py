@@ -19,14 +19,14 @@ def building_model_figures(building: Building, heading: Sequence[str] = ()) -> I
     """Yield the drawings of a building's model.
 
     Args:
-        heading: lines above each drawing but the plans; (): none.
+        heading: lines above each drawing; (): none.
 
     Yields:
         Name of the file, caption and figure.
     """
     frame = space_frame(building)
     yield from model_elevations(building, frame, heading)
-    yield from plans_of(ModelValues(frame))
+    yield from plans_of(ModelValues(frame), heading)
     yield from load_plans(building, frame, heading)
 
 

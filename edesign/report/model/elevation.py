@@ -18,6 +18,7 @@ DIMENSIONS, TOTAL, NAMES = 0.5, 0.69, 0.9  # of rows below the base, inches
 HEIGHTS, LEVELS = 0.3, 0.42  # of columns left of the frame
 LEANING = 0.5  # of the last bay, from the frame to its leaning column
 BUBBLE = 0.11
+BELOW, ROW = 0.62, 0.3  # of the names of axes and of the spans of a plan, inches beside it
 FLOORS = 0.08  # between numbers of floors and their levels
 
 
@@ -128,6 +129,21 @@ def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
             draw_chain(sheet, [(xs[0], low), (xs[-1], low)], (grid.xs[0], grid.xs[-1]), 0.0)
         draw_chain(sheet, [(xs[0] - HEIGHTS, grid.up * y) for y in grid.ys], grid.ys, 90.0)
     _levels(sheet, grid, xs[0] - (LEVELS if dimensions else 0.15))
+
+
+def draw_plan_axes(sheet: Sheet, grid: Grid, numbers: Sequence[str]) -> None:
+    """Draw the axes of a plan with their names and distances, m, at the left and below.
+
+    Args:
+        grid: axes across x with their names, and the places of those across y.
+        numbers: names of the axes across y.
+    """
+    xs, ys = [grid.across * x for x in grid.xs], [grid.up * y for y in grid.ys]
+    left, low = xs[0], ys[0]
+    draw_axis_names(sheet, grid.names, [(x, low - BELOW) for x in xs], [(x, ys[-1]) for x in xs])
+    draw_axis_names(sheet, numbers, [(left - BELOW, y) for y in ys], [(xs[-1], y) for y in ys])
+    draw_chain(sheet, [(x, low - ROW) for x in xs], grid.xs, 0.0)
+    draw_chain(sheet, [(left - ROW, y) for y in ys], grid.ys, 90.0)
 
 
 def draw_axis_names(sheet: Sheet, names: Sequence[str], places: Sequence[Point], ends: Sequence[Point]) -> None:

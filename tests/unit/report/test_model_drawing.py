@@ -81,12 +81,10 @@ def outline(text: Text, renderer: Any, dpi: float) -> np.ndarray:
 
 @pytest.mark.parametrize("path", MODELS, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_no_texts_of_any_model_overlap(path: Path) -> None:
-    """Measured by another renderer than that which placed them; plans of buildings have layouts of their own."""
+    """Measured by another renderer than that which placed them."""
     drawn = list(drawings_of(loaded(path), ("A title", "a file")))
     assert drawn
-    for name, _, figure in drawn:
-        if name.startswith("plan_"):
-            continue
+    for _, _, figure in drawn:
         renderer = FigureCanvasAgg(figure).get_renderer()
         words = figure.axes[0].texts
         outlines = np.array([outline(text, renderer, figure.dpi) for text in words]).reshape(-1, 5, 2)
