@@ -10,12 +10,11 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.pdf_options import AppendixOption, PaperOption, print_options
-from edesign.cli.shared.streams import progress_line
+from edesign.cli.shared.streams import LOG_EVERY, progress_line
 from edesign.report.archive.document import write_page
 from edesign.report.pdf.document import write_pdf
 
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
-LINE_EVERY = 10  # of its lines elsewhere; the largest reports have some hundred figures
 
 
 def report(
@@ -43,17 +42,15 @@ def report(
 
 
 class PageProgress:
-    """A listener that prints progress on standard error: by time on a terminal, elsewhere by count."""
+    """A listener that prints progress on standard error, elsewhere than on a terminal once a minute at most."""
 
     def __init__(self) -> None:
-        self._by_time = sys.stderr.isatty()
-        self._last, self._count = time.monotonic(), 0
+        self._every = LINE_AFTER if sys.stderr.isatty() else LOG_EVERY
+        self._last = time.monotonic()
 
     def __call__(self, line: str) -> None:
         """Print a line if one is due."""
         now = time.monotonic()
-        self._count += 1
-        due = now - self._last >= LINE_AFTER if self._by_time else self._count % LINE_EVERY == 0
-        if due:
+        if now - self._last >= self._every:
             self._last = now
             progress_line(line)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from rich.console import Console
@@ -13,11 +13,10 @@ from rich.progress import BarColumn, TaskID, TaskProgressColumn, TextColumn, Tim
 from rich.progress import Progress as Bars
 from rich.text import Text  # in which brackets and colons are no markup
 
+from edesign.cli.shared.streams import LOG_EVERY
 from edesign.report.tables.visible import visible, visible_line
 from edesign.study.run.progress import Listener, Progress, Tally, silent
 
-LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
-LINE_AFTER = 2.0  # s: quicker analyses have lines at their start and end only
 REPORTED_FROM = 1.0  # s: less that is left is not worth a line
 
 
@@ -34,30 +33,24 @@ def listener(quiet: bool = False) -> Iterator[Listener]:
 
 
 class PlainLines:
-    """A listener that prints a line at the start and the end of each analysis, and at every tenth of long ones."""
+    """A listener that prints a line at the end of each analysis, and of those that last at most one a minute."""
 
-    def __init__(self) -> None:
-        self._reported: dict[str, int] = {}
-        self._began: dict[str, float] = {}
-        self._tally = Tally()
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._last = clock()
+        self._tally = Tally(clock)
 
     def __call__(self, report: Progress) -> None:
         """Print the report if it is worth a line."""
         self._tally(report)
         text = describe(report)
-        now = time.monotonic()
-        if report.event == "start":
-            self._began[report.analysis] = now
-        if report.event == "end" and report.index:
+        if report.event in ("start", "advance"):
+            if self._clock() - self._last < LOG_EVERY:
+                return
+            text = f"{visible_line(place(report) + report.analysis)}: {report.fraction:.0%}"
+        if report.event in ("end", "advance") and report.index:
             text += remaining(self._tally.left, ", about ")
-        if report.event == "advance":
-            if now - self._began.get(report.analysis, now) < LINE_AFTER:
-                return
-            tenths = int(report.fraction / LINE_EVERY + 1e-9)
-            if tenths <= self._reported.get(report.analysis, 0) or report.fraction >= 1:
-                return
-            self._reported[report.analysis] = tenths
-            text = f"{visible_line(place(report) + report.analysis)}: {tenths * LINE_EVERY:.0%}"
+        self._last = self._clock()
         try:
             print(text, file=sys.stderr, flush=True)
         except OSError:  # nobody reads on, or the disk of a log is full: no reason to stop a run

@@ -42,6 +42,9 @@ class VisibleStream:
         return getattr(self.rich_proxied_file, name)
 
 
+LOG_EVERY = 60.0  # s: in a file or a pipe nothing is said more often of a piece of work that goes on
+
+
 def progress_line(text: str) -> None:
     """Print a line of progress on standard error.
 

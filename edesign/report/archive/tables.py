@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
+from collections.abc import Sequence
 from operator import itemgetter
 
 from edesign.archive.reader import Archive, open_archive
@@ -24,7 +25,7 @@ from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.tables.column import text
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.text import PAPER, fitted, plain
+from edesign.report.tables.text import PAPER, fitted, plain, wrapped
 from edesign.study.results.warnings import warnings_of
 
 SCREEN = 40  # lines
@@ -118,7 +119,7 @@ def short_tables(archive: Archive) -> list[Table]:
     found = kind_of(archive).short_tables(archive, top)
     tables = [top, *(table for table in found if table.rows or table.notes)]
     shown = _on_a_screen(tables)
-    return [*shown, _more(archive, len(tables) - len(shown))]
+    return [*shown, _more(archive, [table.title for table in tables[len(shown) :]])]
 
 
 def _on_a_screen(tables: list[Table]) -> list[Table]:
@@ -133,9 +134,9 @@ def _on_a_screen(tables: list[Table]) -> list[Table]:
     return shown
 
 
-def _more(archive: Archive, left_out: int) -> Table:
-    """Where everything is, and for how many tables of what is asked first there was no room."""
+def _more(archive: Archive, left_out: Sequence[str]) -> Table:
+    """Where everything is, and the titles of those tables of what is asked first that had no room."""
     notes = [f"All tables: edesign show {shlex.quote(str(archive.path))} --all"]
     if left_out:
-        notes.append(f"{left_out} of them had no room here." if left_out > 1 else "One of them had no room here.")
+        notes += wrapped(f"{len(left_out)} of them had no room here: {'; '.join(filter(None, left_out))}.")
     return Table("", notes=notes)

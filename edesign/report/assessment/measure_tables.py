@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from edesign.archive.dataset import Group
 from edesign.assess.changes import in_common
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.assess.statistics import STATISTICS, Statistics
@@ -13,6 +14,7 @@ from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_R
 from edesign.report.tables.cell import Quantity
 from edesign.report.tables.column import Column, col, literal, text
 from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import ONE, PERCENT
 
 RECORDS = TableSpec[Mapping[str, Any]](
@@ -54,7 +56,7 @@ def record_measures_table(found: HistorySet) -> Table:
             title = OF_STATISTICS[statistic].title.removesuffix(" response").lower()
             rows.append({"record": title, **{name: of(each) for name, each in over.items()}})
         rows.append({"record": "dispersion (of ln)", **{name: _spread(each) for name, each in over.items()}})
-    return RECORDS.of(rows, whose=label(found), notes=missing_notes([found], labelled=False))
+    return RECORDS.of(rows, whose=label(found), notes=[*motion_notes([found]), *missing_notes([found], labelled=False)])
 
 
 def _spread(over: Statistics) -> Quantity | None:
@@ -80,13 +82,29 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
     counts = "; ".join(f"{label(found)}: {len(found.completed)} of {len(found.histories)}" for found in ordered)
     notes = [f"Histories: {counts}", *([LARGEST] if any(pairs) else [])]
     notes += [pair.note for pair in pairs if pair is not None and pair.note]
-    notes += missing_notes(sets)
+    notes += [*motion_notes(sets), *missing_notes(sets)]
     shown = [row for row in MEASURE_ROWS if any(each[row.name].count for each in over)]
     single = all(len(found.completed) == 1 for found in ordered)
     return [
         spec.of(shown, more=list(_columns(ordered, over, pairs, STATISTICS[statistic])), notes=notes)
         for statistic, spec in ({"maximum": RESPONSE} if single else OF_STATISTICS).items()
     ]
+
+
+def tables_of_sets(
+    sets: Iterable[HistorySet], needed: str, table: Callable[[Sequence[Group], str], Table]
+) -> Iterator[Table]:
+    """Yield a table of each set whose completed histories have a variable.
+
+    Args:
+        sets: the histories by variant and level.
+        needed: the variable, such as `section_use_max`, which histories of plane frames do not have.
+        table: makes one of the histories and the name of the set.
+    """
+    for found in sets:
+        groups = [group for group in found.completed.values() if needed in group.variables]
+        if groups:
+            yield table(groups, label(found))
 
 
 def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, HistorySet]]:
@@ -100,6 +118,19 @@ def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, History
         there = [one for one in sets if one.level == level and one.completed]
         found += [(there[0], one) for one in there]
     return found
+
+
+def motion_notes(sets: Sequence[HistorySet]) -> list[str]:
+    """Return what statistics are taken of if motions have several histories, as those of buildings may.
+
+    Args:
+        sets: the histories by variant and level.
+    """
+    counts = [len(set(found.motion_of.values())) for found in sets]
+    if all(count == len(found.histories) for count, found in zip(counts, sets, strict=True)):
+        return []
+    number = " or ".join(map(str, dict.fromkeys(counts)))
+    return wrapped(f"Statistics: over {number} motions; of each the worst of its angles and places of the masses.")
 
 
 def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str]:

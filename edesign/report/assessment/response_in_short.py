@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.report.assessment.measure_columns import ROUNDING
-from edesign.report.assessment.measure_tables import label, missing_notes
+from edesign.report.assessment.measure_tables import label, missing_notes, motion_notes
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import KN, M_S2, MM, MRAD, ONE, PERCENT, Unit
@@ -42,7 +42,7 @@ RESPONSE = TableSpec[HistorySet](
         _mean("damper", MM, "damper_deformation_m"),
     ),
     most=12,
-    cut="and {more} more",
+    cut="and {more} more, among all tables",
     named_by_title=True,
 )
 MEANINGS = {"V": "base shear", "a": "roof", "rot.": "plastic rotation", "ductility": "of a brace"}
@@ -62,5 +62,5 @@ def response_in_short(sets: Sequence[HistorySet]) -> Table:
     meanings = [f"{one.header}: {MEANINGS[one.header]}" for one in table.columns if one.header in MEANINGS]
     if meanings:
         table.notes.append(f"Largest values; {', '.join(meanings)}{', n: records' * several}")
-    table.notes += missing_notes(sets)
+    table.notes += [*motion_notes(shown), *missing_notes(sets)]
     return table

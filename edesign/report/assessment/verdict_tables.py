@@ -118,7 +118,7 @@ GOVERNING = TableSpec[Verdict](
         text("criterion", "name", broken=1),
         replace(VARIANT, broken=2),
         LEVEL,
-        text("place", lambda found: None if found.negligible else found.place or "frame"),
+        text("place", lambda found: None if found.negligible else found.place or "structure"),
         text("motion", lambda found: None if found.negligible else motion_of(found), broken=3),
         text("statistic"),
         count("of", lambda found: f"{found.count}/{_number(found)}"),
@@ -333,7 +333,7 @@ def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
     sets: dict[str, int] = {}
     for v in verdicts:
         if v.statistic not in ("maximum", "share") and 0 < v.number < rules.number_for_mean:
-            sets[", ".join(part for part in (v.variant, v.level) if part) or "the frame"] = v.number
+            sets[", ".join(part for part in (v.variant, v.level) if part) or "the structure"] = v.number
     single = [name for name, count in sets.items() if count == 1]
     few = [name for name, count in sets.items() if count > 1]
     lines = []
@@ -344,7 +344,7 @@ def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
         )
     if single:
         lines += wrapped(
-            f"One history only: {'; '.join(single)}. It shows how the frame responds and proves nothing: "
+            f"One history only: {'; '.join(single)}. It shows how the structure responds and proves nothing: "
             f"{with_standard(rules.clauses.number)}, asks for {rules.least_number} at least."
         )
     return lines

@@ -43,7 +43,7 @@ GOVERNING = TableSpec[Verdict](
     "governing_in_short",
     "What governs",
     (
-        text("variant", lambda found: found.variant or "frame"),
+        text("variant", lambda found: found.variant or "structure"),
         text("criterion", lambda found: _row_name(found.name, found.level), broken=1),
         replace(RATIO, header="value", value=_value),
         text("where", _where, broken=2),
@@ -67,7 +67,7 @@ def verdicts_in_short(verdicts: Sequence[Verdict], hazard: Hazard | None) -> lis
     for one in verdicts:
         grouped.setdefault((one.name, one.level), {})[one.variant] = one
     kept, left_out = _kept(grouped)
-    left = [f"and {left_out} more, which all variants meet"] * bool(left_out)
+    left = [f"and {left_out} more, which all variants meet, among all tables"] * bool(left_out)
     notes = [*left, *_counts(verdicts), *few_notes(verdicts, hazard)]
     table = VERDICTS.of(kept, more=[_answers(grouped, variant) for variant in variants], notes=notes)
     governing = GOVERNING.of(_worst(verdicts, variants))
@@ -81,7 +81,7 @@ def _answers(grouped: Grouped, variant: str) -> Column[Row]:
             return None
         return answer(found, "" if found.ratio is None else RATIO.text(RATIO.of(found)))
 
-    return verdict(literal(variant or "frame"), of)
+    return verdict(literal(variant or "structure"), of)
 
 
 def _kept(grouped: Grouped) -> tuple[list[Row], int]:
@@ -107,5 +107,5 @@ def _counts(verdicts: Sequence[Verdict]) -> list[str]:
         answers = [one.answer for one in verdicts if one.variant == variant and one.applies]
         if answers:
             still = f", {answers.count('open')} open" if "open" in answers else ""
-            lines.append(f"{variant or 'The frame'}: {answers.count('met')} of {len(answers)} met{still}")
+            lines.append(f"{variant or 'The structure'}: {answers.count('met')} of {len(answers)} met{still}")
     return ["; ".join(lines) + "."] if lines else []

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from edesign.project.building import Building
+from edesign.project.building.isolation import IsolatedBase
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
 from edesign.project.building.places import panels_in
 from edesign.project.notation.names import line_name
@@ -17,6 +18,7 @@ from edesign.report.model.figures import Named
 from edesign.report.model.sheet import INK, SOFT, Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.words import short
 from edesign.space.check import floor_loads
+from edesign.space.nonlinear.isolation import base_mass
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.masses import floor_masses
 from edesign.space.structure.model import masters
@@ -44,6 +46,11 @@ def load_plans(building: Building, frame: SpaceFrame, heading: Sequence[str] = (
     for floor in range(1, building.n_storeys + 1):
         look = repr((sorted(building.layout.floors[floor]), _of_floor(building, floor)))
         groups.setdefault(look, []).append(floor)
+    if building.isolation is not None:
+        caption = "Loads of the isolated base, floor 0, in kN/m² by load case, on the bays that the first floor covers."
+        above = (*heading, caption.rstrip(".")) if heading else ()
+        draw = partial(_draw_base, building=building, base=building.isolation.base)
+        yield file_name("model_loads", "0"), caption, on_sheet(draw, above)
     for i, floors in enumerate(list(groups.values())[:MOST]):
         which = f"floor {floors[0]}" if len(floors) == 1 else f"floors {_listed(floors)}"
         caption = f"Loads of {which}: area loads in kN/m² by load case, the arrow along the span of the floor."
@@ -65,15 +72,36 @@ def _of_floor(building: Building, floor: int) -> list[str]:
 
 def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, floors: Sequence[int]) -> None:
     floor = floors[0]
+    panels = building.layout.floors[floor]
+    left_out = list(_areas(sheet, building, _bays(sheet, building, panels), floor, panels))
+    sheet.legend([*_others(building, floor), *_sums(frame, floors), *unwritten(left_out)], WIDTH)
+
+
+def _draw_base(sheet: Sheet, building: Building, base: IsolatedBase) -> None:
+    panels = building.layout.floors[1]
+    grid = _bays(sheet, building, panels)
+    text = _case_values(base.G, base.Q, base.category, 1e3)
+    for i, j in panels:
+        x, y = grid.at(0.5 * (grid.xs[i - 1] + grid.xs[i]), 0.5 * (grid.ys[j - 1] + grid.ys[j]))
+        if sheet.fits(text, grid.across * (grid.xs[i] - grid.xs[i - 1]), 6.0):
+            sheet.place([Spot(x, y)], text, (6.0,), AFTER)
+    area = sum(building.widths("x")[i - 1] * building.widths("y")[j - 1] for i, j in panels)
+    sums = [f"{case} {short(load * area / 1e3)} kN" for case, load in (("G", base.G), (f"Q_{base.category}", base.Q))]
+    mass = base_mass(building)
+    sums = [one for one, load in zip(sums, (base.G, base.Q), strict=True) if load]
+    sums += [f"mass {short(mass / 1e3)} t"] * (mass > 0.0)
+    sheet.legend([Entry(f"all bays: {text} kN/m²"), Entry(f"floor 0: {', '.join(sums) or 'no load'}")], WIDTH)
+
+
+def _bays(sheet: Sheet, building: Building, panels: frozenset[Panel]) -> Grid:
+    """Draw the axes and the bays that a floor covers, and return where they are."""
     xs, ys = building.coordinates("x"), building.coordinates("y")
     grid = Grid.of([line_name(i) for i in range(len(xs))], xs, ys)
     draw_plan_axes(sheet, grid, [str(j + 1) for j in range(len(ys))])
-    panels = building.layout.floors[floor]
     for i, j in panels:
         (x0, y0), (x1, y1) = grid.at(xs[i - 1], ys[j - 1]), grid.at(xs[i], ys[j])
         sheet.shape([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], AREA, "#9aa3ae", 0.6, zorder=1.0)
-    left_out = list(_areas(sheet, building, grid, floor, panels))
-    sheet.legend([*_others(building, floor), *_sums(frame, floors), *unwritten(left_out)], WIDTH)
+    return grid
 
 
 def _areas(sheet: Sheet, building: Building, grid: Grid, floor: int, panels: frozenset[Panel]) -> Iterator[str]:

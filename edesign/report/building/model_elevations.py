@@ -59,7 +59,8 @@ def model_elevations(
             caption = (
                 f"Frame{'s' * (len(names) > 1)} {some_names(names, 6)} along {along}: spans, heights and levels in m, "
             )
-            caption += f"sections, ends of beams, supports{', dampers' * (building.dampers is not None)}."
+            there = bool(_devices(building, along, numbers[0]).look)
+            caption += f"sections, ends of beams, supports{', dampers' * there}."
             if variant:
                 caption = f"Variant {variant}: {caption[0].lower()}{caption[1:]}"
             above = (*heading, caption.rstrip(".")) if heading else ()

@@ -56,7 +56,8 @@ def _target_hinges(archive: Archive, elevation: Elevation, frame: str = "") -> I
         method, level = str(about.get("method")), str(about.get("level"))
         group = archive.view(f"{ANALYSES}/{name}")
         title = in_words(name.removesuffix(f".{method}.{level}"))
-        one = Hinges(title, plastic_rotations(group), tuple(names_of(group, "damper")))
+        isolated = bool(about.get("isolated"))
+        one = Hinges(title, plastic_rotations(group), tuple(names_of(group, "damper")), isolated)
         panels.setdefault((method, level), []).append(one)
     for (method, level), found in panels.items():
         if frame and not any(value > ROTATION.limits[0] for one in found for value in one.values.values()):

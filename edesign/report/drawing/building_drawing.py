@@ -11,12 +11,15 @@ from typing import TYPE_CHECKING, NamedTuple
 from edesign.project.building.building import Building
 from edesign.project.building.names import frame_name
 from edesign.project.notation.frames import Direction, frames_of_line, frames_of_member
+from edesign.project.notation.names import base_device_name, isolator_name
 from edesign.report.drawing.frame_drawing import (
     DAMPER,
+    GAP,
     DamperDrawing,
     Line,
     Point,
     damper_in_bay,
+    draw_isolation,
     draw_members,
     straight_damper,
     without_scales,
@@ -104,18 +107,29 @@ class BuildingElevation:
             if self.name in frames_of_member(member)
         }
 
-    def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
+    def draw(self, axes: Axes, dampers: Sequence[str], isolated: bool = False) -> None:
         """Draw members, supports and the dampers of the frame to scale, without scales and frame of the axes.
 
         Args:
             axes: in m, with equal scales afterwards.
+            dampers: names of those that stand in the frame, without isolators.
+            isolated: whether the building stands on its isolators.
         """
-        draw_members(axes, self.lines, self._bases())
+        bases, isolation = self._bases(), self.building.isolation if isolated else None
+        below, of_base = 0.0, []
+        if isolation is not None:
+            lines, below = tuple(line for line, _, _ in bases), GAP * self.height
+            of_base = [isolator_name(line) for one in isolation.isolators for line in one.under(lines)]
+            beside = (one for one in isolation.beside if self._along in one.axes)
+            of_base += [base_device_name(line) for one in beside for line in one.under(lines)]
+            draw_isolation(axes, {line: x for line, x, _ in bases}, of_base, below)
+        supports = [(x, kind) for line, x, kind in bases if isolator_name(line) not in of_base]
+        draw_members(axes, self.lines, supports)
         for name in dampers:
             drawing = self.damper(name)
             for (x0, y0), (x1, y1) in drawing.braces if drawing is not None else ():
                 axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
-        without_scales(axes, self, self.width)
+        without_scales(axes, self, self.width, 2.0 * below)
 
     def damper(self, name: str) -> DamperDrawing | None:
         """Return the lines of a damper; None of one that stands elsewhere, or where there is no such bay or storey.
@@ -143,8 +157,8 @@ class BuildingElevation:
         place = self.building.grid.nodes[node]
         return place["xy".index(self._along)], place[-1]
 
-    def _bases(self) -> list[tuple[float, str]]:
-        """Places of the column bases of the frame, and whether each is fixed, pinned or on springs in it."""
+    def _bases(self) -> list[tuple[str, float, str]]:
+        """Lines and places of the column bases of the frame, and whether each is fixed, pinned or on springs in it."""
         found = []
         for line, storey in self.building.layout.column_at:
             frame = frame_name(self._along, line.frame(self._along))
@@ -152,5 +166,5 @@ class BuildingElevation:
                 support = self.building.support(line)
                 turn = getattr(support, "ry" if self._along == "x" else "rx", "footing")
                 kind = {"fixed": "fixed", "free": "pinned"}.get(turn, "springs")
-                found.append((self.building.place(line)["xy".index(self._along)], kind))
-        return found
+                found.append((str(line), self.building.place(line)["xy".index(self._along)], kind))
+        return sorted(found, key=lambda base: base[1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
@@ -53,7 +53,7 @@ class Elevation(Protocol):
     def damper(self, name: str) -> DamperDrawing | None:
         """Return the lines of a damper by its name; None: it does not stand in this frame."""
 
-    def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
+    def draw(self, axes: Axes, dampers: Sequence[str], isolated: bool = False) -> None:
         """Draw members, supports and those of the dampers that stand in it to scale."""
 
 
@@ -108,8 +108,8 @@ class FrameElevation:
         left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.levels[storey - 1], frame.levels[storey]
         return damper_in_bay(kind, left, right, low, high, name[-1] if name.endswith(("_r", "_f")) else "")
 
-    def draw(self, axes: Axes, dampers: Sequence[str]) -> None:
-        """Draw the frame to scale, without scales and frame of the axes.
+    def draw(self, axes: Axes, dampers: Sequence[str], isolated: bool = False) -> None:
+        """Draw the frame to scale, without scales and frame of the axes; its isolators are among the dampers.
 
         Args:
             axes: in m, with equal scales afterwards.
@@ -126,7 +126,9 @@ class FrameElevation:
         isolated = any(name.startswith("I_") for name in dampers)
         below, right = GAP * frame.height if isolated else 0.0, self.width
         if isolated:
-            _draw_isolation(axes, frame, dampers, below)
+            there = zip(frame.lines, frame.x, strict=True)
+            bases = {line: x for line, x in there if names.node_name(line, 0) in frame.nodes}
+            draw_isolation(axes, bases, dampers, below)
         if frame.leaning_column is not None:
             right += 0.5 * frame.bay_widths[-1]
             _draw_leaning_column(axes, frame, right)
@@ -190,11 +192,18 @@ def damper_in_bay(kind: str, left: float, right: float, low: float, high: float,
     return straight_damper(*lines[kind])
 
 
-def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: float) -> None:
-    """The base, isolators `below` it (m), and a mark beside each line where something else acts on the base."""
-    bases = [x for line, x in zip(frame.lines, frame.x, strict=True) if names.node_name(line, 0) in frame.nodes]
-    axes.plot((bases[0], bases[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
-    for line, x in zip(frame.lines, frame.x, strict=True):
+def draw_isolation(axes: Axes, bases: Mapping[str, float], dampers: Collection[str], below: float) -> None:
+    """Draw the base, its isolators, and a mark beside each line where something else acts on the base.
+
+    Args:
+        axes: in m.
+        bases: column bases from the left: their places, m, by line.
+        dampers: names of isolators, and of what acts beside them.
+        below: from the base to the middle of the isolators, m.
+    """
+    places = list(bases.values())
+    axes.plot((places[0], places[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
+    for line, x in bases.items():
         if names.isolator_name(line) in dampers:
             axes.plot(x, -below, marker="s", ms=5.0, color=DAMPER, mec="white", mew=0.4, zorder=2, clip_on=False)
             axes.plot(x, -2.0 * below, marker="_", ms=10.0, color=MEAN, mew=0.9, zorder=2, clip_on=False)

@@ -262,7 +262,7 @@
     constructor(root, scene, steps, number) {
       Object.assign(this, { root, scene, number, k: scene.peak, speed: 1, scale: scene.scale, playing: false });
       const read = reader(steps);
-      this.live = node(root, "div", { class: "live", role: "group", "aria-label": "Motion of the frame" });
+      this.live = node(root, "div", { class: "live", role: "group", "aria-label": "Motion of the structure" });
       this.controls();
       const [x0, y0, x1, y1] = this.spread();
       const stage = node(this.live, "div", { class: x1 - x0 > y1 - y0 ? "stage" : "stage tall" });

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
@@ -51,14 +51,22 @@ EACH_DAMPER = TableSpec[Place](
     ),
     each="Each damper (largest absolute values)",
 )
+
+
+def _of_vibration(name: str) -> Callable[[Place], float | None]:
+    """A value of a damper; None where it is no number: that of a dashpot alone, or of a damper that is left out."""
+    return lambda damper: None if not np.isfinite(value := damper.known(name)) else value
+
+
+_NO_STIFFNESS = 1e-3  # N/m: rounding of a dashpot's force
 DAMPER_STIFFNESS = TableSpec[Place](
     "damper_stiffness",
     "{whose}: dampers",
     (
         text("damper", "name"),
-        col("k'", KN_MM, at("damper_storage_stiffness")),
-        col("loss factor", ONE, at("damper_loss_factor")),
-        col("amplitude", MM, at("damper_amplitude")),
+        col("k'", KN_MM, _of_vibration("damper_storage_stiffness"), negligible=_NO_STIFFNESS),
+        col("loss factor", ONE, _of_vibration("damper_loss_factor")),
+        col("amplitude", MM, _of_vibration("damper_amplitude")),
     ),
     each="Stiffness and loss factor of dampers",
 )

@@ -76,11 +76,13 @@ class Hinges:
         title: above it.
         values: of member ends (member, 0 start or 1 end): plastic rotation (rad) or class of `ACCEPTANCE`.
         dampers: names of the dampers in the frame.
+        isolated: whether it stands on isolators.
     """
 
     title: str
     values: Mapping[End, float]
     dampers: tuple[str, ...] = ()
+    isolated: bool = False
 
 
 def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
@@ -195,7 +197,8 @@ def acceptance(project: AnalysisFile, read: Mapping[History, Group]) -> dict[End
 def _panel(variant: str, read: Mapping[History, Group], take: Callable[[np.ndarray], float]) -> Hinges:
     values = {end: float(take(of)) for end, of in _worst(read, plastic_rotations).items()}
     title = ", ".join(part for part in (variant, counted(read)) if part)
-    return Hinges(title, values, tuple(names_of(next(iter(read.values())), "damper")))
+    first = next(iter(read.values()))
+    return Hinges(title, values, tuple(names_of(first, "damper")), bool(first.attributes.get("isolated")))
 
 
 def _worst(read: Mapping[History, Group], of: Callable[[Group], Mapping[K, float]]) -> dict[K, np.ndarray]:
@@ -232,7 +235,7 @@ def hinge_figure(frame: Elevation, panels: Sequence[Hinges], scale: Scale = ROTA
     lines = frame.lines
     offset = OFFSET * frame.bay
     for axis, panel in zip(axes[0], panels, strict=True):
-        frame.draw(axis, panel.dampers)
+        frame.draw(axis, panel.dampers, panel.isolated)
         for (member, end), value in panel.values.items():
             rank = scale.rank(value)
             if rank and member in lines:

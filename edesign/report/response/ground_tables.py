@@ -108,7 +108,7 @@ FIRST_MODE = TableSpec[Analysis](
         col("one mass: damping", PERCENT, attribute("closed_foundation_damping"), 3),
     ),
     notes=(
-        "Damping by the soil alone: complex eigenvalue of the frame. One mass at the effective height of the first "
+        "Damping by the soil alone: complex eigenvalue of the structure. One mass at the effective height of the first "
         "mode on a rigid base: Veletsos & Meek 1974, and NIST GCR 12-917-21, Eq. 2-10, ASCE/SEI 7-16, 19.3.",
     ),
 )

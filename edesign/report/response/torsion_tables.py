@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.sets import HistorySet
+from edesign.report.assessment.measure_tables import tables_of_sets
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import MRAD, ONE, PERCENT
@@ -46,21 +47,20 @@ TORSION = TableSpec[_Twist](
         col("largest / mean", ONE, "ratio", form=".2f"),
         col("turn", MRAD, "turn", optional=True),
     ),
-    signs=("of column lines, each by its own peak; mean: of all lines; turn: of the floor above about the vertical",),
+    signs=(
+        "mean over all histories; of column lines, each by its own peak; largest / mean: over the mean of all lines; "
+        "turn: of the floor above about the vertical",
+    ),
 )
 
 
 def torsion_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Yield a table of each set of histories of a building; plane frames have none.
+    """Return a table of each set of histories of a building; plane frames have none.
 
     Args:
         sets: histories by variant and level.
     """
-    for found in sets:
-        groups = [group for group in found.histories.values() if "line_drift_max" in group.variables]
-        if groups:
-            whose = ", ".join(filter(None, (found.variant, found.level))) or "histories"
-            yield TORSION.of(_twists(groups), whose=whose)
+    return tables_of_sets(sets, "line_drift_max", lambda groups, whose: TORSION.of(_twists(groups), whose=whose))
 
 
 def _mean_peak(groups: Sequence[Group], quantity: str) -> np.ndarray | None:

@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.sets import HistorySet
 from edesign.project.notation.names import member_kind, storey_of
+from edesign.report.assessment.measure_tables import tables_of_sets
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.table import Table, TableSpec
 from edesign.report.tables.unit import ONE
@@ -47,16 +48,12 @@ USE = TableSpec[_Use](
 
 
 def use_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Yield a table of each set of histories of a building; plane frames have none.
+    """Return a table of each set of histories of a building; plane frames have none.
 
     Args:
         sets: histories by variant and level.
     """
-    for found in sets:
-        groups = [group for group in found.completed.values() if "section_use_max" in group.variables]
-        if groups:
-            whose = ", ".join(filter(None, (found.variant, found.level))) or "histories"
-            yield USE.of(_uses(groups), whose=whose)
+    return tables_of_sets(sets, "section_use_max", lambda groups, whose: USE.of(_uses(groups), whose=whose))
 
 
 def _largest(groups: Sequence[Group], quantity: str) -> np.ndarray | None:

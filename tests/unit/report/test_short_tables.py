@@ -74,7 +74,7 @@ def test_of_many_criteria_those_that_are_met_with_room_are_counted() -> None:
     many = [replace(verdict(ratio), name=f"c{i}") for i, ratio in enumerate(ratios)]
     table = verdicts_in_short(many, None)[0]
     assert [row[0] for row in table.rows] == [f"c{i}, DBE" for i in range(2, 16)]
-    assert table.notes[0] == "and 2 more, which all variants meet"
+    assert table.notes[0] == "and 2 more, which all variants meet, among all tables"
 
 
 def test_one_history_is_reported_as_one() -> None:

@@ -9,9 +9,10 @@ from typing import Any
 from edesign.assess.measures import Located, located_measure
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import STATISTICS, Statistics
+from edesign.project.building import Building
 from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.measure_columns import ROUNDING
-from edesign.report.assessment.measure_tables import missing_notes
+from edesign.report.assessment.measure_tables import missing_notes, motion_notes
 from edesign.report.drawing.captions import at_level, plain, record_label
 from edesign.report.html.section import Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
@@ -118,7 +119,7 @@ def governing_table(sets: Sequence[Measured]) -> Table:
 
     Every statistic says of how many histories it is: those that did not complete have no peak.
     """
-    return GOVERNING.of(sets, notes=missing_notes([histories for histories, _ in sets]))
+    return GOVERNING.of(sets, notes=[*motion_notes(found := [one for one, _ in sets]), *missing_notes(found)])
 
 
 def _tiles(sets: Iterable[Measured]) -> tuple[Headline, ...]:
@@ -160,7 +161,7 @@ def _asked(source: Source) -> str:
     sets = source.sets
     scaled = [incremental_summary(one) for one in source.incremental]
     if not entries:
-        return " ".join(scaled) or "Ground motions fitted to a spectrum; no frame was analysed."
+        return " ".join(scaled) or "Ground motions fitted to a spectrum; no structure was analysed."
     done = sum(item["status"] == "completed" for item in entries)
     kinds = {kind: sum(item["kind"] == kind for item in entries) for kind in dict.fromkeys(i["kind"] for i in entries)}
     counted = ", ".join(f"{count} {_plural(str(kind), count)}" for kind, count in kinds.items() if kind)
@@ -169,10 +170,11 @@ def _asked(source: Source) -> str:
         variants = _listed(found.variant for found in sets)
         levels = _listed(found.level for found in sets)
         records = {str(g.attributes.get("record")) for one in sets for g in one.histories.values()}
-        frame = f"The frame ({variants})" if variants else "The frame"
+        whole = "The building" if isinstance(source.base, Building) else "The frame"
+        subject = f"{whole} ({variants})" if variants else whole
         some = " and without a level" if levels and any(not one.level for one in sets) else ""
         motions = f"{len(records)} ground motion{'s' * (len(records) > 1)}{at_level(levels)}{some}"
-        found.insert(0, f"{frame} was subjected to {motions}.")
+        found.insert(0, f"{subject} was subjected to {motions}.")
     return " ".join([*found, *scaled])
 
 

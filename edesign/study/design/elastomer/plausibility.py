@@ -5,7 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from edesign.codes.asce7.spectrum import EARTHQUAKES
+from edesign.codes.ec8.importance import factor_of_return_period
 from edesign.errors import InputError
+from edesign.ground_motion.hazard import factor_of_level, national_of
+from edesign.project.actions.hazard import AsceHazard, EC8Hazard
 from edesign.project.dampers.designs import ElastomerDesign, FixedProperties
 from edesign.project.reading.words import percent
 from edesign.study.design.elastomer.model import ElastomerModel, ElastomerSizing, effective_strain
@@ -14,8 +18,8 @@ from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, spre
 
 LARGEST_BETA = 5.0
 """k_D / k_S up to which preliminary designs go: thesis 5.3.4 after Fan (1998) and Lee (2003)."""
-LARGEST_OVER_DESIGN = 1.5
-"""Largest considered over design earthquake: ASCE/SEI 7-16, 11.4.5, whose design spectrum is 2/3 of the other."""
+NEAR_COLLAPSE = 2475.0
+"""Return period of the rarest action, years: EN 1998-3:2005, 2.1(3)P, 2 % in 50 years."""
 
 
 def elastomer_warnings(
@@ -154,10 +158,11 @@ def _too_thick(model: ElastomerModel, sizing: ElastomerSizing, largest: float, r
         largest: largest strain of the layers at the level of the design.
         reached: effective strain of the layers at the level of the design.
     """
-    spec = model.spec
-    limit, rarer = spec.strain_limit, LARGEST_OVER_DESIGN * largest
-    if limit is None or rarer >= limit:
+    spec, above = model.spec, _rarest(model)
+    if spec.strain_limit is None or above is None or above[0] * largest >= spec.strain_limit:
         return
+    limit, (factor, source) = spec.strain_limit, above
+    rarer = factor * largest
     ratio = rarer / limit  # of the thicknesses, at the same deformation
     area = model.total_area(sizing.area)
     try:
@@ -166,12 +171,31 @@ def _too_thick(model: ElastomerModel, sizing: ElastomerSizing, largest: float, r
         return
     if needed < spread(spec.bounds)[0] * area:
         yield (
-            f"the layers are thicker than they need to be: under {LARGEST_OVER_DESIGN:g} times {spec.level} (ASCE/SEI "
-            f"7-16, 11.4.5: the largest considered earthquake) they strain to about {percent(rarer)} of the "
-            f"{percent(limit)} allowed. Layers of {1e3 * ratio * sizing.thickness:.3g} mm, not "
-            f"{1e3 * sizing.thickness:.3g} mm, have the same stiffness with {needed:.3g} m2 of elastomer, not "
-            f"{area:.3g} m2"
+            f"the layers are thicker than they need to be: under {factor:.3g} times {spec.level} ({source}) they "
+            f"strain to about {percent(rarer)} of the {percent(limit)} allowed. Layers of "
+            f"{1e3 * ratio * sizing.thickness:.3g} mm, not {1e3 * sizing.thickness:.3g} mm, have the same stiffness "
+            f"with {needed:.3g} m2 of elastomer, not {area:.3g} m2"
         )
+
+
+def _rarest(model: ElastomerModel) -> tuple[float, str] | None:
+    """The rarest action of the study's code over that of the design's level, and its source; None: it has none.
+
+    Source: ASCE/SEI 7-16, 11.4.5, whose design spectrum is 2/3 of the largest considered one; EN 1998-1:2004, 2.1(4).
+    """
+    hazard, level = model.building.project.hazard, model.spec.level
+    if hazard is None or level is None:
+        return None
+    if isinstance(hazard, AsceHazard):
+        rarest, source = EARTHQUAKES["MCE_R"], "ASCE/SEI 7, 11.4.5: the largest considered earthquake"
+    elif isinstance(hazard, EC8Hazard):
+        national = national_of(hazard)
+        k = national.hazard_exponent if hazard.k is None else hazard.k
+        rarest = factor_of_return_period(NEAR_COLLAPSE, national.reference_return_period, k)
+        source = f"EN 1998-1, 2.1(4): {NEAR_COLLAPSE:g} years, near collapse of EN 1998-3"
+    else:
+        return None
+    return max(rarest / factor_of_level(hazard, level), 1.0), source
 
 
 def _remedy(spec: ElastomerDesign) -> str:
