@@ -14,21 +14,23 @@ from edesign.assess.sets import HistorySet
 
 @dataclass(frozen=True)
 class DeviceDemand:
-    """Largest values over time of one damper in each storey with dampers, mean and largest of several histories.
+    """Largest values over time of one damper in each storey with dampers, mean and largest of several motions.
 
     Attributes:
         variant, level: of the histories.
         histories: completed ones.
         planned: all of them.
-        values: (2, s) each, the mean, then the largest: force (N) and stroke (m); of viscous dampers velocity (m/s), of
-            buckling-restrained braces core_strain and cumulative_ductility, of other hysteretic dampers
-            cumulated_plastic (m).
+        motions: of the completed ones; of each the worst of its angles and places of the masses counts.
+        values: (2, s) each, the mean over the motions, then the largest: force (N) and stroke (m); of viscous dampers
+            velocity (m/s), of buckling-restrained braces core_strain and cumulative_ductility, of other hysteretic
+            dampers cumulated_plastic (m).
     """
 
     variant: str
     level: str
     histories: int
     planned: int
+    motions: int
     values: Mapping[str, np.ndarray]
 
 
@@ -70,8 +72,21 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
     else:
         coefficient = property_factor * np.asarray(design.variables["device_coefficient"].values)
         values["velocity"] = (force / coefficient) ** (1.0 / float(str(design.attributes["alpha"])))
-    both = {name: np.array([of.mean(axis=0), of.max(axis=0)]) for name, of in values.items()}
-    return DeviceDemand(found.variant, found.level, len(completed), len(found.histories), both)
+    worst = {name: worst_of_each(found, of) for name, of in values.items()}
+    both = {name: np.array([of.mean(axis=0), of.max(axis=0)]) for name, of in worst.items()}
+    counts = len(completed), len(found.histories), len(worst["force"])
+    return DeviceDemand(found.variant, found.level, *counts, both)
+
+
+def worst_of_each(found: HistorySet, values: np.ndarray) -> np.ndarray:
+    """Return the largest values of each motion over its completed histories, (motions, ...).
+
+    Args:
+        found: histories of one variant at one level.
+        values: of its completed histories, (n, ...).
+    """
+    of = np.array([found.motion_of[name] for name in found.completed])
+    return np.array([values[of == motion].max(axis=0) for motion in dict.fromkeys(of.tolist())])
 
 
 def _own(design: Group, history: Group) -> np.ndarray:

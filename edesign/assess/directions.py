@@ -23,7 +23,7 @@ def views(group: Group, about: Mapping[str, str] | None = None) -> dict[str, Gro
     Args:
         group: results of an analysis, as archived; variables are read when they are asked for.
         about: direction in whose planes each column bends about its local y, by name, as the `strong` of its run;
-            of a column that is not there the larger of both axes counts.
+            of a column that is not there the larger of both axes counts; None: as the archive says.
 
     Returns:
         The groups, with the attributes of the whole.
@@ -31,7 +31,21 @@ def views(group: Group, about: Mapping[str, str] | None = None) -> dict[str, Gro
     if "direction" not in group.coords:
         return {"": group}
     names = [str(name) for name in group.coords["direction"].values]
-    return {name: _view(group, name, name.upper(), about or {}) for name in names}
+    about = strong_directions(group) if about is None else about
+    return {name: _view(group, name, name.upper(), about) for name in names}
+
+
+def strong_directions(group: Group) -> dict[str, str]:
+    """Return the direction in whose planes each column bends about its local y, by name; of an old archive none.
+
+    Args:
+        group: results of an analysis of a building, as archived.
+    """
+    if "member_axis_z" not in group.variables:
+        return {}
+    webs = np.abs(np.asarray(group.variables["member_axis_z"].values))[:, :2].argmax(axis=1)
+    names = zip(map(str, group.coords["member"].values), webs, strict=True)
+    return {name: "xy"[web] for name, web in names if name[:1] == "C"}
 
 
 def frame_view(group: Group, frame: str, about: Mapping[str, str] | None = None) -> Group:
@@ -47,7 +61,7 @@ def frame_view(group: Group, frame: str, about: Mapping[str, str] | None = None)
         about: as of `views`.
     """
     direction = frame[:1].lower()
-    found = _view(group, direction, frame, about or {})
+    found = _view(group, direction, frame, strong_directions(group) if about is None else about)
     for name in list(found.variables):
         if name.startswith(_OF_ALL) and name != "storey_height":
             del found.variables[name]

@@ -27,7 +27,7 @@ from edesign.report.capacity.pushover_tables import STATES_IN_SHORT, states_tabl
 from edesign.report.design.designs_tables import designs_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
 from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
-from edesign.report.response.analysis_tables import KINDS, NOT_COMPLETED, Entry, Mode, modes
+from edesign.report.response.analysis_tables import KINDS, NOT_COMPLETED, Entry, Mode, leading_modes, modes
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.tables.column import Column, col, literal, text
@@ -144,15 +144,25 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
 
 def _period(number: int) -> Column[_Modes]:
     def of(found: _Modes) -> float | None:
-        return found.modes[number - 1].period if len(found.modes) >= number else None
+        plane = len(found.modes) >= number and not leading_modes(found.modes)
+        return found.modes[number - 1].period if plane else None
 
-    return col(f"T_{number}", S, of, form=".4f")
+    return col(f"T_{number}", S, of, form=".4f", optional=True)
 
 
-def _most_mass(mode: Mode) -> float | None:
-    """The share of a mode in the mass, of a building in the direction in which it has most."""
-    known = [mass for mass in (mode.mass, mode.along_y, mode.about_z) if mass is not None]
-    return max(known, default=None)
+def _leading(name: str) -> Column[_Modes]:
+    """Number and period of the mode that leads in a direction of a building, and its share of the mass."""
+
+    def of(found: _Modes) -> str | None:
+        there = (one for one in leading_modes(found.modes) if one.direction == name)
+        return next((f"{one.mode.number}: {one.mode.period:.4f} s, {100.0 * one.share:.1f} %" for one in there), None)
+
+    return text(name, of, optional=True)
+
+
+def _first_mass(found: _Modes) -> float | None:
+    """The share of the first mode of a plane frame in the mass."""
+    return None if leading_modes(found.modes) else found.modes[0].mass
 
 
 PERIODS = TableSpec[_Modes](
@@ -161,7 +171,8 @@ PERIODS = TableSpec[_Modes](
     (
         text("analysis"),
         *(_period(number) for number in (1, 2, 3)),
-        col("effective mass of mode 1", PERCENT, lambda found: _most_mass(found.modes[0]), form=".2f"),
+        col("effective mass of mode 1", PERCENT, _first_mass, form=".2f", optional=True),
+        *map(_leading, ("along x", "along y", "about z")),
     ),
     named_by_title=True,
 )
@@ -175,7 +186,9 @@ MEASURES = TableSpec[Measure](
 
 def _periods(groups: dict[str, Group]) -> Table:
     """The first periods of each modal analysis, and the effective mass of the first mode."""
-    return PERIODS.of(_Modes(name, found) for name, group in groups.items() if (found := modes(group)))
+    rows = [_Modes(name, found) for name, group in groups.items() if (found := modes(group))]
+    rule = "The leading mode of each direction: the one with most of the mass of the whole."
+    return PERIODS.of(rows, notes=[rule] * any(leading_modes(row.modes) for row in rows))
 
 
 def _measures(entries: Sequence[Entry]) -> Table:

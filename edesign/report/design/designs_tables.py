@@ -23,9 +23,10 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
         sets: its histories by variant and level.
     """
     tables = []
+    hazard = None if study is None else study.base.hazard
     for name in archive.names(DESIGNS):
         factors = {} if study is None else property_factors_of(study, name)
-        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
+        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors, hazard)
     return tables
 
 

@@ -8,10 +8,13 @@ from typing import NamedTuple
 from edesign.archive.dataset import Group
 from edesign.assess.devices import DeviceDemand, device_demand
 from edesign.assess.sets import HistorySet
+from edesign.codes.motion_sets import SetRules
+from edesign.codes.rule_check import with_standard
 from edesign.report.design.viscous_tables import kilonewtons
 from edesign.report.tables.column import Column, col, count, text
 from edesign.report.tables.items import Place, places
 from edesign.report.tables.table import Table, TableSpec
+from edesign.report.tables.text import wrapped
 from edesign.report.tables.unit import KN, KN_MM, M_S, MM, MM2, ONE, PERCENT, Unit
 
 
@@ -93,13 +96,14 @@ _BY_KIND = {"viscous": VISCOUS_DEVICES, "hysteretic": HYSTERETIC_DEVICES, "buckl
 _VALUES = ("force", "stroke", "velocity", "cumulated_plastic", "core_strain", "cumulative_ductility")
 
 
-def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
+def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float], rules: SetRules) -> Table:
     """Return the data to order the dampers: the estimate, and the demand in histories of the variants that have them.
 
     Args:
         group: of a design of viscous or hysteretic dampers.
         sets: histories by variant and level.
         factors: property factors of the variants that have the design, by their names.
+        rules: of the code in force, for statistics over motions.
     """
     if "device_count" not in group.variables or group.attributes.get("status") != "completed":
         return Table("")
@@ -107,6 +111,10 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
     found = [demand for demand in demands if demand is not None]
     devices = list(_devices(group, found, factors))
     notes = _notes(group, found) if devices else []
+    if devices:
+        notes += governing_notes(
+            [(_whose(one), one.motions, tuple(one.values["force"].max(axis=1))) for one in found], rules
+        )
     if any(factors[demand.variant] != 1.0 for demand in found):
         own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "forces alone have"
         notes.append(f"{own} the bound of a variant; what is ordered is without")
@@ -122,7 +130,30 @@ def _devices(group: Group, found: Sequence[DeviceDemand], factors: Mapping[str, 
             yield _Device("estimate", storey, 1.0, estimated)
         for demand in found:
             values = {name: (both[0, storey.number], both[1, storey.number]) for name, both in demand.values.items()}
-            yield _Device(f"{demand.variant}, {demand.level}".rstrip(", "), storey, factors[demand.variant], values)
+            yield _Device(_whose(demand), storey, factors[demand.variant], values)
+
+
+def _whose(demand: DeviceDemand) -> str:
+    return f"{demand.variant}, {demand.level}".rstrip(", ")
+
+
+def governing_notes(forces: Sequence[tuple[str, int, tuple[float, float]]], rules: SetRules) -> list[str]:
+    """Return a line that says which variant and level devices are ordered for, and by which statistic.
+
+    Args:
+        forces: of each variant and level its name, its motions, and the mean and the largest force of one device, N.
+        rules: of the code in force.
+    """
+    if not forces:
+        return []
+
+    def counted(one: tuple[str, int, tuple[float, float]]) -> float:
+        return one[2][0 if one[1] >= rules.number_for_mean else 1]
+
+    name, motions, _ = max(forces, key=counted)
+    which = "mean" if motions >= rules.number_for_mean else "largest"
+    clause = f" ({with_standard(rules.clauses.use)})" if rules.clauses.use else ""
+    return wrapped(f"To order by: {name}, which has the largest force; the {which} of its {motions} motions{clause}.")
 
 
 def _kind(group: Group) -> str:

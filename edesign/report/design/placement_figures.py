@@ -77,7 +77,7 @@ def elevation_figure(group: Group, elevations: Mapping[str, Elevation]) -> Figur
     for axis in axes[len(elevations) :]:
         axis.set_axis_off()
     for axis, (title, elevation) in zip(axes, elevations.items(), strict=False):
-        elevation.draw(axis, ())
+        elevation.draw(axis, (), isolated=True)
         if title:
             axis.set_title(title)
         for name, item in zip(dampers, items, strict=True):

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.devices import worst_of_each
 from edesign.assess.sets import HistorySet
+from edesign.codes.motion_sets import SetRules
+from edesign.report.design.device_order import governing_notes
 from edesign.report.design.storeys import heading
 from edesign.report.response.histories import names_of
 from edesign.report.tables.cell import Value, yes_or_no
@@ -35,17 +39,30 @@ DEVICES = TableSpec[Row](
     keys=2,
     named_as="devices_to_order",
 )
-DEMAND = TableSpec[Row](
+
+
+class _Demand(NamedTuple):
+    """Largest values of one damper of an item: means over the motions, and the largest."""
+
+    item: str
+    whose: str
+    of: str
+    motions: int
+    forces: tuple[float, float]
+    strokes: tuple[float, float]
+
+
+DEMAND = TableSpec[_Demand](
     "placed_devices_demand",
     "Devices to order: largest values of one damper",
     (
         text("item"),
-        text("variant, level"),
+        text("variant, level", "whose"),
         count("of"),
-        col("F mean", KN),
-        col("F max", KN),
-        col("stroke mean", MM),
-        col("stroke max", MM),
+        col("F mean", KN, lambda row: row.forces[0]),
+        col("F max", KN, lambda row: row.forces[1]),
+        col("stroke mean", MM, lambda row: row.strokes[0]),
+        col("stroke max", MM, lambda row: row.strokes[1]),
     ),
     keys=2,
     named_as="devices_to_order",
@@ -67,13 +84,16 @@ FRONT = TableSpec[Row](
 )
 
 
-def placement_tables(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> list[Table]:
+def placement_tables(
+    group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float], rules: SetRules
+) -> list[Table]:
     """Return the tables of a placement.
 
     Args:
         group: designs/NAME of an archive.
         sets: histories by variant and level.
         factors: property factors of the variants that have the design, by their names.
+        rules: of the code in force, for statistics over motions.
     """
     if "placement" not in group.variables:
         reason = group.attributes.get("reason")
@@ -81,7 +101,9 @@ def placement_tables(group: Group, sets: Sequence[HistorySet], factors: Mapping[
         return [Table(title, notes=[f"failed: {reason}"] if reason else [], headed=False)]
     tables = [_layout(group), DEVICES.of(_ordered(group))]
     if "damper" in group.coords:
-        tables.append(DEMAND.of(_demands(group, sets, factors)))
+        rows = list(_demands(group, sets, factors))
+        forces = [(row.whose, row.motions, (row.forces[0], row.forces[1])) for row in rows]
+        tables.append(DEMAND.of(rows, notes=governing_notes(forces, rules)))
     return [*tables, *([_front(group)] if "criterion" in group.coords else [])]
 
 
@@ -139,7 +161,7 @@ def _order(item: str, law: str, places: int, dampers: int | None, cost: float) -
     return row | {"cost of one": cost, "cost": number * cost}
 
 
-def _demands(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Iterator[Row]:
+def _demands(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Iterator[_Demand]:
     """Largest force and stroke of one damper of each item in the histories of the variants that have the design."""
     of = dict(zip(names_of(group, "damper"), group.variables["damper_item"].values.tolist(), strict=True))
     for i, name in enumerate(names_of(group, "item"), start=1):
@@ -149,17 +171,18 @@ def _demands(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, flo
             completed = list(found.completed.values())
             if not mine or found.variant not in factors or not completed:
                 continue
-            force = np.array([_largest(one, "damper_force", mine) for one in completed]) / number_of
-            stroke = np.array([_largest(one, "damper_deformation", mine) for one in completed])
-            yield {
-                "item": name,
-                "variant, level": f"{found.variant}, {found.level}",
-                "of": f"{len(completed)}/{len(found.histories)}",
-                "F mean": force.mean(),
-                "F max": force.max(),
-                "stroke mean": stroke.mean(),
-                "stroke max": stroke.max(),
-            }
+            force, stroke = (
+                worst_of_each(found, np.array([_largest(one, quantity, mine) for one in completed]))
+                for quantity in ("damper_force", "damper_deformation")
+            )
+            yield _Demand(
+                name,
+                f"{found.variant}, {found.level}",
+                f"{len(completed)}/{len(found.histories)}",
+                len(force),
+                (float(force.mean()) / number_of, float(force.max()) / number_of),
+                (float(stroke.mean()), float(stroke.max())),
+            )
 
 
 def _largest(group: Group, name: str, dampers: set[str]) -> float:

@@ -11,6 +11,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
+from edesign.ground_motion.hazard import rules_in_force
+from edesign.project.actions.hazard_base import Hazard
 from edesign.report.design.device_order import devices_table
 from edesign.report.design.hysteretic_tables import hysteretic_damping_table, hysteretic_storeys_table
 from edesign.report.design.placement_tables import placement_tables
@@ -140,22 +142,28 @@ BOUNDS = TableSpec[Row](
 )
 
 
-def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mapping[str, float] = EMPTY) -> list[Table]:
+def design_tables(
+    group: Group, sets: Sequence[HistorySet] = (), factors: Mapping[str, float] = EMPTY, hazard: Hazard | None = None
+) -> list[Table]:
     """Return the tables of a design.
 
     Args:
         group: designs/NAME of an archive.
         sets: histories by variant and level, for the order of dampers.
         factors: property factors of the variants that have the design, by their names.
+        hazard: of the project, whose code is in force.
     """
+    rules = rules_in_force(hazard)
     method = group.attributes.get("method")
     if method == "placement":
-        tables = [*placement_tables(group, sets, factors), _lines(_warning_lines(group))]
+        tables = [*placement_tables(group, sets, factors, rules), _lines(_warning_lines(group))]
         return [table for table in tables if table.rows or table.notes]
     if method == "viscous":
-        sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
+        order = devices_table(group, sets, factors, rules)
+        sized = [viscous_storeys_table(group), order, viscous_damping_table(group)]
     elif method == "hysteretic":
-        sized = [hysteretic_storeys_table(group), devices_table(group, sets, factors), hysteretic_damping_table(group)]
+        order = devices_table(group, sets, factors, rules)
+        sized = [hysteretic_storeys_table(group), order, hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
     tables = [*sized, plan_modes_table(group), _warnings(group), rounds_table(group), bounds_table(group)]

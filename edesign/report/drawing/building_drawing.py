@@ -113,7 +113,7 @@ class BuildingElevation:
         Args:
             axes: in m, with equal scales afterwards.
             dampers: names of those that stand in the frame, without isolators.
-            isolated: whether the building stands on its isolators.
+            isolated: whether it stands on its isolators, if it has any.
         """
         bases, isolation = self._bases(), self.building.isolation if isolated else None
         below, of_base = 0.0, []

@@ -198,12 +198,45 @@ def modes(group: Group) -> list[Mode]:
     return found
 
 
+class Leading(NamedTuple):
+    """The mode that leads in a direction: the one with most of the mass of the whole building in it."""
+
+    direction: str
+    mode: Mode
+    share: float
+
+
+def leading_modes(found: Sequence[Mode]) -> list[Leading]:
+    """Return the leading modes of a building along x, along y and about the vertical; of a plane frame none.
+
+    Args:
+        found: modes of an analysis, whose shares are known.
+    """
+    shares = {
+        "along x": [one.mass for one in found],
+        "along y": [one.along_y for one in found],
+        "about z": [one.about_z for one in found],
+    }
+    if any(share is None for of in shares.values() for share in of):
+        return []
+    leading = []
+    for direction, of in shares.items():
+        share, number = max((float(share or 0.0), -i) for i, share in enumerate(of))
+        leading.append(Leading(direction, found[-number], share))
+    return leading
+
+
+def _leads(one: Leading) -> str:
+    return f"{one.direction} mode {one.mode.number} ({one.mode.period:.4f} s, {100.0 * one.share:.1f} %)"
+
+
 def periods_table(name: str, group: Group) -> Table:
     """Return periods and effective modal masses of a modal analysis."""
     found = modes(group)
     notes = list(amplitude_notes(group)) if found else []
     if any(mode.along_y is not None for mode in found):
         notes.append("effective mass and its sum: along x; about z: share of the moment of inertia about the vertical")
+        notes.append(f"leading by effective mass of the whole: {', '.join(map(_leads, leading_modes(found)))}")
     return PERIODS.of(found, whose=name, notes=notes)
 
 

@@ -53,6 +53,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     if frame.model.dimension == 3:
         axes = [bending.axis for bending in frame.bending]
         coordinate(group, "axis", axes, "", "local axis of the member, y of the strong one; EN 1993-1-1, 1.7")
+        _local_axes(group, frame)
         line_coordinates(group, frame)
     rigid = [member.rigid_ends for member in bending_members(frame)]
     if any(map(any, rigid)):
@@ -62,6 +63,15 @@ def coordinates(group: Group, frame: FrameModel) -> None:
         "floor_level", ("floor",), [floor.level for floor in frame.floors], "m", "level of the floor above the base"
     )
     group.add("storey_height", ("storey",), [storey.height for storey in frame.storeys], "m", "height of the storey")
+
+
+def _local_axes(group: Group, frame: FrameModel) -> None:
+    """Add unit vectors along the local axes y and z of each member with bending, in space."""
+    coordinate(group, "component", ["x", "y", "z"], "", "component along an axis of the building, z upwards")
+    for number, (axis, where) in enumerate((("y", "at right angles to its web"), ("z", "along its web")), 1):
+        vectors = [member.axes[number] for member in bending_members(frame) if member.axes is not None]
+        label = f"unit vector of local axis {axis} of the column or beam, {where}; local x from its start to its end"
+        group.add(f"member_axis_{axis}", ("member", "component"), np.reshape(vectors, (-1, 3)), "1", label)
 
 
 def direction_coordinate(group: Group, frame: FrameModel) -> None:

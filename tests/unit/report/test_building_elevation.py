@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from building_examples import DAMPED, building
+from building_examples import DAMPED, ISOLATED, building
 
 from edesign.report.drawing.building_drawing import BuildingElevation, damper_bay
 from edesign.report.drawing.style import new_figure
@@ -40,3 +40,16 @@ def test_dampers_are_drawn_where_they_stand(name: str, lines: list[tuple[tuple[f
 def test_names_of_dampers_in_bays() -> None:
     assert damper_bay("RY_A_2_1") == ("R", "Y", "A", 2, 1, "")
     assert damper_bay("N_A1.0_B2.1") is None
+
+
+@pytest.mark.parametrize(("frame", "isolators", "beside"), [("X1", 3, 1), ("X2", 3, 0), ("YB", 3, 0)])
+def test_isolators_stand_in_place_of_supports(frame: str, isolators: int, beside: int) -> None:
+    """Nine isolators, and dashpots along x at A1 and C3; the same building on its supports is fixed."""
+    elevation = BuildingElevation(building(ISOLATED), frame)
+    signs = []
+    for isolated in (True, False):
+        _, [[axes]] = new_figure(1, 1, 2.0, 2.0)
+        elevation.draw(axes, (), isolated)
+        signs.append([str(line.get_marker()) for line in axes.lines])
+    assert [signs[0].count(sign) for sign in "sD_"] == [isolators, beside, isolators]
+    assert [signs[1].count(sign) for sign in "sD_"] == [3, 0, 0]
