@@ -18,6 +18,7 @@ from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
 from edesign.project.building.plausible import unusual
 from edesign.project.reading.problems import did_you_mean, listed
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.joint_stiffness import unusual_ends
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
@@ -38,12 +39,15 @@ def check_building(building: Building) -> dict[str, str]:
         Text by label: title, plan, storeys, members, loads, masses; and warnings, one a line.
 
     Raises:
-        InputError: the values are not those of the text, a name in the hazard is unknown, or a mass is negative.
+        InputError: the values are not those of the text, a name in the hazard is unknown, a mass is negative, or the
+            elastic design refuses the building before it analyses it, such as a mechanism.
     """
     building.check_unchanged()
     if building.hazard is not None:
         checked_hazard(building)
     _check_lists(building)
+    if building.design is not None:
+        ElasticAnalysis(building)
     frame = space_frame(with_steel_by_thickness(building))
     warnings = building_warnings(building)
     return {

@@ -12,6 +12,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.names import column_name, node_name
 from edesign.project.reading.problems import Keys, keys_text
+from edesign.space.free_motion import free_motion
 
 _OF_THE_FILE = ("ED_E_MECHANISM", "ED_E_DISCONNECTED", "ED_E_NOT_FINITE", "ED_E_ARGUMENT", "ED_E_SINGULAR")
 """What the core refuses because of what the file says; memory, for instance, is another matter."""
@@ -44,8 +45,18 @@ def telling_member(building: Building) -> Iterator[None]:
     except CoreError as error:
         if error.status not in _OF_THE_FILE:
             raise
-        keys = keys_named(building, str(error))
-        raise InputError(f"{building.where(*keys)}: {keys_text(keys)}: {error}") from error
+        raise InputError(f"{place_and_motion(building, str(error))}: {error}") from error
+
+
+def place_and_motion(building: Building, text: str) -> str:
+    """Return the place of the first member, node or support that an error names, and what moves of a mechanism.
+
+    Args:
+        text: of an error of the numerical core.
+    """
+    keys = keys_named(building, text)
+    motion = free_motion(building, text)
+    return f"{building.where(*keys)}: {keys_text(keys)}{f': {motion}' if motion else ''}"
 
 
 def keys_named(building: Building, text: str) -> Keys:

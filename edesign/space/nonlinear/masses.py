@@ -15,10 +15,8 @@ from edesign.space.nonlinear.gravity import GravityLoads
 from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 from edesign.space.structure.load_cases import on_members
 from edesign.space.structure.masses import mass_shift
-from edesign.space.structure.model import masters
+from edesign.space.structure.model import MASTER, masters
 
-MASTER = "floor."
-"""Beginning of the names of nodes at the centres of mass of diaphragms."""
 IN_PLACE = (0.0, 0.0)
 """The eccentricity of masses that stand where loads and members put them."""
 

@@ -10,6 +10,8 @@ from edesign.core.space import PROPERTIES, SpaceMembers, SpaceModel
 from edesign.project.building.building import Steel
 from edesign.space.structure.frame import SpaceFrame
 
+MASTER = "floor."
+"""Beginning of the names of nodes at the centres of mass of diaphragms."""
 TENSION_ONLY_SHARE = 0.5
 """Share of its area that a brace has in the model if it does not count in compression."""
 GRAVITY_SHARE = 1e-6

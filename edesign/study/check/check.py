@@ -27,12 +27,12 @@ from edesign.project.analysis.pushover import GivenPattern, Pushover
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.building.building import Building
 from edesign.project.dampers.placement import PlacementDesign
-from edesign.project.reading.problems import Keys, keys_text
+from edesign.project.reading.problems import keys_text
 from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
-from edesign.space.file_places import keys_named
-from edesign.space.nonlinear.stability import free_motion, softest_motion
+from edesign.space.file_places import place_and_motion
+from edesign.space.nonlinear.stability import softest_motion
 from edesign.study.analysis.dampers import device_laws
 from edesign.study.analysis.intensity import check_hazard_curves
 from edesign.study.analysis.modal import mode_count
@@ -92,28 +92,38 @@ def _check_inputs(project: AnalysisFile, specs: Iterable[PlannedAnalysis]) -> di
 
 def _check_frame(project: AnalysisFile, specs: tuple[PlannedAnalysis, ...]) -> None:
     """Build a frame with its dampers and its outputs, and look for mechanisms and modes."""
+    structure = checked_structure(project)
+    if isinstance(project, Building):
+        _check_standing(project, structure)
+    _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
+    if any(isinstance(spec, HistoryAnalysis) for spec in specs):
+        _check_series(project)
+
+
+def checked_structure(project: AnalysisFile) -> Structure:
+    """Build a frame with its dampers and its outputs, and look for mechanisms.
+
+    Args:
+        project: from `load_project` or `load_building`.
+
+    Raises:
+        InputError: the frame cannot be built, is a mechanism or has parts that are not connected, or an output does not
+            exist in it.
+    """
     try:
         frame = make_frame(project, dampers=True)  # with footings, at the first period of a frame that must stand
         requested_quantities(project, frame, Group())
-        structure = make_structure(project, frame)
-        if isinstance(project, Building):
-            _check_standing(project, structure)
+        return make_structure(project, frame)
     except CoreError as error:
         laws = device_laws(project)
         runs = project.dampers.devices if project.dampers is not None else ()
         idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
-        keys: Keys = (project.grid_key,)
+        where = f"{project.where(project.grid_key)}: {project.grid_key}"
         if isinstance(project, Building):
-            keys = keys_named(project, str(error))
-        where = f"{project.where(*keys)}: {keys_text(keys)}"
-        if isinstance(project, Building) and (motion := free_motion(project, str(error))):
-            where = f"{where}: {motion}"
+            where = place_and_motion(project, str(error))
         if idle:
             raise InputError(f"{where}: braces that it stands by need `carries_gravity: true`: {error}") from error
         raise InputError(f"{where}: {error}") from error
-    _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
-    if any(isinstance(spec, HistoryAnalysis) for spec in specs):
-        _check_series(project)
 
 
 def _check_standing(building: Building, structure: Structure) -> None:

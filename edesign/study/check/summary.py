@@ -32,7 +32,7 @@ from edesign.study.analysis.dampers import (
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import named_record_warnings, project_warnings, study_warnings, unjudged
-from edesign.study.check.check import check_inputs, check_study_inputs
+from edesign.study.check.check import check_inputs, check_study_inputs, checked_structure
 from edesign.study.check.criteria_inputs import too_few_motions
 from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
@@ -62,6 +62,8 @@ def check_project(project: AnalysisFile) -> dict[str, str]:
         AnalysisError: the first period cannot be found.
     """
     if isinstance(project, Building) and not project.analyses:
+        if project.design is None:
+            checked_structure(project)
         return _warnings_last(_described(project), [])
     project = with_choices(project.afresh(), project.archive_path)
     plan = make_plan(project)

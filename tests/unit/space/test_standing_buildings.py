@@ -7,7 +7,9 @@ from building_examples import SMALL, building
 
 from edesign.errors import InputError
 from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.space.free_motion import free_motion
 from edesign.study.check.check import check_inputs
+from edesign.study.check.summary import check_project
 
 GRAVITY = GravityAnalysis(name="gravity", kind="gravity")
 HEAD = "columns: [{s"
@@ -43,6 +45,20 @@ def test_what_moves_is_said_with_its_place(changes: tuple[tuple[str, str], ...],
         check_inputs(building(SMALL[: SMALL.index("hazard:")], *changes), [GRAVITY])
     message = str(error.value)
     assert message.startswith("building.yaml:5:") and said in message and message.count("building.yaml") == 1
+
+
+@pytest.mark.parametrize("end", ["hazard:", "design:"], ids=["without a design", "with a design"])
+def test_check_refuses_a_mechanism_without_analyses(end: str) -> None:
+    text = SMALL if end == "design:" else SMALL[: SMALL.index(end)]
+    with pytest.raises(
+        InputError, match=r"building\.yaml:5:21: supports\.default: the building slides along x: .*mech"
+    ):
+        check_project(building(text, (HEAD, "supports: {default: {ux: free}}\ncolumns: [{s")))
+
+
+def test_a_floor_that_the_elastic_model_lets_turn() -> None:
+    said = free_motion(building(SMALL), "it moves freely at rz of the diaphragm of A1.2 [E-CORE-06]")
+    assert said == "floor 2 turns about the vertical"
 
 
 def test_a_building_that_stands() -> None:
