@@ -9,6 +9,7 @@ from types import MappingProxyType
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.checks.criteria_in_space import check_in_space
+from edesign.project.checks.criterion_places import check_places
 from edesign.project.checks.criterion_quantities import check_members, check_quantity
 from edesign.project.checks.names import check_names
 from edesign.project.checks.selections import GridSelections
@@ -50,6 +51,7 @@ def check_criteria(
     levels = project.hazard_levels
     for i, criterion in enumerate(criteria):
         at: Keys = (*keys, "criteria", i)
+        before = len(problems.found)
         if criterion.name in (earlier.name for earlier in criteria[:i]):
             problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already [E-NAME-02]")
         check_names(problems, (*at, "variants"), "variant", criterion.variants, variants)
@@ -69,6 +71,8 @@ def check_criteria(
         traits = criterion.traits
         if traits.members_of is not None:
             check_members((*at, "members"), traits.members, project, traits.members_of, problems)
+        if isinstance(criterion, LimitCriterion) and len(problems.found) == before:
+            check_places(at, criterion, project, problems, dampers)
     _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
     for i, letter in enumerate(objectives):
         at = (*keys, "objectives", i)

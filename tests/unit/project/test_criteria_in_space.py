@@ -71,6 +71,45 @@ def test_what_is_wrong_is_told_with_its_place(text: str, said: str) -> None:
     assert problem.startswith("1:") and says(problem, said), problem
 
 
+SETBACK = (
+    (
+        "braces:",
+        "missing:\n  columns: [{at: C1-C3, storeys: 2}]\n"
+        "  beams: [{along: x, bays: 2, floors: 2}, {along: y, frames: C, floors: 2}]\nbraces:",
+    ),
+    ("frames: [A, C], bays: 1", "frames: [A, B], bays: 1"),
+    ("{G: 4 kN/m^2,", "{floors: 1, G: 4 kN/m^2,"),
+)  # frame YC ends at floor 1
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("measure: interstorey_drift, at: [A1, B3], frames: X1, most: 1 %", "criteria[0].at[1] `B3` X1 E-CRIT-06"),
+        ("measure: interstorey_drift, at: C2, storeys: 2, most: 1 %", "criteria[0].at `C2` storeys 2 E-CRIT-06"),
+        ("measure: interstorey_drift, frames: YC, storeys: 2, most: 1 %", "criteria[0].frames YC E-CRIT-06"),
+        ("quantity: point_displacement, at: C1, floors: 2, most: 1 m", "criteria[0].at `C1` floors 2 E-CRIT-06"),
+        ("quantity: column_axial_force, members: C_A1_1, frames: X2, most: 1 MN", "members `C_A1_1` X2 E-CRIT-06"),
+        ("quantity: column_axial_force, members: C_A1_1, storeys: 2, most: 1 MN", "members `C_A1_1` 2 E-CRIT-06"),
+        ("quantity: brace_axial_force, frames: X2, most: 1 MN", "criteria[0].frames brace X2 `DY_A_1_1_r` E-CRIT-06"),
+        ("quantity: member_use, frames: YC, storeys: 2, most: 1", "criteria[0].frames YC E-CRIT-06"),
+    ],
+)
+def test_nothing_stands_there(text: str, said: str) -> None:
+    """Such a criterion would be reported as one that does not apply."""
+    (problem,) = problems_of(text, building(SMALL, *SETBACK), ("floors", "storeys"))
+    assert problem.startswith("1:") and says(problem, said), problem
+
+
+def test_dampers_stand_elsewhere() -> None:
+    text = "criteria: [{name: c, quantity: damper_force, frames: X2, most: 1 kN}]\n"
+    for dampers, count in ((("VX_1_1_1",), 1), (("VX_2_1_1",), 0), (("N_A1.0_B2.1",), 0), ((), 0)):
+        found, problems = check_model(text, Part, "study file", "criteria:")
+        assert found is not None
+        check_criteria((), found.criteria, (), building(SMALL), ("a",), problems, dampers={"a": dampers})
+        assert len(problems.found) == count
+
+
 def test_all_keys_together_are_right() -> None:
     whole = building(SMALL)
     for text in (
