@@ -10,7 +10,7 @@ from edesign.frame.frame_model import FrameModel
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.analysis_file import AnalysisFile
 from edesign.study.analysis.buckling import buckling_warnings
-from edesign.study.analysis.structure import make_structure
+from edesign.study.analysis.structure import make_structure, no_equilibrium
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
 from edesign.study.results.dampers import damper_quantities
@@ -69,6 +69,8 @@ def run_gravity(project: AnalysisFile, spec: GravityAnalysis) -> Group:
     response = structure.analysis.static(
         frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]), rotation_limits(project, names)
     )
+    if response.status == "failed":
+        response = replace(response, reason=no_equilibrium(response))
     response, energy_warnings = judged(response, project, names, "load factor")
     reason = _sunk(project, frame, response)
     if response.status == "completed" and reason:

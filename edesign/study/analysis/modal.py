@@ -73,7 +73,8 @@ def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> tuple
         structure.apply_gravity()
         return tuple(leading_mode(structure, direction).period for direction in structure.frame.directions)
     except AnalysisError as error:
-        raise AnalysisError(f"{project.path}: the first period cannot be found: {error}") from error
+        where = f"{project.where('loads')}: loads" if "[E-GRAV-" in str(error) else project.path
+        raise AnalysisError(f"{where}: the first period cannot be found: {error}") from error
 
 
 def mode_count(project: AnalysisFile) -> int:

@@ -144,10 +144,19 @@ class Structure:
         """
         response = self.analysis.static(self.frame.gravity, factor=1.0, steps=GRAVITY_STEPS, channels=channels)
         if response.status != "completed":
-            raise AnalysisError(f"under the gravity loads: {response.reason.partition(' [E-')[0]} [E-GRAV-01]")
+            raise AnalysisError(no_equilibrium(response))
         if not response.finite:
             raise AnalysisError("under the gravity loads: a result is not a finite number [E-GRAV-01]")
         return response
+
+
+def no_equilibrium(response: Response) -> str:
+    """Return why the gravity loads find no equilibrium.
+
+    Args:
+        response: to them, which is not complete.
+    """
+    return f"under the gravity loads: {response.reason.partition(' [E-')[0]} [E-GRAV-01]"
 
 
 def build(project: AnalysisFile, eccentricity: tuple[float, float] = IN_PLACE, **more: Any) -> FrameModel:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import pytest
 from building_examples import SMALL, building
+from messages import says
 
-from edesign.errors import InputError
+from edesign.errors import AnalysisError, InputError
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.space.free_motion import free_motion
+from edesign.study.analysis.gravity import run_gravity
 from edesign.study.check.check import check_inputs
 from edesign.study.check.summary import check_project
 
@@ -67,3 +69,15 @@ def test_a_building_that_stands() -> None:
 
 def test_a_building_that_is_too_weak_is_left_to_its_analyses() -> None:
     check_inputs(building(SMALL, ("G: 4 kN/m^2", "G: 40 kN/m^2")), [GRAVITY])
+
+
+def test_loads_without_equilibrium_have_their_place_and_one_code() -> None:
+    """Unlike a mechanism, it is found when the loads act."""
+    gravity = "analyses: [{name: gravity, kind: gravity}]\nhazard:"
+    heavy = building(
+        SMALL, ("G: 4 kN/m^2", "G: 24 kN/m^2"), ("fy: 275 MPa", "fy: 275 MPa, law: bilinear"), ("hazard:", gravity)
+    )
+    with pytest.raises(AnalysisError) as error:
+        check_project(heavy)
+    assert says(str(error.value), "building.yaml:13:3: loads: the first period cannot be found E-GRAV-01")
+    assert run_gravity(heavy, GRAVITY).attributes["reason"] in str(error.value)
