@@ -1,7 +1,8 @@
 """Writes the tables of docs/results/thesis_in_space.md: the plane study of the thesis beside its building in space.
 
 The archives are those of projects/thesis_building/study.yaml. The plane frames are run here, under the same twenty
-motions: the one of projects/thesis_10_storey, and all frames along x that `edesign extract` takes out of the building.
+motions, without and with dampers: the one of projects/thesis_10_storey, and all frames along x that `edesign extract`
+takes out of the building.
 
 Usage: python tools/thesis_in_space.py ARCHIVE... [--recordings FOLDER] [--workers N]
 """
@@ -50,11 +51,11 @@ STUDY = """\
 edesign_study: 1
 title: Plane frames
 project: project.yaml
-variants:
-  bare: {dampers: none}
 histories:
-  - {variants: bare, levels: DBE, records: table_5_6}
+  - {variants: all, levels: DBE, records: table_5_6}
 """
+THESIS = yaml.safe_load((FRAME.parent / "study.yaml").read_text(encoding="utf-8"))
+OWN_DAMPERS = {"variants": {"bare": {"dampers": "none"}, "damped": {"dampers": "project"}}}
 Histories = dict[str, Group]
 
 
@@ -82,12 +83,12 @@ def frames_of_the_building() -> str:
     return yaml.safe_dump(project, sort_keys=False)
 
 
-def plane(project: str, recordings: Iterable[str], workers: int) -> Histories:
-    """Run plane frames without dampers in a folder of their own."""
+def plane(project: str, variants: Mapping[str, object], recordings: Iterable[str], workers: int) -> Histories:
+    """Run plane frames without and with dampers in a folder of their own."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "project.yaml").write_text(project.replace("../thesis_dampers", str(LAWS)), encoding="utf-8")
-        (folder / "study.yaml").write_text(STUDY, encoding="utf-8")
+        (folder / "study.yaml").write_text(STUDY + yaml.safe_dump(variants), encoding="utf-8")
         command = [sys.executable, "-m", "edesign", "run", "study.yaml", "--quiet", "--workers", str(workers)]
         command += [word for one in recordings for word in ("--folder", one)]
         subprocess.run(command, cwd=folder, check=True)
@@ -137,15 +138,18 @@ def main() -> None:
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
     space = histories(*options.archives)
-    thesis = plane(FRAME.read_text(encoding="utf-8"), options.recordings, options.workers)
-    frames = plane(frames_of_the_building(), options.recordings, options.workers)
+    sized = {key: THESIS[key] for key in ("designs", "variants")}
+    thesis = plane(FRAME.read_text(encoding="utf-8"), sized, options.recordings, options.workers)
+    frames = plane(frames_of_the_building(), OWN_DAMPERS, options.recordings, options.workers)
     records = [name.removeprefix("bare.") for name in frames if name.startswith("bare.")]
-    columns = [
-        over_weight(means(of(thesis, "bare", records), None), WEIGHT["frame"]),
-        over_weight(means(of(frames, "bare", records), None), WEIGHT["building"]),
-        over_weight(means(of(space, "bare", records), "x"), WEIGHT["building"]),
-    ]
-    write("models", ["frame of the thesis", "all frames, plane", "building"], columns)
+    models = {"frame of the thesis": thesis, "all frames, plane": frames, "building": space}
+    head, columns = [], []
+    for variant in ("bare", "damped"):
+        for model, groups in models.items():
+            head.append(f"{variant}: {model}")
+            found = means(of(groups, variant, records), "x" if groups is space else None)
+            columns.append(over_weight(found, WEIGHT["frame" if groups is thesis else "building"]))
+    write("models", head, columns)
     tail = {name.split(".", 1)[1] for name in space} - set(records)
     pairs = sorted({name.split(".")[0] for name in tail if name[0].isdigit()})
     alone = sorted(name for name in tail if not name[0].isdigit())
