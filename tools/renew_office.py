@@ -24,6 +24,7 @@ SEARCH = ("design", "building.yaml", "--output", "designed.yaml")
 BUILDING = ("run", "designed.yaml")
 EXTRACT = ("extract", "designed.yaml", "--frame", "X", "--output", "frame.yaml", "--study", "study.yaml")
 STUDY = ("run", "study.yaml", "--workers", "2")
+SPACE = ("run", "space_study.yaml", "--workers", "2")
 N_MODES = 6
 OF_STOREYS = {"shear": "storey shear", "theta": "theta", "reduced": "nu d_r / h"}
 MEASURES = (
@@ -126,7 +127,7 @@ def main() -> None:
     """Run the chain and write the references."""
     if "--keep-sections" not in sys.argv[1:]:
         edesign(*SEARCH)
-    for command in (BUILDING, EXTRACT, STUDY):
+    for command in (BUILDING, EXTRACT, STUDY, SPACE):
         edesign(*command)
     (PROJECT / "reference.yaml").write_text(building_reference(), encoding="utf-8")
     (PROJECT / "reference_study.yaml").write_text(study_reference(), encoding="utf-8")

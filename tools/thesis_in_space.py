@@ -1,8 +1,8 @@
 """Writes the tables of docs/results/thesis_in_space.md: the plane study of the thesis beside its building in space.
 
-The archives are those of projects/thesis_building/study.yaml. The plane frames are run here, under the same twenty
-motions, without and with dampers: the one of projects/thesis_10_storey, and all frames along x that `edesign extract`
-takes out of the building.
+The archives are those of projects/thesis_building/study.yaml and pairs.yaml. The plane frames are run here, under the
+same twenty motions, without and with dampers: the one of projects/thesis_10_storey, and all frames along x that
+`edesign extract` takes out of the building.
 
 Usage: python tools/thesis_in_space.py ARCHIVE... [--recordings FOLDER] [--workers N]
 """
