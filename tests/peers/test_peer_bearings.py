@@ -138,7 +138,10 @@ CASES = {
     "soft": (smooth(1.0, 0.5, 0.5), bouc_wen(1.0, 0.5, 0.5)),
     "smooth": (smooth(2.0, 0.3, 0.7), bouc_wen(2.0, 0.3, 0.7)),
     "sharp": (smooth(5.0, 0.5, 0.5), bouc_wen(5.0, 0.5, 0.5)),
-    "lead": (LEAD, plasticity), "near": (LEAD, bouc_wen(5.0, 0.5, 0.5)), "dish": (DISH, pendulum)}
+    "lead": (LEAD, plasticity),
+    "near": (LEAD, bouc_wen(5.0, 0.5, 0.5)),
+    "dish": (DISH, pendulum),
+}
 COARSE, FINE = 0.005, 0.001
 
 

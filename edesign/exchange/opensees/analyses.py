@@ -55,6 +55,9 @@ def programme(
         found.left_out.append(f"the dampers of {_listed(bare)}")
     targets: list[str] = []
     for spec in tasks:
+        if parts.isolators and not spec.dampers:
+            found.left_out.append(f"analysis {spec.name}: it is without isolators; --without-dampers translates it")
+            continue
         if spec.name in bare:
             spec = spec.model_copy(update={"dampers": False})
         match spec:
@@ -88,22 +91,23 @@ def _listed(analyses: Sequence[str]) -> str:
 
 def _modal(found: Programme, project: AnalysisFile, spec: ModalAnalysis, parts: Parts) -> None:
     gravity = GRAVITY_STEPS if spec.state == "gravity" else 0
-    block: tuple[Name, ...] = ()
+    springs: dict[bool, tuple[Name, ...]] = {False: (), True: ()}
     if spec.dampers and parts.springs is not None:
         structure = make_structure(project, dampers=True)
         if gravity:
             structure.apply_gravity()
         stiffness = damped_modes(project, structure, spec).stiffness.real
-        names = [device.name for device in structure.frame.devices]
-        commands = parts.springs(dict(zip(names, map(float, stiffness), strict=True)))
-        if commands:
-            block = (Name(found.block_name("springs", spec.name)),)
-            purpose = f"The stiffness of dampers and braces at the amplitude of {spec.name}, from edesign."
-            found.blocks.append(Block(block[0].name, purpose, tuple(commands)))
+        for isolators, what in ((True, "isolators"), (False, "dampers and braces")):
+            known = zip(structure.frame.devices, map(float, stiffness), strict=True)
+            commands = parts.springs({device.name: k for device, k in known if bool(device.column_base) == isolators})
+            if commands:
+                springs[isolators] = (Name(found.block_name("springs", spec.name)),)
+                purpose = f"The stiffness of {what} at the amplitude of {spec.name}, from edesign."
+                found.blocks.append(Block(springs[isolators][0].name, purpose, tuple(commands)))
     found.analyses[spec.name] = {
         "kind": "modal",
-        "model": parts.model(spec),
-        "set_in": block,
+        "model": parts.model(spec, springs[True]),
+        "set_in": springs[False],
         "modes": spec.modes,
         "equations": parts.equations[spec.dampers],
         "steps": gravity,

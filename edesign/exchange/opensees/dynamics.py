@@ -36,12 +36,27 @@ def damping_values(project: AnalysisFile, dampers: bool) -> dict[str, Value]:
         ratios = modal_ratios(damping, alone.modes(count).omega)
         return {"kind": "modal", "state": damping.state, "ratios": tuple(float(ratio) for ratio in ratios)}
     values: dict[str, Value] = {"kind": damping.kind, "state": damping.state, "ratio": damping.ratio}
-    if isinstance(damping, RayleighDamping):
-        values |= {"modes": damping.modes, "periods": damping.periods or ()}
-    elif isinstance(damping, MassDamping | StiffnessDamping):
-        values |= {"modes": (damping.mode,), "periods": (damping.period,) if damping.period is not None else ()}
+    modes = damped_modes(project)
+    given = damping.periods if isinstance(damping, RayleighDamping) else (damping.period or 0.0,)
+    values |= {"modes": modes, "periods": () if modes or given is None else given}
+    if modes and dampers and project.isolation is not None:
+        alone = frame_alone(project)  # with isolators at the design displacement, which OpenSees has not
+        if damping.state == "gravity":
+            alone.apply_gravity()
+        omega = alone.modes(max(modes)).omega
+        values["periods"] = tuple(float(2.0 * np.pi / omega[mode - 1]) for mode in modes)
     values["stiffness"] = "initial" if isinstance(damping, MassDamping) else damping.stiffness
     return values
+
+
+def damped_modes(project: AnalysisFile) -> tuple[int, ...]:
+    """Return the modes that Rayleigh's damping or a part of it follows; none where periods are given, or no damping."""
+    match project.damping:
+        case RayleighDamping(periods=None, modes=modes):
+            return modes
+        case MassDamping(period=None, mode=mode) | StiffnessDamping(period=None, mode=mode):
+            return (mode,)
+    return ()
 
 
 def integrator_words(project: AnalysisFile) -> tuple[str | float, ...]:

@@ -11,8 +11,7 @@ from edesign.exchange.opensees.structure import Structure, Tags
 from edesign.exchange.recorded_model import Call, RecordedModel
 from edesign.project.analysis.analyses import HistoryAnalysis, PlannedAnalysis
 from edesign.project.analysis_file import AnalysisFile
-from edesign.study.analysis.dampers import attachments, device_laws
-from edesign.study.analysis.structure import build
+from edesign.study.analysis.structure import make_frame
 
 LOADS = ("pattern", "nodal_load", "uniform_load", "point_load", "partial_load")
 
@@ -22,13 +21,14 @@ class FloorBlocks:
 
     Args:
         project: a building; of a plane frame there are none.
+        isolated: whether it stands on its isolators.
 
     Attributes:
         blocks: those that were asked for.
     """
 
-    def __init__(self, project: AnalysisFile) -> None:
-        self._project = project
+    def __init__(self, project: AnalysisFile, isolated: bool) -> None:
+        self._project, self._isolated = project, isolated
         self._names: dict[tuple[tuple[float, float], bool], Name] = {}
         self.blocks: list[Block] = []
 
@@ -53,8 +53,7 @@ class FloorBlocks:
 
     def _commands(self, eccentricity: tuple[float, float], tuned: bool) -> tuple[Command, ...]:
         model, project = RecordedModel(3), self._project
-        more = {"laws": device_laws(project), "attachments": attachments(project)} if tuned else {}
-        frame = build(project, eccentricity, model=model, **more)
+        frame = make_frame(project, tuned or self._isolated, eccentricity=eccentricity, model=model)
         calls = model.calls[: first_of_dampers(model.calls)]
         structure = Structure(frame, JoinedDegrees(model.calls, model.degrees), Tags(0, 0, 0, 0))
         SpaceBuilder(frame, model, structure).build(call for call in calls if call.name in ("node", "mass"))

@@ -84,6 +84,9 @@ def add_history(
     if found.damping.get("kind") == "modal" and spec.dampers and parts.tuned:
         found.left_out.append(f"analysis {spec.name}: it has modal damping, and tuned masses have modes of their own")
         return
+    if found.damping.get("kind") == "modal" and parts.isolators:
+        found.left_out.append(f"analysis {spec.name}: it has modal damping, and isolators count with another stiffness")
+        return
     if any(spec.eccentricity_with(project.accidental_torsion)):
         if isinstance(project.damping, CaugheyDamping):
             found.left_out.append(f"analysis {spec.name}: its Caughey damping is that of masses beside their places")

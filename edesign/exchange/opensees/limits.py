@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from edesign.errors import InputError
 from edesign.exchange.opensees.dampers import Dampers
+from edesign.exchange.opensees.dynamics import damped_modes
 from edesign.exchange.opensees.structure import NotTranslated, Structure
 from edesign.frame.frame_model import FrameModel
 from edesign.frame.rigid_ends import rigid_ends
@@ -34,14 +35,11 @@ def refuse(project: AnalysisFile, without_dampers: bool) -> None:
             "can have no others tied to them in OpenSees; leave them out of a copy [E-OPS-06]"
             for keys, what in _of_building(project)
         ]
-    if project.isolation is not None and not without_dampers:
+    if isinstance(project, Project) and project.isolation is not None and not without_dampers:
         where = project.where("dampers", "isolation")
-        reason = "isolators whose forces follow from their weights are not translated"
-        if isinstance(project, Building):
-            reason = "isolators of buildings are not translated"
         found.append(
-            f"{where}: dampers.isolation: {reason}; --without-dampers puts the {project.structure} on its supports"
-            " [E-OPS-01]"
+            f"{where}: dampers.isolation: isolators of plane frames are not translated; --without-dampers puts the "
+            "frame on its supports [E-OPS-01]"
         )
     if project.fibres.residual_stress != "none":
         where = project.where("fibres", "residual_stress")
@@ -145,7 +143,11 @@ def differences(project: AnalysisFile, structure: Structure, dampers: Dampers) -
             "GeneralizedAlpha of OpenSees 3.7 grows without bounds in frames of several storeys, and ends without "
             "convergence; compare with Newmark's method or HHT in a copy of the project"
         )
-    if structure.dimension == 3 and (dampers.moving or dampers.at_rest or dampers.carrying):
+    if dampers.carrying:
+        found.append("isolators within a circle step along chords, which differs by the order of the time step")
+        if damped_modes(project):
+            found.append("damping by modes on isolators is that of masses in their places, also where they are beside")
+    if structure.dimension == 3 and (dampers.moving or dampers.at_rest):
         found.append("dampers are zeroLength between nodes that are apart, of which OpenSees warns without need")
     if dampers.moving or dampers.at_rest:
         found.append(

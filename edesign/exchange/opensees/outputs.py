@@ -72,6 +72,10 @@ def _sum(terms: Sum, structure: Structure) -> Value:
 
 def _reacting(frame: FrameModel, structure: Structure, support: str, degree: int) -> list[int]:
     """Tags of the nodes whose reactions are that of a support."""
-    nodes = [node for _, kind, node, _ in frame.reaction(support, degree) if kind == "reaction"]
+    terms = frame.reaction(support, degree)
+    nodes = [node for _, kind, node, _ in terms if kind == "reaction"]
+    nodes += [
+        structure.below[number] for _, kind, number, _ in terms if kind == "damper_force" and number in structure.below
+    ]
     moving = degree <= frame.up
     return [structure.nodes[one] for node in nodes for one in (node, *(structure.copies[node] if moving else ()))]

@@ -43,6 +43,7 @@ class Parts:
 
     Attributes:
         plain, with_dampers: of analyses without dampers, and what is added with them; the first is `build`.
+        isolators: what an isolated building stands on; without it, there are none.
         floors: of rigid floors and masses of a building.
         soil, at_rest, moving: set in under the gravity loads: soil dashpots in histories; of dampers what resists at
             rest, and in histories what resists speed.
@@ -56,6 +57,7 @@ class Parts:
 
     plain: tuple[Name, ...]
     with_dampers: tuple[Name, ...]
+    isolators: tuple[Name, ...]
     floors: FloorBlocks
     soil: tuple[Name, ...]
     at_rest: tuple[Name, ...]
@@ -73,9 +75,10 @@ class Parts:
         found = tuple((*own, *(more if spec.dampers else ())) for own, more in both)
         return found if len(found) > 1 else found[0]
 
-    def model(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
-        """Blocks that build the model of an analysis."""
-        return (*self.plain, *self.floors.of(spec), *(self.with_dampers if spec.dampers else ()))
+    def model(self, spec: PlannedAnalysis, isolators: tuple[Name, ...] | None = None) -> tuple[Name, ...]:
+        """Blocks that build the model of an analysis, with others in the place of isolators where these are given."""
+        added = (*self.with_dampers, *(self.isolators if isolators is None else isolators)) if spec.dampers else ()
+        return (*self.plain, *self.floors.of(spec), *added)
 
     def alone(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
         """Blocks that build it without dampers and tuned masses."""

@@ -81,6 +81,14 @@ class SpaceBuilder(StructureBuilder):
         for call in model.calls:
             if call.name == "point_load" and 0.0 < call["position"] < 1.0:
                 self._loaded[call["element"]].add(call["position"])
+        pressed = (call["pressed_by"] for call in model.calls if call.name == "damper")
+        self._pressing = {spring for spring, _ in filter(None, pressed)}
+
+    def _spring(self, call: Call) -> None:
+        if call.result in self._pressing:
+            self._to.pressing[call.result] = call
+        else:
+            super()._spring(call)
 
     def _load_builder(self) -> LoadBuilder:
         return SpaceLoads(self._to, self._pieces, self._calls, self._elastic, self._without)

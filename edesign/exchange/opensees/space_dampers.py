@@ -7,15 +7,21 @@ The elements measure displacements since they are set in; `twoNodeLink` would me
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
 
 import numpy as np
 
+from edesign.exchange.opensees.bearings import FORCE_BALANCE, UPRIGHT, bearing, pendulum
+from edesign.exchange.opensees.commands import Command, command
 from edesign.exchange.opensees.dampers import CLOSE, DamperBuilder, Dampers, Direction, Terms
-from edesign.exchange.opensees.materials import OTHER_LAW
-from edesign.exchange.opensees.structure import NotTranslated
+from edesign.exchange.opensees.materials import OTHER_LAW, Material, NoSuchMaterial, spring_material
+from edesign.exchange.opensees.structure import NotTranslated, Structure
+from edesign.exchange.recorded_model import Call
 
 UP = 2
 """Degree of the core along the vertical."""
+_NONE: Material = ("Elastic", 0.0)
+"""What bearings resist in other directions: the supports of the file are there."""
 
 
 class SpaceDampers(DamperBuilder):
@@ -24,12 +30,67 @@ class SpaceDampers(DamperBuilder):
     TURNS = (3, 4, 5)
     DIRECTIONS = (1, 2, 3)
 
+    def __init__(self, structure: Structure, largest: float) -> None:
+        super().__init__(structure, largest)
+        self._standing: dict[str, tuple[int, int, Material, Direction]] = {}
+
+    def springs(self, stiffness: Mapping[str, float]) -> list[Command]:
+        """Return linear springs as `DamperBuilder` does, and what bearings carry vertically."""
+        commands = super().springs(stiffness)
+        for name, (ground, node, material, up) in self._standing.items():
+            if name in stiffness:
+                self._spring(name, ground, node, material, up, commands)
+        return commands
+
+    def _damper(self, call: Call, found: Dampers) -> None:
+        if call["across"] is None:
+            super()._damper(call, found)
+            if call["carries"]:
+                self._to.below[call.result] = self._ends_of[call["name"]][0]
+            return
+        (_, node, _), s = call["terms"][0], self._to
+        try:
+            if call["pressed_by"] is None:
+                ground = self._ground(call["name"], node)
+                kind, *words = bearing(call["law"], call["force_scale"], call["deformation_scale"])
+                material = _NONE
+            else:
+                spring, weight = call["pressed_by"]
+                ground, material = s.pressing[spring]["i"], spring_material(s.pressing[spring]["law"])
+                self._standing[call["name"]] = ground, node, material, Direction(UP + 1)
+                model, rest = pendulum(call["law"], call["force_scale"], weight)
+                tag = s.tags.next("friction")
+                found.carrying.append(command("frictionModel", model[0], tag, *model[1:], comment=call["name"]))
+                kind, *words = "singleFPBearing", tag, *rest
+        except NoSuchMaterial as error:
+            raise NotTranslated(call["name"], str(error)) from error
+        ends: list[str | int] = []
+        for key, one in (("-P", material), ("-T", _NONE), ("-My", _NONE), ("-Mz", _NONE)):
+            ends += [key, s.tags.next("material")]
+            found.carrying.append(command("uniaxialMaterial", one[0], ends[-1], *one[1:], comment=call["name"]))
+        pair = s.nodes[ground], s.nodes[node]
+        words = [s.tags.next("element"), *pair, *words, *ends, *UPRIGHT]
+        words += FORCE_BALANCE if call["pressed_by"] else ()
+        found.carrying.append(command("element", kind, *words, comment=call["name"]))
+        both = (call["name"], call["terms"]), call["across"]
+        for number, (name, ((_, _, degree),)) in enumerate(both, call.result):
+            self._ends_of[name], s.below[number] = (ground, node, Direction(degree + 1)), ground
+
+    def _ground(self, name: str, node: int) -> int:
+        ground = self._to.add_node(f"{name}, ground", self._to.places[node])
+        for at in range(len(self._to.joined.degrees)):
+            self._to.joined.fix((ground, at))
+        return ground
+
     def _ends(self, name: str, terms: Terms, found: Dampers) -> tuple[int, int, Direction]:
         """Nodes whose distance in a direction is the deformation, and this direction."""
         s = self._to
         of: dict[int, np.ndarray] = defaultdict(lambda: np.zeros(len(s.joined.degrees)))
         for coefficient, node, degree in terms:
             of[node][degree] += coefficient
+        if len(terms) == 1 and terms[0][0] == 1.0:  # beside isolators
+            _, node, degree = terms[0]
+            return self._ground(name, node), node, Direction(degree + 1)
         if len(of) == 2:
             (end, ahead), (start, behind) = of.items()
             if np.allclose(ahead, -behind, atol=CLOSE) and not ahead[3:].any():

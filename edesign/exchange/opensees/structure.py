@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from edesign.exchange.opensees.commands import Command, command, heading
 from edesign.exchange.opensees.joined import Degree, JoinedDegrees
+from edesign.exchange.recorded_model import Call
 from edesign.frame.frame_model import FrameModel
 
 GRAVITY = 1
@@ -46,6 +47,7 @@ class Tags:
     element: int
     material: int
     section: int
+    friction: int = 1
 
     def next(self, kind: str) -> int:
         """Return a tag of a kind that nothing has yet."""
@@ -67,6 +69,8 @@ class Structure:
         places: of nodes by id, 2 or 3 coordinates, m.
         copies: nodes that stand for a released end or an end of a damper, by the id of the node that they move with:
             what a support carries is on all of them.
+        below: by the number of an isolator in the core the node of the ground that it stands on.
+        pressing: calls of springs that are part of an isolator, by their numbers in the core.
         kept: nodes whose supports and ties are written by `commands`.
         divided: names of members that OpenSees has as several.
         shifted: names of members whose loads along them stand at their ends.
@@ -82,6 +86,8 @@ class Structure:
     names: dict[int, str] = field(default_factory=dict)
     places: dict[int, tuple[float, ...]] = field(default_factory=dict)
     copies: dict[int, list[int]] = field(default_factory=lambda: defaultdict(list))
+    below: dict[int, int] = field(default_factory=dict)
+    pressing: dict[int, Call] = field(default_factory=dict)
     kept: list[int] = field(default_factory=list)
     damping_factors: dict[int, float] = field(default_factory=dict)
     divided: list[str] = field(default_factory=list)

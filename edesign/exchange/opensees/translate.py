@@ -33,12 +33,9 @@ from edesign.exchange.opensees.structure import (
 )
 from edesign.exchange.opensees.structure_builder import StructureBuilder
 from edesign.exchange.recorded_model import RecordedModel
-from edesign.frame.devices import DeviceLaw
-from edesign.frame.tuned_masses import Attached
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.records.records import ChosenRecords
-from edesign.study.analysis.dampers import attachments, device_laws
-from edesign.study.analysis.structure import GRAVITY_STEPS, build
+from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame
 from edesign.study.plan.choosing import with_choices
 
 
@@ -87,17 +84,17 @@ def opensees_script(
     progress(f"building the {project.structure}")
     left_out = []
     has_dampers = project.dampers is not None and not without_dampers and any(s.dampers for s in project.analyses)
+    isolated = has_dampers and project.isolation is not None
     plain = _recorded(project)
-    frame = build(project, model=plain)
+    frame = make_frame(project, isolated, model=plain)
     model, devices = plain, frame
-    if has_dampers:
+    if has_dampers and not isolated:
         model = _recorded(project)
-        laws: dict[str, DeviceLaw] = device_laws(project)
-        added: Sequence[Attached] = attachments(project)
-        devices = build(project, model=model, laws=laws, attachments=added)
+        devices = make_frame(project, True, model=model)
     if without_dampers and has_placed_dampers(project):
         left_out.append("dampers, isolators and tuned masses, as --without-dampers asks")
-    base, extra = plain.calls, model.calls[first_of_dampers(model.calls) :] if has_dampers else []
+    first = first_of_dampers(model.calls)
+    base, extra = plain.calls[:first] if isolated else plain.calls, model.calls[first:] if has_dampers else []
     materials = 1 + sum(call.name == "material" for call in model.calls)
     sections = 1 + sum(call.name.endswith("_section") for call in model.calls)
     tags = Tags(len(model.node_names) + 1, len(model.element_names) + 1, materials, sections)
@@ -118,7 +115,8 @@ def opensees_script(
         damper_builder = make_dampers(structure, largest)
         dampers = damper_builder.build(extra)
         more_modes = len(structure.moving) > masses
-        added_commands = (*mark.commands(), *dampers.place, *dampers.carrying)
+        added_commands = (*mark.commands(), *dampers.place)
+        shown = outputs(frame, structure) if isolated else shown
     except NotTranslated as problem:
         raise InputError("\n".join(places(project, devices, [problem]))) from problem
     except NotTranslatedParts as several:
@@ -130,6 +128,7 @@ def opensees_script(
     )
     blocks.append(Block("gravity_loads", "The gravity combination.", gravity))
     with_dampers = _block(blocks, "add_dampers", "Tuned masses, and what dampers stand on.", added_commands)
+    isolators = _block(blocks, "add_isolators", "Isolators and what acts beside them.", dampers.carrying)
     soil_part = _block(blocks, "set_in_soil_dashpots", "Dashpots of the soil.", (*soil.at_rest, *soil.moving))
     at_rest = _block(blocks, "set_in_dampers", "What resists at rest in dampers.", dampers.at_rest)
     moving = _block(blocks, "set_in_dashpots", "What resists speed in dampers.", dampers.moving)
@@ -139,11 +138,12 @@ def opensees_script(
         tuple(tag for tag in more if tag not in known)
         for more, known in zip(bases(devices, structure), base_shear, strict=True)
     )
-    plain_model, floors = (Name("build"),), FloorBlocks(project)
+    plain_model, floors = (Name("build"),), FloorBlocks(project, isolated)
     floors.of()  # also of a building that is not analysed
     parts = Parts(
         plain_model,
         with_dampers,
+        isolators,
         floors,
         soil_part,
         at_rest,

@@ -61,8 +61,8 @@ def check_design(
     """
     if project.isolation is not None:
         message = (
-            f"{project.path} has an isolated base; a design sizes dampers of a {project.structure} on its supports:"
-            " design for a copy without `dampers.isolation`, or compare sizes as `variants` with histories [E-DESIGN-07]"
+            f"{project.path} has an isolated base; a design sizes dampers of a {project.structure} on its supports: "
+            "design for a copy without `dampers.isolation`, or compare sizes as `variants` by histories [E-DESIGN-07]"
         )
         problems.at_key(keys, message)
     if project.masses is None:

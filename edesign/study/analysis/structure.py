@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from edesign.core import Analysis, Channel, CoreError, Modes, Response
+from edesign.core import Analysis, Channel, CoreError, Model, Modes, Response
 from edesign.damper.harmonic import complex_stiffness, effective_stiffness
 from edesign.errors import AnalysisError, split_code
 from edesign.frame.devices import Device, DeviceLaw
@@ -234,6 +234,7 @@ def make_frame(
     dampers: bool = False,
     outside: Collection[str] = (),
     eccentricity: tuple[float, float] = IN_PLACE,
+    model: Model | None = None,
 ) -> FrameModel:
     """Build a project's frame, with its dampers, isolators and tuned masses or without.
 
@@ -241,15 +242,16 @@ def make_frame(
         dampers: whether it has them.
         outside: names of dampers that are left out.
         eccentricity: of the masses of a building; see `build_building`.
+        model: an empty model to build in; a new one by default.
 
     Raises:
         InputError: the frame cannot be built, or a damper is wrong.
     """
     if not dampers or project.dampers is None:
-        return build(project, eccentricity)
+        return build(project, eccentricity, model=model)
     laws = device_laws(project)
     weights = {} if project.isolation is None else _weights_on_isolators(project, laws)
-    more = {"attachments": attachments(project), "outside": outside, "weights": weights}
+    more = {"attachments": attachments(project), "outside": outside, "weights": weights, "model": model}
     return build(project, eccentricity, laws=laws, **more)
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from building_examples import ISOLATED, building
 from messages import says
 
 from edesign.errors import InputError
-from edesign.exchange.opensees.limits import refuse
+from edesign.exchange.formats import find_format
 from edesign.frame.sections.building_sections import BuildingSections
 from edesign.project.building import parse_building
 from edesign.project.dampers.device_names import names_of_dampers
@@ -92,8 +94,14 @@ def test_laws_that_are_known_late() -> None:
         make_frame(whole, dampers=True)
 
 
-def test_isolators_are_not_translated_for_opensees() -> None:
-    whole = building(ISOLATED)
-    with pytest.raises(InputError, match=r"dampers\.isolation: .*--without-dampers puts the building on.*E-OPS-01"):
-        refuse(whole, without_dampers=False)
-    refuse(whole, without_dampers=True)
+def test_isolators_that_opensees_lacks() -> None:
+    """A pendulum under its weight of gravity; friction alone, or the weight of the moment, it has."""
+
+    def translated(law: str) -> str:
+        script = Path("model.py")
+        return find_format(script).translate(building(ISOLATED.replace("law: dish}", law)), script, False).files[script]
+
+    with pytest.raises(InputError, match=r"dampers\.laws\.dish: I_B1_x: .*`weight: varying`.*E-OPS-01"):
+        translated("law: dish}")
+    assert translated("law: dish, weight: varying, vertical: 400 kN/mm}").count('"singleFPBearing"') == 3
+    assert translated("law: lead}").count('"elastomericBearingPlasticity"') == 9
