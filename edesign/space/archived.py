@@ -100,7 +100,8 @@ def _modes(design: ElasticDesign) -> Group:
 
 def _about_corner(design: ElasticDesign) -> np.ndarray:
     """Return the effective modal mass ratios of rotation about a vertical axis through the origin, (n_modes,)."""
-    mass, moved = design.frame.node_mass, design.modes.displacements
+    moves = design.frame.level_of_nodes > design.frame.held
+    mass, moved = np.where(moves, design.frame.node_mass, 0.0), design.modes.displacements
     x, y = design.frame.coordinates[:, 0], design.frame.coordinates[:, 1]
     participation = (mass * (x * moved[:, :, 1] - y * moved[:, :, 0])).sum(axis=1)
     return np.asarray(participation**2 / (mass * (x**2 + y**2)).sum())

@@ -128,9 +128,15 @@ def _restrained(building: Building, problems: Problems, check: Selections) -> No
                 "or stiffnesses along x and y [E-VALUE-04]"
             )
             problems.at_key((*keys, "rz"), message)
-    if building.restrained_floors and building.design is not None:
-        message = "designs do not know floors that the ground holds; leave `design` or this key out [E-BLDG-04]"
-        problems.at_key(("restrained_floors",), message)
+    if building.design is None:
+        return
+    loose = [i for i, held in enumerate(building.restrained_floors) if {held.ux, held.uy, held.rz} != {"fixed"}]
+    for i in loose:
+        message = "designs take the floors of a rigid basement, which are `fixed` in plan; or leave `design` out"
+        problems.at_value(("restrained_floors", i), f"{message} [E-BLDG-04]")
+    if not loose and named and (named != set(range(1, max(named) + 1)) or max(named) == building.n_storeys):
+        message = "designs take the lowest floors, from 1 on and not all of them, as a rigid basement"
+        problems.at_key(("restrained_floors",), f"{message}; or leave `design` out [E-BLDG-04]")
 
 
 def _floors(building: Building, problems: Problems) -> bool:

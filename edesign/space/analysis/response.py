@@ -206,9 +206,10 @@ class ResponseSpectrumAnalysis:
     def _lateral_base_shear(self, modes: SpaceModes, axis: Axis, spectrum: DesignSpectrum | ElasticSpectrum) -> float:
         """Return F_b (4.3.3.2.2); T_1 is the period of the mode in which most of the mass moves along the axis."""
         T_1 = float(modes.period[modes.effective_mass_ratio[:, AXES.index(axis)].argmax()])
-        mass = float(self.frame.node_mass[self.frame.level_of_nodes > 0].sum())
+        frame = self.frame
+        mass = float(frame.node_mass[frame.level_of_nodes > frame.held].sum())
         corner = self.elastic.parameters.T_C
-        return base_shear(float(spectrum.acceleration(T_1)), mass, T_1, corner, self.frame.n_floors)
+        return base_shear(float(spectrum.acceleration(T_1)), mass, T_1, corner, frame.n_floors - frame.held)
 
     def _accidental_torsion(self, axis: Axis, F_b: float, ratio: float) -> _Twist:
         """Return the effects of M_ai = e_ai F_i, F_i by the heights of all masses (Eq. 4.11), without sign.
@@ -223,7 +224,7 @@ class ResponseSpectrumAnalysis:
             return _Twist(nothing, np.zeros(frame.columns.size), np.zeros((self.supports.nodes.size, 6)))
         floors = level[rigid]
         mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)
-        forces = lateral_forces(F_b, mass, frame.levels)[floors]
+        forces = lateral_forces(F_b, mass, frame.heights)[floors]
         for number, at in enumerate(frame.diaphragms):
             if at.part and mass[at.floor]:
                 forces[number] *= frame.node_mass[frame.node_diaphragm == number].sum() / mass[at.floor]

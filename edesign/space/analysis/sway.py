@@ -76,18 +76,18 @@ class SwayAnalysis:
 
     def __init__(self, frame: SpaceFrame, imperfections: bool) -> None:
         self._imperfections = imperfections
-        lowest = [place for place, number in enumerate(frame.columns) if frame.storey[number] == 0]
+        lowest = [place for place, number in enumerate(frame.columns) if frame.storey[number] == frame.held]
         of_frames: dict[str, list[int]] = {}
         for place in lowest:
             for name in frame.members[frame.columns[place]].frame:
                 of_frames.setdefault(name, []).append(place)
         self._rows: dict[
             Axis, list[np.ndarray]
-        ] = {  # columns of the lowest storey, as places among columns, in each plane frame along an axis
+        ] = {  # columns of the lowest storey that sways, as places among columns, in each plane frame along an axis
             axis: [np.array(row) for name, row in of_frames.items() if name.startswith(axis.upper())] for axis in AXES
         }
         down = -sum(on_nodes(frame, case)[:, 2] for case in frame.cases.values())
-        loaded = np.where(frame.level_of_nodes > 0, np.maximum(down, 0.0), 0.0)
+        loaded = np.where(frame.level_of_nodes > frame.held, np.maximum(down, 0.0), 0.0)
         self._mass = loaded if (loaded[frame.node_mass == 0.0] > 0.0).any() else None
 
     def stability(
@@ -129,7 +129,7 @@ class SwayAnalysis:
         """Return phi of one direction; of its rows of columns that with the fewest counts (5.3.2(3))."""
         rows = (compression[row] for row in self._rows[axis])
         fewest = min(int((row >= 0.5 * row.mean()).sum()) for row in rows)
-        return initial_sway(float(frame.levels[-1]), max(fewest, 1))
+        return initial_sway(float(frame.heights[-1]), max(fewest, 1))
 
     def _gravity_drift(self, frame: SpaceFrame, static: StaticResponse, factors: np.ndarray) -> np.ndarray:
         """Return by how much columns lean under combinations, (n_combinations, n_columns, 2) along x and y, rad."""

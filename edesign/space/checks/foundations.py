@@ -111,13 +111,14 @@ class Foundations:
 
 
 def supports(frame: SpaceFrame, bracing: Bracing) -> Supports:
-    """Return the supports of a frame.
+    """Return the supports of a frame at its base.
 
     Args:
         frame: of the building.
         bracing: its braces.
     """
-    nodes = np.flatnonzero(frame.fixed.any(axis=1) | (frame.springs > 0.0).any(axis=1))
+    supported = frame.fixed.any(axis=1) | (frame.springs > 0.0).any(axis=1)
+    nodes = np.flatnonzero(supported & (frame.level_of_nodes == 0))
     place = {int(node): number for number, node in enumerate(nodes)}
     ends = [
         (number, at_end, place[node])

@@ -36,7 +36,7 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class FloorStiffness:
-    """Floors under lateral forces, values (2, n_floors) for forces along x and along y.
+    """Floors under lateral forces, values (2, n_floors) for forces along x and along y, without held ones.
 
     Attributes:
         e_0: distance of the centre of stiffness from the centre of mass at right angles to the forces, m.
@@ -84,12 +84,18 @@ def regularity(
     """
     design = design_of(building)
     of = _floor_stiffness(frame, model)
-    plan, elevation = [*of_shape.plan, *_torsion(of)], list(of_shape.elevation)
+    plan, elevation = [*of_shape.plan, *_counted(frame, _torsion(of))], list(of_shape.elevation)
     asked = design.regular_in_plan, design.regular_in_elevation
     holds = all(rule.passed for rule in plan), all(rule.passed is not False for rule in elevation)
     regular = Regular(*(found if claim == "auto" else claim for claim, found in zip(asked, holds, strict=True)))
     claimed = [*_as_claimed(plan, asked[0] is True), *_as_claimed(elevation, asked[1] is True)]
-    return regular, [*claimed, *_gradual(frame, of)]
+    return regular, [*claimed, *_counted(frame, _gradual(frame, of))]
+
+
+def _counted(frame: SpaceFrame, rules: Iterable[RuleCheck]) -> list[RuleCheck]:
+    """Return rules that number the floors and storeys above those that the ground holds, and say so."""
+    above = f", counted above floor {frame.held}" if frame.held else ""
+    return [replace(rule, detail=rule.detail and rule.detail + above) for rule in rules]
 
 
 def _as_claimed(rules: Iterable[RuleCheck], claimed: bool) -> list[RuleCheck]:
@@ -116,11 +122,12 @@ def _gradual(frame: SpaceFrame, of: FloorStiffness | None) -> list[RuleCheck]:
 
 
 def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[RuleCheck]:
-    extent = [np.ptp(frame.coordinates[frame.level_of_nodes <= 1, axis]) for axis in (0, 1)]
+    lowest = (frame.level_of_nodes >= frame.held) & (frame.level_of_nodes <= frame.held + 1)
+    extent = [np.ptp(frame.coordinates[lowest, axis]) for axis in (0, 1)]
     lines = [np.concatenate([[0.0], np.cumsum(building.widths(axis))]).tolist() for axis in AXES]
     each = []
-    for floor, bays in building.layout.floors.items():
-        for part in parts_of(bays):
+    for floor in range(frame.held + 1, frame.n_floors + 1):
+        for part in parts_of(building.layout.floors[floor]):
             areas, whole = recess_areas(part, *lines)
             each.append(replace(recess(max(areas, default=0.0), whole), detail=f"floor {floor}"))
     return [slenderness(*extent), max(each, key=lambda rule: rule.value or 0.0)]
@@ -129,10 +136,11 @@ def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[RuleCheck]:
 def _shape_of_elevation(frame: SpaceFrame) -> list[RuleCheck]:
     found = []
     for number, axis in enumerate(AXES):
-        places = [frame.coordinates[frame.level_of_nodes == floor, number] for floor in range(1, frame.n_floors + 1)]
-        rules = setbacks([of.min() for of in places], [of.max() for of in places], frame.levels[1:])
+        floors = range(frame.held + 1, frame.n_floors + 1)
+        places = [frame.coordinates[frame.level_of_nodes == floor, number] for floor in floors]
+        rules = setbacks([of.min() for of in places], [of.max() for of in places], frame.heights[frame.held + 1 :])
         found += [replace(rule, text=f"{rule.text}, direction {axis}") for rule in rules]
-    return [*found, *_interrupted(frame)]
+    return [*_counted(frame, found), *_interrupted(frame)]
 
 
 def _torsion(of: FloorStiffness | None) -> list[RuleCheck]:
@@ -145,14 +153,14 @@ def _torsion(of: FloorStiffness | None) -> list[RuleCheck]:
 
 
 def _floor_masses(frame: SpaceFrame) -> np.ndarray:
-    """Return the masses of the floors, (n_floors,) kg."""
-    return np.bincount(frame.level_of_nodes, frame.node_mass, minlength=frame.n_floors + 1)[1:]
+    """Return the masses of the floors above the base, or above those that the ground holds, (n_floors - held,) kg."""
+    return np.bincount(frame.level_of_nodes, frame.node_mass, minlength=frame.n_floors + 1)[frame.held + 1 :]
 
 
 def _floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness | None:
     """Return the floors under lateral forces; None unless each is one diaphragm and has mass."""
-    rigid = frame.node_diaphragm[frame.level_of_nodes > 0] != NO_DIAPHRAGM
-    whole = rigid.all() and len(frame.diaphragms) == frame.n_floors
+    rigid = frame.node_diaphragm[frame.level_of_nodes > frame.held] != NO_DIAPHRAGM
+    whole = rigid.all() and sum(at.floor > frame.held for at in frame.diaphragms) == frame.n_floors - frame.held
     return floor_stiffness(frame, model) if whole and (_floor_masses(frame) > 0.0).all() else None
 
 
@@ -166,10 +174,10 @@ def floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness:
         frame: with masses on all floors.
         model: for the seismic action.
     """
-    level, n = frame.level_of_nodes, frame.n_floors
+    level, n = np.maximum(frame.level_of_nodes - frame.held, 0), frame.n_floors - frame.held
     mass = _floor_masses(frame)
     share = np.where(level > 0, frame.node_mass / np.concatenate([[1.0], mass])[level], 0.0)
-    force = lateral_forces(1.0, mass, frame.levels[1:])
+    force = lateral_forces(1.0, mass, frame.heights[frame.held + 1 :])
     nodal = np.zeros((3, len(level), 6))
     nodal[0, :, 0] = nodal[1, :, 1] = nodal[2, :, 5] = share * np.concatenate([[0.0], force])[level]
     moved = model.static(nodal).displacements
@@ -204,11 +212,8 @@ def _interrupted(frame: SpaceFrame) -> list[RuleCheck]:
         for member in frame.members
         if member.kind == "column" and member.storey > 1 and member.start not in heads
     ]
-    broken = [
-        f"frame {name} has none in storey {min(set(range(1, max(of))) - of)}"
-        for name, of in sorted(storeys.items())
-        if set(range(1, max(of))) - of
-    ]
+    gaps = {name: set(range(frame.held + 1, max(of))) - of for name, of in sorted(storeys.items())}
+    broken = [f"frame {name} has none in storey {min(gap)}" for name, gap in gaps.items() if gap]
     broken += [f"{name} stands on no column" for name in hanging]
     text = "bracings and columns that do not run down to the foundation"
     return [at_most("4.2.3.3(2)", text, 0.0, len(broken), "; ".join(broken))]

@@ -106,6 +106,7 @@ class SpaceFrame:
         node_mass: (n_nodes,) kg, acts horizontally at the node.
         own_sections: of the file, by name.
         diaphragms: rigid floors, and rigid parts of floors, from below.
+        held: the highest floor that the ground holds in plan; 0: none above the base.
     """
 
     node_names: tuple[str, ...]
@@ -119,6 +120,7 @@ class SpaceFrame:
     node_mass: np.ndarray
     own_sections: Mapping[str, SteelSection] = field(default_factory=dict)
     diaphragms: tuple[Diaphragm, ...] = ()
+    held: int = 0
 
     def section(self, name: str) -> SteelSection:
         """Return a section that a member names: one of the file, or one of the catalogue.
@@ -138,8 +140,16 @@ class SpaceFrame:
 
     @property
     def n_floors(self) -> int:
-        """Number of floors above the ground."""
+        """Number of floors above the base."""
         return len(self.levels) - 1
+
+    @property
+    def heights(self) -> np.ndarray:
+        """Heights of the floors above the level where the seismic action acts, (n_floors + 1,) m; 0 below it.
+
+        Source: EN 1998-1:2004, 4.3.3.2.3(3): the foundation, or the top of a rigid basement.
+        """
+        return np.maximum(self.levels - self.levels[self.held], 0.0)
 
     @cached_property
     def ends(self) -> tuple[np.ndarray, np.ndarray]:

@@ -54,6 +54,7 @@ def space_frame(building: Building) -> SpaceFrame:
         node_mass=np.zeros(len(nodes)),
         own_sections={name: own_section(name, own) for name, own in building.sections.items()},
         diaphragms=tuple(layout.diaphragms),
+        held=max(building.held_floors, default=0),
     )
     loaded = replace(bare, cases=load_cases(building, bare))
     return replace(loaded, node_mass=node_masses(building, loaded))

@@ -203,7 +203,13 @@ FOOT_ON = (
             "Q: 2 kN/m^2, category: B, spans: x}]\n  gravity: {Q: @{A: 0.3}}",
             "loads.gravity.Q `B` E-KEY-02",
         ),
-        (FOOT, "@restrained_floors: [{floors: 1}]\ncolumns: [{s", "restrained_floors `design` E-BLDG-04"),
+        (FOOT, "@restrained_floors: [{floors: 2}]\ncolumns: [{s", "restrained_floors lowest E-BLDG-04"),
+        (FOOT, "@restrained_floors: [{floors: 1-2}]\ncolumns: [{s", "restrained_floors lowest E-BLDG-04"),
+        (
+            FOOT,
+            "restrained_floors: [@{floors: 1, rz: 2 kN*m/rad, ux: 3 kN/m, uy: 3 kN/m}]\ncolumns: [{s",
+            "restrained_floors[0] basement E-BLDG-04",
+        ),
         (FOOT, FOOT_ON.replace("sand, l", "@mud, l"), "supports.default.footing.soil `sand` E-NAME-01"),
         (
             FOOT,
