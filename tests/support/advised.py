@@ -1183,7 +1183,7 @@ LEFT = {
         "nothing connects the rectangles between",
     ),
     "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
-        "leave `design` or this key out", "give `rz: fixed`, or stiffnesses along x and y",
+        "or leave `design` out", "give `rz: fixed`, or stiffnesses along x and y",
         "all directions are `free`; leave this entry out", "give each of them an entry of its own",
     ),
     "it is of a substructure test on a project of its own; tests/unit/substructure provokes it": (

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from building_examples import building
+from verification.test_verify_basements import CELLAR
 from verification.test_verify_building_model import STEP, completed, displacement, motion, under_gravity
 from verification.test_verify_building_supports import FIRST, on, on_plane, table
 from verification.test_verify_shaken_buildings import stiffness
@@ -141,3 +142,27 @@ def test_delays_of_column_lines() -> None:
     assert back == pytest.approx({"A1": 0.06, "A2": 0.06, "B1": 0.0, "B2": 0.0}, abs=1e-15)
     given = WavePassage.model_validate({"delays": {"B": "20 ms", "B2": "30 ms"}}).delays_of(grid)
     assert given == {"A1": 0.0, "A2": 0.0, "B1": 0.02, "B2": 0.03}
+
+
+@pytest.mark.parametrize(("rigid", "rz"), [("all", "free"), ("2-3", "fixed")])
+def test_walls_of_a_basement_move_with_the_ground_beside_them(rigid: str, rz: str) -> None:
+    """Walls on springs at each column line, of which the ground reaches each late, hold the floor as rigid ones do.
+
+    A rigid floor turns as the body that is nearest to its walls. 1e-3: walls of 1e11 N/m give by 5e-4 of the turns.
+    """
+    text = CELLAR.replace("@rigid@", rigid)
+    wave, found = {"velocity": "200 m/s", "direction": "30 deg"}, []
+    for walls in ("{floors: 1}", f"{{floors: 1, ux: 1e11 N/m, uy: 1e11 N/m, rz: {rz}}}"):
+        frame = build_building(building(text.replace("{floors: 1}", walls, 1)))
+        channels = [displacement(f"turn {floor.number}", floor.turn) for floor in frame.floors if floor.turn]
+        for floor in frame.floors:
+            channels += [displacement(f"{axis} {floor.number}", floor.movers[at][0]) for at, axis in enumerate("xy")]
+        response, group = passing(frame, channels, motion(1), motion(2), **wave)
+        found.append(response)
+        delays = dict(zip(group.coords["foot"].values, group.variables["foot_delay"].values, strict=True))
+        assert all(
+            delays[name] == delays[f"{name[:-2]}.0"] for name in delays if name[-2:] == ".1" and name[0] in "ABC"
+        )
+    assert found[0].peak("x 1") > 0.02
+    for name, values in found[1].values.items():
+        np.testing.assert_allclose(found[0].values[name], values, rtol=0, atol=1e-3 * found[1].peak(name), err_msg=name)

@@ -39,9 +39,6 @@ def check_wave_passage(base: AnalysisFile, problems: Problems, keys: Keys, passa
         problems.at_key((*keys, "delays", line), unknown_name("line", line, base.grid.lines))
     if not unknown and not any(passage.delays_of(base.grid).values()):
         problems.at_key(keys, "no line is reached later than another; leave `wave_passage` out [E-KEY-03]")
-    if base.held_floors:
-        message = "when a wave reaches floors that the ground holds (`restrained_floors`) is not known [E-BLDG-04]"
-        problems.at_key(keys, message)
     if isinstance(base, Project) and base.frame.leaning_column is not None:
         message = "where the leaning column stands is not known, so neither is when the wave reaches it [E-FRAME-04]"
         problems.at_key(keys, message)

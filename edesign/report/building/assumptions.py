@@ -70,10 +70,14 @@ def _ends(building: Building) -> str:
 
 
 def _ground(building: Building) -> str:
+    held = ""
+    if building.design is not None and building.held_floors:
+        top = max(building.held_floors)
+        held = f" A rigid basement reaches up to floor {top}, where the seismic action acts; masses below do not count."
     if building.supports in ("fixed", "pinned"):
-        return f"Supports are {building.supports} on ground that does not deform."
+        return f"Supports are {building.supports} on ground that does not deform.{held}"
     on_footings = "Footings are springs of their static stiffness. " if building.footings else ""
-    return f"{on_footings}Supports are as given; neighbouring foundations do not move each other."
+    return f"{on_footings}Supports are as given; neighbouring foundations do not move each other.{held}"
 
 
 def _analysis(design: Design) -> str:

@@ -1,6 +1,8 @@
-"""Column bases that the ground motion reaches one after the other."""
+"""Column bases, and walls of a basement, that the ground motion reaches one after the other."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -35,10 +37,16 @@ class DelayedSupports:
         if spec.wave_passage is None:
             return
         delays = spec.wave_passage.delays_of(frame.grid)
-        at_base = {frame.grid.node_name(line, 0): delay for line, delay in delays.items()}
-        self._delays = {support: at_base[support] for support in frame.supports}
+        levels = range(len(frame.floors) + 1)
+        of_nodes = {frame.grid.node_name(line, at): delay for line, delay in delays.items() for at in levels}
         horizontal = (ground.horizontal, ground.across)[: len(frame.directions)]
-        for support, delay in self._delays.items():
+        for support in frame.supports:
+            if support not in of_nodes:
+                tied = _tied(frame, support, of_nodes)
+                self._delays[support] = float(np.mean(list(tied.values())))
+                self._moved[support] = self._add_floor(frame, support, tied, ground)
+                continue
+            delay = self._delays[support] = of_nodes[support]
             self._moved[support] = [
                 self._add(frame, support, direction.degree, record, delay)
                 for direction, record in zip(frame.directions, horizontal, strict=True)
@@ -55,6 +63,32 @@ class DelayedSupports:
         node = frame.nodes[support] if on_spring is None else on_spring
         self.motions.append(SupportMotion(node, frame.model.degrees[at], (samples[0], samples[1], samples[2])))
         return np.asarray(samples[0])
+
+    def _add_floor(
+        self, frame: FrameModel, support: str, delays: Mapping[str, float], ground: GroundMotion
+    ) -> list[np.ndarray]:
+        """Let a rigid floor move as the body that is nearest to the ground at its column lines, by least squares.
+
+        Returns the displacements of its centre of mass, (nt,) m each.
+        """
+        still = np.zeros((3, ground.horizontal.acceleration.size))
+        late = np.array(
+            [
+                [still if one is None else delayed_by(one.acceleration, one.time_step, delay) for one in pair]
+                for delay, pair in ((delay, (ground.horizontal, ground.across)) for delay in delays.values())
+            ]
+        )
+        plan = np.array([frame.places[name][:2] for name in delays])
+        (x, y), (x_m, y_m) = (plan - plan.mean(axis=0)).T, np.array(frame.places[support][:2]) - plan.mean(axis=0)
+        fixed = dict(zip(frame.model.degrees, frame.supports[support], strict=True))
+        arms = np.array([-y, x]).T * ([fixed["ux"], fixed["uy"]] if fixed["ux"] or fixed["uy"] else [True, True])
+        turn = np.tensordot(arms, late, 2) / np.sum(arms**2)
+        ux, uy = late.mean(axis=0)
+        moved = {"ux": ux - turn * y_m, "uy": uy + turn * x_m, "rz": turn}
+        for degree, (u, v, a) in moved.items():
+            if fixed[degree] and np.any(u):
+                self.motions.append(SupportMotion(frame.nodes[support], degree, (u, v, a)))
+        return [moved[degree][0] if fixed[degree] else np.zeros(1) for degree in ("ux", "uy")]
 
     def store(self, group: Group, frame: FrameModel) -> None:
         """Add delays, and horizontal displacements of the ground under the supports, to the group of a history."""
@@ -75,3 +109,9 @@ class DelayedSupports:
                 "one whose baseline is corrected"
             )
             store_warnings(group, [AnalysisWarning("feet_apart", text, apart / (LASTING * most))])
+
+
+def _tied(frame: FrameModel, master: str, delays: Mapping[str, float]) -> dict[str, float]:
+    """Return the delays at the nodes on column lines that a master takes along."""
+    nodes = {name for name, node in frame.nodes.items() if frame.model.masters.get(node) == frame.nodes[master]}
+    return {name: delay for name, delay in delays.items() if name in nodes}

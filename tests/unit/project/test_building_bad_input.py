@@ -273,12 +273,6 @@ def building_text_without_braces() -> str:
     return (whole[:start] + whole[end:]).replace(", ends: pinned", "")
 
 
-def test_waves_do_not_know_when_they_reach_held_floors() -> None:
-    held = UNDESIGNED.replace(FOOT, f"restrained_floors: [{{floors: 1}}]\n{FOOT}")
-    said = "analyses[3].wave_passage `restrained_floors` E-BLDG-04"
-    _is_reported(held, "vertical: {ratio: 0.7}", "@wave_passage: {velocity: 500 m/s}", said)
-
-
 ASIDE = ANALYSED.replace("direction: all", "direction: all, eccentricity: -x-y")
 
 
