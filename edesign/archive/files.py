@@ -92,6 +92,8 @@ def check_file(path: Path) -> None:
         raise ArchiveError(f"{path}: cannot be written: {_words(error)} [E-FILE-06]") from error
 
 
+YAML = (".yaml", ".yml")
+"""How names of YAML files end."""
 ARCHIVES = (".h5", ".hdf5", ".nc")
 """How names of archives end."""
 
@@ -142,16 +144,21 @@ def source_file(source: Path, result: Path) -> str:
 
 
 def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
-    """Check that a YAML file of results replaces only an earlier result of the same source.
+    """Check that a YAML file of results can be written, and replaces only an earlier result of the same source.
 
     Args:
         path: where the results go.
         overwrite: whether they may take the place of any other file.
 
     Raises:
-        InputError: a file of another source is there, or one that edesign did not write; or an input of the command.
+        InputError: the name has another ending; a file of another source is there, or one that edesign did not write;
+            or an input of the command.
+        ArchiveError: it cannot be written.
     """
+    if path.suffix.lower() not in YAML:
+        raise InputError(f"{path}: the name of this file ends in {' or '.join(YAML)} [E-FILE-08]")
     spare_inputs(path)
+    check_file(path)
     head = head_of(path)
     if head is None:
         return

@@ -11,7 +11,6 @@ import typer
 from edesign.archive.files import check_own_yaml, write_yaml
 from edesign.cli.shared.stages import in_stages
 from edesign.cli.shared.streams import progress_line
-from edesign.errors import InputError
 from edesign.frame.building_file import load_building
 from edesign.optional_stages import optional
 from edesign.report.building.selection_tables import selection_tables
@@ -47,10 +46,8 @@ def design(
 
     path = building.with_name(NAME) if output is None else output
     read = load_building(building)
-    archive = path.with_suffix(".h5")
-    if archive == path:
-        raise InputError(f"{path}: this is the name of an archive; a building file ends in .yaml [E-FILE-08]")
     check_own_yaml(path, building, overwrite)
+    archive = path.with_suffix(".h5")
     check_building_archive(read, path, archive, overwrite)
     found = in_stages(lambda stage: select_sections(read, progress, workers), quiet)
     said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"

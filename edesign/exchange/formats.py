@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from edesign.archive.files import check_file, check_own_yaml, write_text, write_yaml
+from edesign.archive.files import YAML, check_file, check_own_yaml, write_text, write_yaml
 from edesign.errors import InputError
 from edesign.file_kinds.kinds import BUILDING, STUDY
 from edesign.file_kinds.recognise import head_of, kind_of
@@ -177,7 +177,7 @@ def take(source: Path, target: Path, overwrite: bool = False) -> TakenModel:
     """
     from edesign.exchange.sap2000.translate import take_model
 
-    if target.suffix.lower() not in (".yaml", ".yml"):
+    if target.suffix.lower() not in YAML:
         raise InputError(
             f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml [E-FILE-08]"
         )

@@ -209,9 +209,8 @@ def _wanted(suite: Suite, spec: SuitePairs) -> dict[int, dict[str, SuiteEntry]]:
         InputError: there is no such pair, one has only one component, or a recording belongs to none.
     """
     known = suite.by_pair
-    numbers = tuple(known) if spec.only is None else spec.only
     faults = []
-    if spec.only is None:
+    if spec.only.is_all:
         alone = [entry.id for entry in suite.records if entry.pair is None]
         if alone:
             faults.append(
@@ -219,11 +218,13 @@ def _wanted(suite: Suite, spec: SuitePairs) -> dict[int, dict[str, SuiteEntry]]:
                 "the pairs that are taken [E-PAIR-01]"
             )
     sides = {"a": "component `a`", "b": "component `b`", **({"v": "vertical component `v`"} if spec.vertical else {})}
-    for number in numbers:
-        if number not in known:
+    for i, (first, last) in enumerate(spec.only.ranges):
+        unknown = next((number for number in range(first, last + 1) if number not in known), None)
+        if unknown is not None:
             there = f"the pairs {listed(known)}" if known else "no pairs"
-            faults.append(f"{suite.path}: there is no pair {number}; the suite has {there} [E-PAIR-01]")
-            continue
+            faults.append(f"only[{i}]: there is no pair {unknown}; {suite.path} has {there} [E-PAIR-01]")
+    numbers = [number for number in known if spec.only.is_all or any(a <= number <= b for a, b in spec.only.ranges)]
+    for number in numbers:
         missing = [text for side, text in sides.items() if side not in known[number]]
         if missing:
             place = suite.where(next(iter(known[number].values())).id)

@@ -20,6 +20,7 @@ from edesign.project.building.plausible import unusual
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.joint_stiffness import unusual_ends
+from edesign.space.nonlinear.panel_zones import panels_of
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import on_nodes
@@ -39,8 +40,9 @@ def check_building(building: Building) -> dict[str, str]:
         Text by label: title, plan, storeys, members, loads, masses; and warnings, one a line.
 
     Raises:
-        InputError: the values are not those of the text, a name in the hazard is unknown, a mass is negative, or the
-            elastic design refuses the building before it analyses it, such as a mechanism.
+        InputError: the values are not those of the text, a name in the hazard is unknown, a mass is negative, a
+            panel zone has a member without I section, or the elastic design refuses the building before it analyses
+            it, such as a mechanism.
     """
     building.check_unchanged()
     if building.hazard is not None:
@@ -48,7 +50,9 @@ def check_building(building: Building) -> dict[str, str]:
     _check_lists(building)
     if building.design is not None:
         ElasticAnalysis(building)
-    frame = space_frame(with_steel_by_thickness(building))
+    made = with_steel_by_thickness(building)
+    panels_of(made)
+    frame = space_frame(made)
     warnings = building_warnings(building)
     return {
         "title": building.title,

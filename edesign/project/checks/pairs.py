@@ -63,8 +63,9 @@ def check_pairs(
 
 def _suite(record: SuitePairs, hazard: Hazard | None, keys: Keys, problems: Problems) -> None:
     check_processing(record.processing, (*keys, "processing"), problems)
-    for i, wanted in enumerate(record.only or ()):
-        if wanted in (record.only or ())[:i]:
-            problems.at_item((*keys, "only"), i, f"the pair {wanted} stands here twice [E-NAME-02]")
+    for i, (first, last) in enumerate(record.only.ranges):
+        twice = [max(first, low) for low, high in record.only.ranges[:i] if first <= high and low <= last]
+        if twice:
+            problems.at_item((*keys, "only"), i, f"the pair {min(twice)} stands here twice [E-NAME-02]")
     if record.match is not None:
         check_compared_damping(hazard, str(keys[-1]), problems, (*keys, "match"))

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator
 
-from edesign.project.notation.several import several
-from edesign.project.notation.written import Written, one_or_list
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.one_of import OneOf
 from edesign.project.records.records import (
@@ -53,9 +52,7 @@ class SuitePairs(RecordsOfSuite, _InSpace):
         vertical: whether the vertical components act too.
     """
 
-    only: (
-        Annotated[tuple[Annotated[int, Field(ge=1)], ...], Field(min_length=1), Written(several, one_or_list)] | None
-    ) = None
+    only: Numbers = ALL_NUMBERS
     vertical: bool = False
 
 

