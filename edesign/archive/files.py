@@ -108,15 +108,18 @@ def check_archive_name(path: Path) -> None:
         raise InputError(f"{path}: the name of an archive ends in .h5, .hdf5 or .nc [E-FILE-08]")
 
 
-def check_csv_name(path: Path) -> None:
-    """Check that the name of a table to be written cannot mean a file of another kind.
+def check_csv(path: Path) -> None:
+    """Check that a table can be written before it is made, and that its name cannot mean a file of another kind.
 
     Raises:
         InputError: it has another ending, or an input of the command stands there.
+        ArchiveError: it cannot be written.
     """
     if path.suffix.lower() != ".csv":
         raise InputError(f"{path}: the name of a table ends in .csv [E-FILE-08]")
     spare_inputs(path)
+    check_file(path)
+    try_folder(path.parent)
 
 
 def make_folder(folder: Path) -> None:
@@ -159,6 +162,7 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
         raise InputError(f"{path}: the name of this file ends in {' or '.join(YAML)} [E-FILE-08]")
     spare_inputs(path)
     check_file(path)
+    try_folder(path.parent)
     head = head_of(path)
     if head is None:
         return

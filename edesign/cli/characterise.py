@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 from pydantic_core import PydanticCustomError
 
-from edesign.archive.files import check_csv_name, check_file, check_folder
+from edesign.archive.files import check_csv, check_folder
 from edesign.cli.shared.hazard_options import quantity
 from edesign.damper.testing.campaign import Campaign, load_campaign, short_names
 from edesign.damper.testing.measured_files import read_test
@@ -64,8 +64,7 @@ def characterise(
     check_format(figure_format)
     asked = None if cycles is None else checked_range(_cycles(cycles))
     if output is not None:
-        check_csv_name(output)
-        check_file(output)
+        check_csv(output)
     if figures is not None:
         check_folder(figures)
     campaign = _campaign(inputs, layers, layer_area, layer_thickness, temperature)

@@ -30,6 +30,10 @@ def check(
         typer.Argument(help="With --figure: the file, .pdf, .html, .svg or .png; by default beside the first one."),
     ] = None,
     figure: Annotated[bool, typer.Option("--figure", help="Draw the model, and print where.")] = False,
+    folder: Annotated[
+        list[Path] | None,
+        typer.Option("--folder", metavar="DIR", help="More folders with your recordings of suites; may be repeated."),
+    ] = None,
 ) -> None:
     """Check a file of any kind: a project with its records and frame, tests, laws, suites, ...; print a summary."""
     if drawing is not None and not figure:
@@ -42,7 +46,7 @@ def check(
 
         target = default_figure_path(file) if drawing is None else drawing
         check_figure_path(target)
-    found = _summary(file, target)
+    found = _summary(file, target, folder or [])
     terminal = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     for label, text in found.items():
         # elsewhere warnings stay whole: programs look for one a line
@@ -53,11 +57,13 @@ def check(
     print("ok" if not count else f"ok, with {count} warning{'s' * (count > 1)}")
 
 
-def _summary(file: Path, target: Path | None) -> dict[str, str]:
+def _summary(file: Path, target: Path | None, folders: list[Path]) -> dict[str, str]:
     """What is in the file; what is needed for one kind alone is loaded for it alone. The model is drawn first."""
     if not is_there(file):
         raise missing(file, "file")
     kind = kind_of(file)
+    if folders and kind not in (None, PROJECT, STUDY, BUILDING):
+        raise InputError(f"{file}: --folder is for recordings of projects, studies and buildings [E-CLI-01]")
     if kind == SUBSTRUCTURE_TESTS:
         from edesign.frame.sections.building_sections import BuildingSections
         from edesign.project.substructure import load_rts_file
@@ -69,16 +75,19 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
         _ = laboratory.drives  # records and commands are read
         warned = "\n".join(laboratory.laboratory.warnings)
         return summary(tests) | ({"warnings": warned} if warned else {})
+    from edesign.ground_motion.project_records import with_folders
+
     if kind == BUILDING:
         from edesign.frame.building_file import load_building
         from edesign.study.check.summary import check_project
 
-        return check_project(_drawn(load_building(file), target))
+        return check_project(with_folders(_drawn(load_building(file), target), folders))
     from edesign.frame.project_file import load_project, load_study
     from edesign.study.check.summary import check_project, check_study
 
     if kind == STUDY:
-        return check_study(_drawn(load_study(file), target))
+        study = _drawn(load_study(file), target)
+        return check_study(study.of(with_folders(study.base, folders)) if folders else study)
     if kind != PROJECT:
         from edesign.report.check.by_kind import summary_of
 
@@ -90,7 +99,8 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
                     " [E-CLI-05]"
                 )
             return described
-    return check_project(_drawn(load_project(file), target))  # which says what is wrong about a file that is none
+    project = _drawn(load_project(file), target)  # which says what is wrong about a file that is none
+    return check_project(with_folders(project, folders))
 
 
 def _drawn(model: Drawable, target: Path | None) -> Drawable:

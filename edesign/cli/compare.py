@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_csv_name, check_file
+from edesign.archive.files import check_csv
 from edesign.archive.reader import DamagedArchive, read_archive
 from edesign.errors import AnalysisError, InputError
 from edesign.file_kinds.kinds import ARCHIVE, REFERENCE, TABLE, YAML_KINDS
@@ -48,10 +48,8 @@ def compare(
         )
     _check_kinds(archive, reference)
     if csv is not None:
-        check_csv_name(csv)
+        check_csv(csv)
     loaded = load_reference(reference)
-    if csv is not None:
-        check_file(csv)
     if variants is not None:
         tables, damage = read_archive(archive, lambda opened: variant_tables(opened, loaded, variants))
         print_tables(tables)

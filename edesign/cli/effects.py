@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_csv_name
+from edesign.archive.files import check_csv
 from edesign.calibration.effect_list import effects_named, known_effects
 from edesign.cli.shared.complete import effect_names
 from edesign.report.calibration.known_effects import effect_tables, effects_data, effects_tables, write_effects_csv
@@ -29,7 +29,7 @@ def effects(
 ) -> None:
     """Print the effects that `edesign calibrate` looks for, or the forms and parameters of one."""
     if csv is not None:
-        check_csv_name(csv)
+        check_csv(csv)
     found = known_effects() if name is None else effects_named(name)
     if as_json:
         print(json.dumps(effects_data(found), indent=2, allow_nan=False, ensure_ascii=False))

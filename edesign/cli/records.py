@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_csv_name
+from edesign.archive.files import check_csv
 from edesign.cli.shared.complete import record_sources
 from edesign.cli.shared.recordings import Layout, Reading, TimeStep, Unit
 from edesign.errors import InputError
@@ -63,7 +63,7 @@ def records(
             print_tables([shown.places_table(places)])
         return
     if csv is not None:
-        check_csv_name(csv)
+        check_csv(csv)
     tables = FolderSource.model_construct(
         folder=where,
         flatfile=str(flatfile) if flatfile is not None else None,

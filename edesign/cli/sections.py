@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_csv_name
+from edesign.archive.files import check_csv
 from edesign.cli.shared.complete import section_names
 from edesign.report.building.section_table import chosen_sections, section_data, section_table, write_sections
 from edesign.report.tables.text import print_tables
@@ -29,7 +29,7 @@ def sections(
 ) -> None:
     """Print the rolled sections that a project may name, with their properties."""
     if csv is not None:
-        check_csv_name(csv)
+        check_csv(csv)
     names = chosen_sections(what)
     if as_json:
         print(json.dumps(section_data(names), indent=2, allow_nan=False, ensure_ascii=False))

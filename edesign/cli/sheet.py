@@ -10,7 +10,7 @@ import typer
 from pydantic_core import PydanticCustomError
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.archive.files import check_csv_name, check_file
+from edesign.archive.files import check_csv
 from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
@@ -63,8 +63,7 @@ def sheet(
     """Print stiffness, damping, energy and forces of each test of a device, and whether standards accept it."""
     options = print_options(pdf is not None, paper, appendix=False)
     if output is not None:
-        check_csv_name(output)
-        check_file(output)
+        check_csv(output)
     if page is not None:
         check_page_path(page)
     if pdf is not None:

@@ -10,7 +10,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.archive.files import check_csv_name, check_folder
+from edesign.archive.files import check_csv, check_folder
 from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
 from edesign.cli.shared.complete import archived_names
 from edesign.errors import InputError
@@ -82,7 +82,7 @@ def show(
         print(read_archive(archive, lambda opened: _devices(opened, devices))[0], end="")
         return
     if csv is not None:
-        check_csv_name(csv)
+        check_csv(csv)
         read_archive(archive, lambda opened: write_verdicts(opened, csv))
     if figures is not None:
         check_folder(figures)

@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from edesign.archive.files import check_csv_name, check_file
+from edesign.archive.files import check_csv, check_file
 from edesign.cli.shared import hazard_options as action
 from edesign.cli.shared import recordings as source
 from edesign.errors import InputError
@@ -64,11 +64,9 @@ def spectrum(
     """
     if figure is not None:
         check_figure_name(figure)
+        check_file(figure)
     if csv is not None:
-        check_csv_name(csv)
-    for path in (csv, figure):
-        if path is not None:
-            check_file(path)
+        check_csv(csv)
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}

@@ -28,6 +28,7 @@ from edesign.project.records.record_files import HoldsRecords
 from edesign.project.records.records import (
     ChosenRecords,
     PairRecord,
+    RecordsOfSuite,
     SuiteRecords,
     component_references,
     record_of,
@@ -125,7 +126,7 @@ def with_folders(project: File, folders: Sequence[Path]) -> File:
     for folder in folders:
         if not is_folder(folder):
             raise InputError(f"--folder: there is no folder {folder} [E-FILE-01]")
-    if not any(isinstance(spec, SuiteRecords) for spec in project.records.values()):
+    if not any(isinstance(spec, RecordsOfSuite) for spec in project.records.values()):
         raise InputError(f"--folder: {project.path} has no suite of recordings [E-SUITE-11]")
     return project.with_folders([Path(os.path.realpath(folder)) for folder in folders])
 

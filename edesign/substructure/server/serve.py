@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Literal
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.archive.files import check_csv_name, check_file
+from edesign.archive.files import check_csv
 from edesign.core.damper import CoreDamper
 from edesign.errors import AnalysisError
 from edesign.stopping import Stopped, StopRequest, stop_requested, stoppable
@@ -185,8 +185,7 @@ def serve(
     if not (all(map(math.isfinite, interface)) and any(interface)):
         raise ValueError(f"interface {tuple(interface)}: finite and not all 0")
     if record is not None:
-        check_csv_name(record)
-        check_file(record)
+        check_csv(record)
     mounted, course = MountedSpecimen(specimen, allow_iterations), _Course(record is not None)
     fault = None
     with suppress(KeyboardInterrupt), stop_on_signals() as stop:

@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from building_examples import SMALL
 from support.messages import says
 
 from edesign.cli.main import main
@@ -101,6 +102,24 @@ def test_simulated_motions_count_as_such_in_files_too(tmp_path: Path, capsys: py
     """As those that a suite describes: a name in a suite makes no recording of them."""
     folder = new_project(tmp_path / "study", kind="study").parent
     assert "motions (7 simulated)" in shown(capsys, folder / "study.yaml")
+
+
+def test_recordings_in_another_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As a run of the study finds them."""
+    frame, study = new_project(tmp_path / "frame"), new_project(tmp_path / "study", kind="study")
+    mine = tmp_path / "mine"
+    mine.mkdir()
+    (mine / "RSN767_LOMAP_G03000.AT2").write_bytes((frame.parent / "records" / "simulated_4.AT2").read_bytes())
+    for source, words, said in (
+        (study, [mine], "motions"),
+        (study, [mine / "b"], "E-FILE-01"),
+        (frame, [mine], "E-SUITE-11"),
+    ):
+        assert (main(["check", str(source), "--folder", *map(str, words)]) == 0) == (said == "motions")
+        assert said in "".join(capsys.readouterr())
+    pairs = tmp_path / "pairs.yaml"
+    pairs.write_text(SMALL + "records: {far: {suite: fema_p695_far_field, components: [x, y]}}\n", encoding="utf-8")
+    assert main(["check", str(pairs), "--folder", str(mine)]) == 0
 
 
 def test_results_of_edesign(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

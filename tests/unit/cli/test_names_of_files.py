@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 import pytest
+from building_examples import SMALL
 from support.messages import says
 from unit.archive.archive_samples import history_group
 from unit.cli.small_project import Core, project
@@ -159,3 +160,27 @@ def test_a_file_that_a_project_names(tmp_path: Path, capsys: pytest.CaptureFixtu
         path.write_text(changed, encoding="utf-8")
         assert main(["check", str(path)]) == 2
         assert says(said(capsys), "records.odd.file: E-FILE-01")
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "text"),
+    [
+        (["extract", "a.yaml", "--frame", "X1", "--output", "-"], 2, "-: .yaml E-FILE-08"),
+        (["design", "a.yaml", "--output", "a.h5"], 2, "a.h5: .yaml E-FILE-08"),
+        (["sections", "IPE300", "--csv", "-"], 2, "-: .csv E-FILE-08"),
+        (["sections", "IPE300", "--csv", "/proc/x.csv"], 4, "/proc E-FILE-06"),
+    ],
+)
+def test_outputs_are_refused_before_anything_is_made(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    words: list[str],
+    code: int,
+    text: str,
+) -> None:
+    """Nobody writes to standard output with `-`; to an administrator even /proc seems to be writable."""
+    monkeypatch.chdir(tmp_path)
+    Path("a.yaml").write_text(SMALL, encoding="utf-8")
+    assert main(words) == code and says(said(capsys), text)
+    assert [path.name for path in tmp_path.iterdir()] == ["a.yaml"]
