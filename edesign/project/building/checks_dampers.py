@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import chain
-
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.supports import Springs
-from edesign.project.checks.dampers import check_devices
+from edesign.project.checks.dampers import check_apart, check_devices
 from edesign.project.dampers.dampers import Attachment, BraceSection, DamperBetween, DamperRun
 from edesign.project.dampers.designs import SizedDesign
 from edesign.project.frame.sections import Catalogue, no_section
@@ -29,7 +27,7 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
         return
     for i, device in enumerate(building.dampers.devices):
         if isinstance(device, DamperBetween):
-            _apart(building, problems, ("dampers", "devices", i, "nodes"), device)
+            check_apart(problems, ("dampers", "devices", i), device, building.layout.tied, _fixed(building))
         brace = device.brace
         if not isinstance(brace, BraceSection) or profiles is None or brace.section in building.sections:
             continue
@@ -96,24 +94,10 @@ def check_places(building: Building, problems: Problems, keys: Keys, run: InBays
     return not absent
 
 
-def _apart(building: Building, problems: Problems, keys: Keys, device: DamperBetween) -> None:
-    """A damper has ends that can move apart: not on one rigid floor, nor on the ground."""
-    layout = building.layout
-    ends = [layout.nodes.get(name) for name in device.nodes]
-    if None in ends or device.nodes[0] == device.nodes[1]:
-        return
-    floors = {layout.levels.index(end[2]) for end in ends if end is not None}
-    rigid = {layout.tied.get(name) for name in device.nodes}
-    what = ""
-    if len(rigid) == 1 and rigid != {None}:
-        what = f"both are on floor {floors.pop()}, in what is rigid in its plane"
-    elif floors == {0}:
-        bases = {node_name(line, 0): building.support(line) for line in layout.node_lines[0]}
-        held = [support.all()[:3] for name in device.nodes if isinstance(support := bases[name], Springs)]
-        if len(held) == 2 and set(chain.from_iterable(held)) == {"fixed"}:
-            what = "both are fixed to the ground"
-    if what:
-        problems.at_value(keys, f"{listed(device.nodes)} never move apart: {what} [E-DAMPER-05]")
+def _fixed(building: Building) -> set[str]:
+    """The nodes that the ground holds in all directions."""
+    bases = {node_name(line, 0): building.support(line) for line in building.layout.node_lines[0]}
+    return {name for name, on in bases.items() if isinstance(on, Springs) and set(on.all()[:3]) == {"fixed"}}
 
 
 def _attachment(building: Building, problems: Problems, keys: Keys, item: Attachment) -> None:

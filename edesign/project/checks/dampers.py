@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.analysis_file import AnalysisFile
@@ -18,6 +18,7 @@ from edesign.project.dampers.dampers import (
 )
 from edesign.project.dampers.designs import SizedDesign
 from edesign.project.dampers.placement import CatalogueItem
+from edesign.project.frame.supports import FootingSupport, springs_of
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
@@ -33,11 +34,14 @@ def check_dampers(project: Project, problems: Problems) -> None:
     """
     check_devices(project, problems, lambda keys, run: _places(project, problems, keys, run))
     for part in ("devices", "attachments"):
+        keys: Keys = ("dampers", part)
         for i, item in enumerate(getattr(project.dampers, part, ())):
+            if isinstance(item, DamperBetween):
+                check_apart(problems, (*keys, i), item, *_still(project))
             for key in ("along", "frames", "direction", "at"):
                 if getattr(item, key, None) is not None:
                     message = "a plane frame has one direction; this is of a building [E-KEY-03]"
-                    problems.at_key(("dampers", part, i, key), message)
+                    problems.at_key((*keys, i, key), message)
 
 
 def check_devices(project: AnalysisFile, problems: Problems, stand: Callable[[Keys, DamperRun], Sequence[int]]) -> None:
@@ -164,6 +168,47 @@ def _nodes(project: AnalysisFile, problems: Problems, keys: Keys, device: Damper
             problems.at_value((*keys, "nodes", i), message)
     if device.nodes[0] == device.nodes[1]:
         problems.at_value((*keys, "nodes"), f"a damper from `{device.nodes[0]}` to itself [E-DAMPER-05]")
+
+
+def check_apart(
+    problems: Problems, keys: Keys, device: DamperBetween, tied: Mapping[str, object], fixed: Collection[str]
+) -> None:
+    """Check that the ends of a damper can move apart: that they are not both on one rigid floor, nor on the ground.
+
+    Args:
+        problems: collects what is wrong.
+        keys: of the damper.
+        tied: diaphragm of each node that one ties, by name; its text is what messages call it.
+        fixed: nodes that the ground holds in all directions.
+    """
+    rigid = {tied.get(name) for name in device.nodes}
+    what = ""
+    if device.nodes[0] == device.nodes[1]:
+        return
+    if None not in rigid and len(rigid) == 1:
+        what = f"diaphragm {rigid.pop()} ties both"
+    elif all(name in fixed for name in device.nodes):
+        what = "both are fixed to the ground"
+    if what:
+        message = f"{listed(device.nodes)} never move apart: {what} [E-DAMPER-05]"
+        problems.at_value((*keys, "nodes"), message)
+
+
+def _still(project: Project) -> tuple[dict[str, int], set[str]]:
+    """The nodes that rigid floors tie, with their floors, and those that the ground holds."""
+    grid = project.frame
+    floor_at = {
+        grid.levels[floor]: floor for floor in (*grid.diaphragm_floors, *(() if project.isolation is None else (0,)))
+    }
+    tied = {name: floor_at[place[1]] for name, place in grid.nodes.items() if place[1] in floor_at}
+    fixed = set()
+    for line in grid.lines if project.isolation is None else ():
+        support = grid.support(line)
+        if not isinstance(support, FootingSupport):
+            springs = springs_of(support)
+            if springs.horizontal == springs.vertical == "fixed":
+                fixed.add(names.node_name(line, 0))
+    return tied, fixed
 
 
 def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun) -> tuple[int, ...]:

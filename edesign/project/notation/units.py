@@ -5,7 +5,6 @@ A value that no quantity of its kind can have, such as `1e300 m`, is refused her
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from functools import cache, lru_cache
@@ -37,7 +36,7 @@ from edesign.project.notation.quantities import (
 )
 from edesign.project.notation.written import NUMBER, Written, quantity, ratio, words_or
 from edesign.project.reading.base import refuse
-from edesign.project.reading.problems import as_seen, nearest
+from edesign.project.reading.problems import as_seen, did_you_mean, nearest
 from edesign.project.reading.words import a
 
 if TYPE_CHECKING:
@@ -313,8 +312,7 @@ def _parse_unit(value: str, unit: str, kind: Kind) -> Any:
         raise refuse(
             f"`{value}`: decimals stand behind a point, not a comma, for example `{kind.example}` [E-VALUE-01]"
         )
-    close = difflib.get_close_matches(text, _COMMON, n=1, cutoff=0.5)
-    hint = f"; did you mean `{close[0]}`?" if close else ""
+    hint = did_you_mean(text, _COMMON)
     raise refuse(
         f"`{value}`: unknown unit `{unit}`{hint} ({a(kind.name)} is written like `{kind.example}`) [E-UNIT-02]"
     )

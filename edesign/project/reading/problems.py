@@ -14,6 +14,7 @@ from edesign.project.reading.yaml_nodes import Mark, Node, find
 
 Keys = tuple[str | int, ...]
 
+_CLOSE = 0.6  # likeness of close names (difflib's documentation): of two letters both, of four all but one
 _LONGEST_NAME = 200  # characters; comparing names takes the square of them
 MOST_SHOWN = 100
 """Problems of a file in its message, some screens full; the mistake that the others come from is among the first."""
@@ -143,7 +144,7 @@ def nearest(seen: str, allowed: Iterable[str]) -> str:
     if len(seen) > _LONGEST_NAME:
         return ""
     names = {name.lower(): name for name in allowed}
-    close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=0.6)
+    close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=_CLOSE)
     if not close:
         begun = [name for name in names if seen and name.startswith(seen.lower())]  # ec8 of ec8-2004
         return names[begun[0]] if len(begun) == 1 else ""

@@ -207,6 +207,7 @@ WRONG = {
     ),
     "unknown node": ("[A0, B1]", "[A0, «B3]", "devices[2].nodes[1]", "`B2` E-NAME-01"),
     "node to itself": ("[A0, B1]", "«[B1, B1]", "devices[2].nodes", "E-DAMPER-05"),
+    "ground to ground": ("[A0, B1]", "«[A0, B0]", "devices[2].nodes", "`A0` `B0` never move apart ground E-DAMPER-05"),
     "three nodes": ("[A0, B1]", "«[A0, B1, A1]", "devices[2].nodes", "E-VALUE-01"),
     # attachments
     "unknown attachment": ("kind: tuned_mass", "kind: «tuned_mas", "attachments[0].kind", "`tuned_mass` E-VALUE-03"),
@@ -280,6 +281,15 @@ def test_a_wrong_damper_is_refused_where_it_is_wrong(
     assert heard[0].count("\n") == 1, heard[0]  # one message
     assert says(heard[0], said), heard[0]
     assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "project.yaml"]
+
+
+def test_nodes_of_a_rigid_floor_never_move_apart(tmp_path: Path, capsys: Capture) -> None:
+    """Without the rigid floor they do, as the beam between them gives way."""
+    floor = ("[A0, B1]", "«[A1, B1]")
+    path, place = written(tmp_path, floor, ("frame:\n", "frame:\n  diaphragms: 1\n"))
+    assert main(["check", str(path)]) == 2
+    assert says(capsys.readouterr().err, f"{place}: devices[2].nodes `A1` `B1` floor 1 rigid E-DAMPER-05")
+    assert main(["check", str(written(tmp_path, floor)[0])]) == 0
 
 
 def test_the_project_is_right_before_it_is_made_wrong(tmp_path: Path, capsys: Capture) -> None:

@@ -163,3 +163,13 @@ def test_factors_at_hand_are_those_of_pint() -> None:
             found = registry.Quantity(1.0, registry.parse_units(unit)).to_base_units()
             assert float(found.magnitude) == factor, unit
             assert found.dimensionality == units._dimension(base), unit
+
+
+@pytest.mark.parametrize(
+    ("unit", "meant"), [("kNN", "kN"), ("KN", "kN"), ("kPaa", "kPa"), ("zz", ""), ("furlongs", "")]
+)
+def test_units_are_suggested_that_are_near(unit: str, meant: str) -> None:
+    """Of `zz` one of two letters is that of Hz."""
+    with pytest.raises(PydanticCustomError) as caught:
+        parse_quantity(f"3 {unit}", quantities.FORCE)
+    assert says(str(caught.value), f"`{unit}` E-UNIT-02") and (f"mean `{meant}`" in str(caught.value)) == bool(meant)
