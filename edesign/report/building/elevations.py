@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterator
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.building.results import BuildingResults, BuildingValues
-from edesign.report.drawing.style import new_figure, styled
+from edesign.report.model.boxes import Spot
+from edesign.report.model.elevation import Grid, draw_axes
+from edesign.report.model.figures import Named
+from edesign.report.model.sheet import SMALLEST, Entry, Sheet, on_sheet
+from edesign.report.model.supports import SIGNS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 BANDS = (
     (0.5, "#9fb8d0", "up to 0.5"),
@@ -22,14 +28,14 @@ BANDS = (
     (np.inf, "#c0392b", "above 1.0"),
 )
 """Upper end of each band of utilisation, its colour, and what the legend says."""
-INK = "#1c2430"
 _X, _Z = 0, 2
 _PIN = 0.07  # place of a hinge in drawings, by the length of the member
-_WIDTH, _HEIGHT = 6.0, 7.0  # inches at most
-_LABEL = 0.6  # length of a label, inches
+_BESIDE = 0.03  # of a label beside its member, inches
+_WIDTH = 6.4  # of the legend, inches
+_NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 
 
-def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+def elevations(archive: Archive) -> Iterator[Named]:
     """Yield an elevation of each kind of plane frame.
 
     Yields:
@@ -40,9 +46,24 @@ def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         others = f" {', '.join(alike)}: the same members, used less." if alike else ""
         caption = (
             f"Frame {frame}, members by their largest utilisation. Section and largest utilisation stand where a "
-            f"section is used most, if there is room; circles are pinned ends of beams.{others}"
+            f"section is used most, if there is room; circles are pinned ends of beams. Levels and spans in m.{others}"
         )
-        yield f"elevation_{frame}", caption, _elevation(results, frame)
+        yield f"elevation_{frame}", caption, on_sheet(partial(_draw, results=results, frame=frame))
+
+
+def grid_lines(results: BuildingValues) -> tuple[list[tuple[str, float]], list[tuple[str, float]]]:
+    """Return names and places of the lines across x and across y, m, in their order.
+
+    Args:
+        results: members and nodes of the building.
+    """
+    across_x: dict[str, float] = {}
+    across_y: dict[str, float] = {}
+    for name, place in zip(results.values("nodes", "node"), results.values("nodes", "position"), strict=True):
+        if (found := _NODE.fullmatch(str(name))) is not None:
+            across_x[found[1]], across_y[found[2]] = float(place[0]), float(place[1])
+    first, second = (sorted(lines.items(), key=lambda line: line[1]) for lines in (across_x, across_y))
+    return first, second
 
 
 def hinges(results: BuildingValues, members: np.ndarray) -> np.ndarray:
@@ -86,69 +107,62 @@ def _use(results: BuildingResults) -> np.ndarray:
     return np.asarray(np.nan_to_num(results.values("members", "utilisation"), nan=0.0).max(axis=1))
 
 
-@styled
-def _elevation(results: BuildingResults, frame: str) -> Figure:
+def _draw(sheet: Sheet, results: BuildingResults, frame: str) -> None:
     chosen = np.array(_of_frames(results)[frame])
     along = 0 if frame.startswith("X") else 1
-    starts, ends = (results.values("members", name)[chosen] for name in ("start", "end"))
+    lines = grid_lines(results)[along]
+    levels = np.unique(results.values("nodes", "position")[:, _Z].round(6)).tolist()
+    grid = Grid.of([name for name, _ in lines], [place for _, place in lines], levels)
+    draw_axes(sheet, grid)
+    scale = np.array([grid.across, grid.up])
+    starts, ends = (scale * results.values("members", name)[chosen][:, [along, _Z]] for name in ("start", "end"))
     use = _use(results)[chosen]
-    wide, high = float(np.ptp(ends[:, along])), float(ends[:, _Z].max())
-    scale = min(_WIDTH / max(wide, 0.5 * high), (_HEIGHT - 1.2) / high)
-    figure, [[axes]] = new_figure(1, 1, _WIDTH, scale * high + 1.2)
     lower = 0.0
     for upper, colour, _ in BANDS:
         within = (use <= upper) & ((use > lower) | (lower == 0.0))
-        strokes(axes, starts[within][:, [along, _Z]], ends[within][:, [along, _Z]], colour, 1.6)
+        sheet.lines(np.stack([starts, ends], axis=1)[within], colour, 1.6, solid_capstyle="round")
         lower = upper
-    _supports(axes, results, chosen, along)
-    pins = hinges(results, chosen)
-    axes.plot(pins[:, along], pins[:, _Z], "o", markersize=2.6, mec=INK, mfc="white", mew=0.6)
-    _names(axes, results, chosen, along, _LABEL / scale)
-    axes.set_aspect("equal")
-    axes.margins(0.05, 0.04)
-    _dress(axes, f"{'x' if along == 0 else 'y'} [m]")
-    return figure
-
-
-def _names(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int, room: float) -> None:
-    """The section of each kind of members where it is used most, but not within `room` (m) of another one."""
+    pins = scale * hinges(results, chosen)[:, [along, _Z]]
+    sheet.dots(pins, 2.6, mew=0.6)
+    for x, y, kind in _supports(results, chosen, along):
+        SIGNS[kind](sheet, grid.across * x, grid.up * y)
     kind, section = (results.values("members", name)[chosen] for name in ("kind", "section"))
-    start, end = (results.values("members", name)[chosen] for name in ("start", "end"))
-    use = _use(results)[chosen]
-    taken: list[np.ndarray] = []
     for pair in dict.fromkeys(zip(kind.tolist(), section.tolist(), strict=True)):
         alike = np.flatnonzero((kind == pair[0]) & (section == pair[1]))
-        middle = 0.5 * (start + end)[alike][:, [along, _Z]]
-        order = np.argsort(-use[alike].round(3), kind="stable")
-        free = [int(k) for k in order if all(np.abs(middle[k] - at).max() > room for at in taken)]
-        if not free:
-            continue
-        place = free[0]
-        taken.append(middle[place])
-        way = (end - start)[alike[place]]
-        turned = float(np.degrees(np.arctan2(way[_Z], way[along])))
-        axes.annotate(
-            f"{pair[1]} {use[alike[place]]:.2f}",
-            tuple(middle[place]),
-            rotation=turned if abs(turned) <= 90.0 else turned - 180.0,
-            rotation_mode="anchor",
-            ha="center",
-            va="center",
-            fontsize=6.0,
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
-            transform_rotates_text=True,
-        )
+        for n in alike[np.argsort(-use[alike].round(3), kind="stable")]:
+            if sheet.place(_beside(starts[n], ends[n]), f"{pair[1]} {use[n]:.2f}", (SMALLEST,)):
+                break
+    sheet.legend([Entry(f"utilisation {text}", partial(_stroke, colour=colour)) for _, colour, text in BANDS], _WIDTH)
 
 
-def _supports(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int) -> None:
-    """Squares where a column base is fixed against turning in the frame, triangles where it is not."""
+def _stroke(sheet: Sheet, x: float, y: float, colour: str) -> None:
+    sheet.line((x, y), (x + 0.3, y), color=colour, width=2.0)
+
+
+def _beside(start: np.ndarray, end: np.ndarray) -> list[Spot]:
+    """Places of a text on both sides of a member, along it, inches."""
+    if (end[0], end[1]) < (start[0], start[1]):
+        start, end = end, start
+    way = end - start
+    angle = math.atan2(way[1], way[0])
+    side = _BESIDE * np.array([-math.sin(angle), math.cos(angle)])
+    shares = (0.5,) if abs(way[0]) < 1e-6 else (0.5, 0.3, 0.7)
+    spots = []
+    for sign, va in ((1.0, "bottom"), (-1.0, "top")):
+        for share in shares:
+            x, y = start + share * way + sign * side
+            spots.append(Spot(x, y, "center", va, math.degrees(angle)))
+    return spots
+
+
+def _supports(results: BuildingResults, chosen: np.ndarray, along: int) -> Iterator[tuple[float, float, str]]:
+    """Places of the column bases, m, and whether each is held against turning in the frame."""
     nodes = {str(name): number for number, name in enumerate(results.values("nodes", "node"))}
     ends = [nodes[str(results.values("members", name)[n])] for n in chosen for name in ("start_node", "end_node")]
-    at = np.unique(ends)
-    fixed, place = results.values("nodes", "fixed")[at] > 0, results.values("nodes", "position")[at]
-    turns = ~fixed[:, 4 if along == 0 else 3]
-    for which, marker in ((fixed[:, 2] & ~turns, "s"), (fixed[:, 2] & turns, "^")):
-        axes.plot(place[which, along], place[which, _Z], marker, color=INK, markersize=3.4)
+    for at in np.unique(ends):
+        fixed, place = results.values("nodes", "fixed")[at] > 0, results.values("nodes", "position")[at]
+        if fixed[2]:
+            yield float(place[along]), float(place[_Z]), "fixed" if fixed[4 if along == 0 else 3] else "pinned"
 
 
 def strokes(axes: Axes, starts: np.ndarray, ends: np.ndarray, colour: str, width: float) -> None:
@@ -161,17 +175,3 @@ def strokes(axes: Axes, starts: np.ndarray, ends: np.ndarray, colour: str, width
     """
     path = np.stack([starts, ends, np.full_like(starts, np.nan)], axis=1).reshape(-1, 2)
     axes.plot(path[:, 0], path[:, 1], color=colour, linewidth=width, solid_capstyle="round")
-
-
-def _dress(axes: Axes, label: str) -> None:
-    from matplotlib.lines import Line2D
-
-    handles = [Line2D([], [], color=colour, linewidth=2.0, label=text) for _, colour, text in BANDS]
-    figure = axes.get_figure()
-    assert figure is not None
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, title="utilisation")
-    axes.set_xlabel(label)
-    axes.set_ylabel("level [m]")
-    axes.grid(False)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from itertools import groupby
@@ -10,7 +9,7 @@ from itertools import groupby
 import numpy as np
 
 from edesign.archive.reader import Archive
-from edesign.report.building.elevations import hinges
+from edesign.report.building.elevations import grid_lines, hinges
 from edesign.report.building.results import BuildingResults, BuildingValues
 from edesign.report.drawing.style import AFTER, TARGET
 from edesign.report.model.boxes import Spot
@@ -25,7 +24,6 @@ _COLUMN = 0.11  # size of a column in the drawing, by the narrowest bay
 _BRACE = 0.05  # how far a brace is drawn beside its beam, by the narrowest bay
 _SIZE = 4.8  # of the longer side, inches
 _LARGEST = 0.07  # of a column, inches
-_NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 
 
 def plans(archive: Archive) -> Iterator[Named]:
@@ -99,18 +97,8 @@ def _runs(numbers: list[int]) -> str:
     return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
 
 
-def _grid(results: BuildingValues) -> tuple[dict[str, float], dict[str, float]]:
-    """Names of the lines across x and across y with their places, m."""
-    across_x: dict[str, float] = {}
-    across_y: dict[str, float] = {}
-    for name, place in zip(results.values("nodes", "node"), results.values("nodes", "position"), strict=True):
-        if (found := _NODE.fullmatch(str(name))) is not None:
-            across_x[found[1]], across_y[found[2]] = float(place[0]), float(place[1])
-    return across_x, across_y
-
-
 def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
-    across_x, across_y = (sorted(lines.items(), key=lambda line: line[1]) for lines in _grid(results))
+    across_x, across_y = grid_lines(results)
     xs, ys = (tuple(place for _, place in lines) for lines in (across_x, across_y))
     scale = _SIZE / max(xs[-1] - xs[0], ys[-1] - ys[0])  # inches a metre
     narrow = scale * float(min(np.diff(xs).min(initial=np.inf), np.diff(ys).min(initial=np.inf)))
@@ -121,7 +109,7 @@ def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
     start, end = (scale * results.values("members", name)[:, :2] for name in ("start", "end"))
     sheet.lines(np.stack([start[beams], end[beams]], axis=1), _BEAM, 1.3, zorder=1.0)
     for n in beams:
-        sheet.block(*(0.5 * (start[n] + end[n])), *(np.abs(end[n] - start[n]) + 0.02))
+        _keep_free(sheet, start[n], end[n], 0.02)
     sheet.dots(scale * hinges(results, beams)[:, :2], 2.8, mew=0.6, zorder=2.0)
     size = min(_COLUMN * narrow, _LARGEST)
     sheet.lines([line for n in columns for line in _column_lines(results, int(n), size, scale)], width=1.5, zorder=3.0)
@@ -131,7 +119,7 @@ def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
     dashes = [line for n in braces if (line := _brace_line(start[n], end[n], beside)) is not None]
     sheet.lines(dashes, AFTER, 1.3, linestyle=(0, (4, 2)), zorder=2.0)
     for a, b in dashes:
-        sheet.block(*(0.5 * (a + b)), *(np.abs(b - a) + 0.03))
+        _keep_free(sheet, a, b, 0.03)
     floor = results.values("floors", "floor").tolist().index(storey)
     centre = [scale * float(results.values("floors", name)[floor]) for name in ("x", "y")]
     sheet.dots([(centre[0], centre[1])], 5.0, edge=TARGET, marker="x", mew=1.0)
@@ -148,6 +136,12 @@ def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
             alike = numbers[section[numbers] == name][::-1]
             ways = zip(*(spots(n) for n in alike), strict=True)  # the first choice of all of them comes first
             sheet.place([spot for way in ways for spot in way], str(name), (SMALLEST,), color)
+
+
+def _keep_free(sheet: Sheet, start: np.ndarray, end: np.ndarray, wide: float) -> None:
+    """Keep texts away from a line, inches."""
+    (x, y), (across, up) = 0.5 * (start + end), np.abs(end - start) + wide
+    sheet.block(x, y, across, up)
 
 
 def _along(start: np.ndarray, end: np.ndarray, above: float, below: float) -> Iterable[Spot]:

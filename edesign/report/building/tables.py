@@ -217,7 +217,15 @@ def worst_of_groups(results: BuildingResults) -> Iterator[Worst]:
 
 def modes_table(results: BuildingResults) -> Table:
     """Return periods, effective masses and design accelerations of the first modes."""
-    return NATURAL_MODES.of(results.rows("modes", "mode"))
+    shares = [results.values("modes", f"effective_mass_ratio_{name}") for name in ("x", "y", "rz")]
+    periods = results.values("modes", "period")
+    leading = [
+        f"{name} mode {int(of.argmax()) + 1} ({periods[of.argmax()]:.4g} s, {100.0 * of.max():.1f} %)"
+        for name, of in zip(("along x", "along y", "about z"), shares, strict=True)
+    ]
+    return NATURAL_MODES.of(
+        results.rows("modes", "mode"), notes=[f"leading by effective mass of the whole: {', '.join(leading)}"]
+    )
 
 
 def base_shear_table(results: BuildingResults) -> Table:

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Point = tuple[float, float]
+Points = Sequence[Point] | np.ndarray
+"""Points, or an array of them, (n, 2)."""
 INK, SOFT, FAINT = "#1c2430", "#6b7480", "#c9ced6"
 """Colours of members and texts, of what explains them, and of grid lines."""
 TEXT = 7.5  # points, of labels
@@ -56,7 +58,7 @@ class Sheet:
 
     # --- lines and shapes
 
-    def lines(self, parts: Iterable[Sequence[Point]], color: str = INK, width: float = 0.8, **style: Any) -> None:
+    def lines(self, parts: Iterable[Points], color: str = INK, width: float = 0.8, **style: Any) -> None:
         """Draw lines through points as one path.
 
         Args:
@@ -127,7 +129,7 @@ class Sheet:
             self.axes.add_artist(PathPatch(path, fc=face, ec=edge, lw=width, zorder=zorder))
             self._reach(np.concatenate(corners))
 
-    def dots(self, at: Sequence[Point], size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
+    def dots(self, at: Points, size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
         """Draw circles, or other signs by `marker`, of a size in points.
 
         Args:

@@ -16,7 +16,7 @@ from edesign.report.assessment.measure_tables import missing_notes, motion_notes
 from edesign.report.drawing.captions import at_level, plain, record_label
 from edesign.report.html.section import Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
-from edesign.report.page.sections.verdicts import verdict_tiles
+from edesign.report.page.sections.verdicts import verdict_table, verdict_tiles
 from edesign.report.page.sections.warnings import warning_table
 from edesign.report.page.source import Source
 from edesign.report.tables.cell import Quantity, Value
@@ -109,7 +109,8 @@ def summary(source: Source) -> Section:
         *map(incremental_tiles, source.incremental),
     )
     parts += [Headlines(tiles) for tiles in rows if tiles]
-    tables = (governing_table(source.statistics), changes_in_short([found for found, _ in source.statistics]))
+    verdicts = verdict_table(source.verdicts, source.study)
+    tables = (verdicts, governing_table(source.statistics), changes_in_short([found for found, _ in source.statistics]))
     parts += [table for table in tables if table.rows]
     return Section("summary", "Summary", (_asked(source),), tuple(parts))
 

@@ -7,9 +7,12 @@ from edesign.assess.verdicts import Verdict, judge
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, remarks_table
+from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.html.section import Folded, Headline, Part, Section
 from edesign.report.page.source import Source
+from edesign.report.tables.table import Table
 
+SIDE_BY_SIDE = 6  # variants in the table of the first page
 MANY = 60  # rows, from which the table of all checks is folded
 
 
@@ -22,8 +25,7 @@ def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> 
         study: the study; None: the archive is of a project.
     """
     tiles = []
-    swept = {name for name, source in study.derived.items() if source.vary} if study is not None else set()
-    applying = [verdict for verdict in verdicts if verdict.applies and own_variant(verdict.variant) not in swept]
+    applying = [verdict for verdict in _not_swept(verdicts, study) if verdict.applies]
     for variant in dict.fromkeys(verdict.variant for verdict in applying):
         mine = [verdict for verdict in applying if verdict.variant == variant]
         missed = list(dict.fromkeys(verdict.name for verdict in mine if verdict.met is False))
@@ -35,6 +37,23 @@ def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> 
         label = f"Criteria met{f', {variant}' if variant else ''}"
         tiles.append(Headline(value, label, "; ".join(details) or "all are met", state))
     return tuple(tiles)
+
+
+def verdict_table(verdicts: tuple[Verdict, ...], study: Study | None) -> Table:
+    """Return demand over capacity by criterion and variant for the first page; of too many variants no rows.
+
+    Args:
+        study: the study; None: the archive is of a project.
+    """
+    shown = _not_swept(verdicts, study)
+    if study is None or not shown or len({verdict.variant for verdict in shown}) > SIDE_BY_SIDE:
+        return Table("")
+    return verdicts_in_short(shown, study.base.hazard)[0]
+
+
+def _not_swept(verdicts: tuple[Verdict, ...], study: Study | None) -> list[Verdict]:
+    swept = {name for name, source in study.derived.items() if source.vary} if study is not None else set()
+    return [verdict for verdict in verdicts if own_variant(verdict.variant) not in swept]
 
 
 def checks(source: Source) -> Section:
