@@ -183,7 +183,7 @@ static double left(const ed_analysis *a, const condensed *c)
     const int other = a->devices.bearings ? a->model->devices[i].other : -1;
     if (other >= 0)
       linear += c->cross[i] * (c->x[other] - c->at[other]);
-    const double off = ed_device_reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i) - c->force[i] - linear);
+    const double off = a->devices.reach[i] * fabs(ed_device_force(&a->devices, &a->trial, i) - c->force[i] - linear);
     if (!(off <= largest))
       largest = off;
   }

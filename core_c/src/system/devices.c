@@ -25,13 +25,22 @@ static int allocate(ed_devices *devices, int n)
   devices->out = calloc(count, sizeof *devices->out);
   devices->chord = calloc(count, sizeof *devices->chord);
   devices->oscillates = calloc(count, sizeof *devices->oscillates);
+  devices->reach = calloc(count, sizeof *devices->reach);
   devices->old = calloc(count, sizeof *devices->old);
   devices->new = calloc(count, sizeof *devices->new);
   devices->by_ode = calloc(count, sizeof *devices->by_ode);
-  return devices->path && devices->path_direction && devices->out && devices->chord && devices->oscillates && devices->old &&
-                 devices->new && devices->by_ode
+  return devices->path && devices->path_direction && devices->out && devices->chord && devices->oscillates && devices->reach &&
+                 devices->old && devices->new && devices->by_ode
              ? ED_OK
              : ED_E_MEMORY;
+}
+
+static double find_reach(const ed_analysis *a, const ed_device *device)
+{
+  double most = 0.0;
+  for (int k = 0; k < device->n_terms; k++)
+    most = fmax(most, fabs(device->coefficient[k]) / (ed_is_rotation(a->model, device->degree[k]) ? a->numbering.length : 1.0));
+  return most;
 }
 
 int ed_devices_allocate(ed_analysis *a)
@@ -44,6 +53,7 @@ int ed_devices_allocate(ed_analysis *a)
   for (int i = 0; status == ED_OK && i < n; i++) {
     const ed_device *device = &a->model->devices[i];
     a->devices.bearings |= device->other >= 0;
+    a->devices.reach[i] = find_reach(a, device);
     ed_damper_start(&device->damper, ed_device_block(&a->devices, &a->trial, i) + ED_DEVICE_LAW_STATE);
     ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_INSTALLED] = device->carries;
     if (!ed_damper_has_exact_step(&device->damper)) {
@@ -63,7 +73,7 @@ void ed_devices_free(ed_devices *devices)
 {
   ed_ode_system_free(devices->ode_system);
   void *blocks[] = {devices->block, devices->path, devices->path_direction, devices->out,   devices->old,
-                    devices->new,   devices->by_ode, devices->chord,        devices->oscillates};
+                    devices->new,   devices->by_ode, devices->chord,        devices->oscillates, devices->reach};
   for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
     free(blocks[i]);
 }
@@ -280,20 +290,11 @@ void ed_add_device_forces(ed_analysis *a)
   }
 }
 
-double ed_device_reach(const ed_analysis *a, int i)
-{
-  const ed_device *device = &a->model->devices[i];
-  double most = 0.0;
-  for (int k = 0; k < device->n_terms; k++)
-    most = fmax(most, fabs(device->coefficient[k]) / (ed_is_rotation(a->model, device->degree[k]) ? a->numbering.length : 1.0));
-  return most;
-}
-
 double ed_largest_device_force(const ed_analysis *a)
 {
   double largest = 0.0;
   for (int i = 0; i < a->model->n_devices; i++)
-    largest = fmax(largest, ed_device_reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i)));
+    largest = fmax(largest, a->devices.reach[i] * fabs(ed_device_force(&a->devices, &a->trial, i)));
   return largest;
 }
 

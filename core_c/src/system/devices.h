@@ -19,6 +19,7 @@ typedef struct {
   double **new;
   double (*chord)[2];            /* what comes to dF/du and dF/dv where an iteration oscillates */
   int *oscillates;               /* its velocity fell or turned in the last iteration */
+  double *reach;                 /* largest share of its force in the unbalance of a degree; moments are divided by the mean length */
   int oscillating;               /* this attempt does not settle with tangents alone */
   double duration;               /* of the present attempt */
   double velocity_factor;        /* dv/du of the present attempt */
@@ -57,8 +58,6 @@ double ed_along_device(const ed_numbering *numbering, const ed_device *device, c
 double ed_state_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector, const double *of_supports);
 void ed_add_along_device(const ed_numbering *numbering, const ed_device *device, double factor, double *vector);
 double ed_device_force(const ed_devices *devices, const ed_state *state, int device);
-/* Largest share of its force in the unbalance of a degree, where moments are divided by the mean length of elements. */
-double ed_device_reach(const ed_analysis *a, int device);
 double ed_largest_device_force(const ed_analysis *a); /* as unbalance counts it, at the trial state */
 /* From the committed state, on as in the last step. */
 double ed_expected_device_force(const ed_devices *devices, const ed_state *committed, int device);
