@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from edesign.exchange.opensees.commands import Value
 from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.project.analysis.damping import (
@@ -32,7 +30,7 @@ def damping_values(project: AnalysisFile, dampers: bool) -> dict[str, Value]:
         alone = frame_alone(project, dampers)
         if damping.state == "gravity":
             alone.apply_gravity()
-        count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+        count = modes_needed(damping, alone.most_modes)
         ratios = modal_ratios(damping, alone.modes(count).omega)
         return {"kind": "modal", "state": damping.state, "ratios": tuple(float(ratio) for ratio in ratios)}
     values: dict[str, Value] = {"kind": damping.kind, "state": damping.state, "ratio": damping.ratio}

@@ -121,7 +121,7 @@ def load_and_damp(project: AnalysisFile, structure: Structure, eccentricity: tup
     """
     alone = frame_alone(project, eccentricity=eccentricity) if structure.frame.attached else structure
     damping = None if isinstance(project.damping, NoDamping) else project.damping
-    count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+    count = modes_needed(damping, alone.most_modes)
     modes: Modes | None = None
     initial = count > 0 and damping is not None and damping.state == "initial"
     if initial:

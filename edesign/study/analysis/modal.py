@@ -79,7 +79,7 @@ def fundamental_period(project: AnalysisFile, fixed_base: bool = False) -> tuple
 
 def mode_count(project: AnalysisFile) -> int:
     """Return the number of modes of a frame, which is that of its degrees of freedom with mass."""
-    return int(np.count_nonzero(frame_alone(project).analysis.masses()))
+    return frame_alone(project).most_modes
 
 
 def store_modes(group: Group, structure: Structure, modes: Modes) -> None:

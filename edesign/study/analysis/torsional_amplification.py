@@ -83,7 +83,7 @@ def torsional_amplification(
 
 def _modes(structure: Structure, degree: int, stiffness: np.ndarray | None) -> Modes:
     """As many modes as have the mass that EN 1998-1, 4.3.3.3.1(3), asks for."""
-    most = int(np.count_nonzero(structure.analysis.masses()))
+    most = structure.most_modes
     count = min(3 * len(structure.frame.floors), most)
     while True:
         modes = structure.modes(count, stiffness)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-import numpy as np
-
 from edesign.archive.dataset import Group
 from edesign.core import CoreError
 from edesign.errors import AnalysisError, InputError
@@ -95,7 +93,7 @@ def _check_frame(project: AnalysisFile, specs: tuple[PlannedAnalysis, ...]) -> N
     structure = checked_structure(project)
     if isinstance(project, Building):
         _check_standing(project, structure)
-    _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
+    _check_modes(project, specs, structure.most_modes)
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
         _check_series(project)
 
@@ -251,7 +249,7 @@ def _check_series(project: AnalysisFile) -> None:
     if damping.state == "gravity":
         alone.apply_gravity()
     try:
-        modal_ratios(damping, alone.modes(int(np.count_nonzero(alone.analysis.masses()))).omega)
+        modal_ratios(damping, alone.modes(alone.most_modes).omega)
     except InputError as error:
         raise InputError(f"{project.where('damping')}: damping: {error}") from error
 

@@ -247,7 +247,7 @@ def _inherent_damping(
     alone = frame_alone(project)
     if damping.state == "gravity":
         alone.apply_gravity()
-    count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+    count = modes_needed(damping, alone.most_modes)
     if not isinstance(damping, (ModalDamping, CaugheyDamping)):
         omega = alone.modes(count).omega if count else np.empty(0)
         a0, a1 = proportional_factors(damping, omega)
