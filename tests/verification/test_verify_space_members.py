@@ -384,3 +384,6 @@ def test_loads_that_cannot_be() -> None:
         model.static(points=Points(np.array([0]), np.array([7]), np.array([0.5]), np.zeros((1, 3))))
     with pytest.raises(ValueError, match=r"nodal has the shape \(1, 2, 6\), not \(1, 3, 6\)"):
         model.static(np.zeros((1, 2, 6)))
+    strong = cantilever()
+    with pytest.raises(CoreError, match="case 0, member M0: a force at its end is not a finite number"):
+        strong.model().static(strong.force(1, uy=6e307))  # its moment at the root is too large a number

@@ -168,11 +168,16 @@ int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_spac
       if (!isfinite(u[i]))
         status = ed_space_fail(s, ED_E_NOT_FINITE, "case %d: the displacement at %s.%s is not a finite number", (int)c,
                                s->node[i / 6].name, DIRECTION[i % 6]);
-    ed_space_member_forces(s, u, end_forces + c * per_case);
+    double *of_case = end_forces + c * per_case;
+    ed_space_member_forces(s, u, of_case);
+    for (size_t i = 0; i < per_case && status == ED_OK; i++)
+      if (!isfinite(of_case[i]))
+        status = ed_space_fail(s, ED_E_NOT_FINITE, "case %d, member %s: a force at its end is not a finite number", (int)c,
+                               s->member_name[i / 12]);
     if (!reactions)
       continue;
     memset(forces, 0, degrees * sizeof *forces);
-    add_end_forces(s, 1.0, end_forces + c * per_case, forces);
+    add_end_forces(s, 1.0, of_case, forces);
     for (size_t i = 0; nodal && i < degrees; i++)
       forces[i] -= nodal[c * degrees + i];
     find_reactions(s, u, forces, sums, reactions + c * degrees);
