@@ -153,7 +153,8 @@ def test_study_of_isolated_and_fixed(tmp_path: Path) -> None:
     assert "isolated, MCE" in rows
     assert not any(name.startswith("fixed") for name in rows)
     u = np.abs([value(group, f"base_displacement_{end}") for end in ("max", "min")])
-    shown = {"u [mm]": 1e3 * np.max(u), "N min [kN]": 1e-3 * np.min(value(group, "isolator_axial_force_min"))}
+    pressed = -np.min(value(group, "isolator_axial_force_min"))
+    shown = {"u [mm]": 1e3 * np.max(u), "N min [kN]": -1e-3 * pressed, "N u [kN m]": 1e-3 * pressed * np.max(u)}
     for column, expected in shown.items():
         cell = rows["isolated, MCE"][table.headers.index(column) - 1]
         assert float(cell) == pytest.approx(float(expected), rel=5e-4)  # four digits

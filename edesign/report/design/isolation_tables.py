@@ -19,7 +19,7 @@ from edesign.report.tables.column import col, count, text
 from edesign.report.tables.items import Analysis, Place, overall, places
 from edesign.report.tables.number import significant
 from edesign.report.tables.table import Table, TableSpec
-from edesign.report.tables.unit import KN, M_S2, MM, MRAD, PERCENT, S
+from edesign.report.tables.unit import KN, KN_M, M_S2, MM, MRAD, PERCENT, S
 
 
 class _Statistic(NamedTuple):
@@ -84,6 +84,14 @@ def _forces(analysis: Analysis, end: str) -> np.ndarray:
     return np.asarray(analysis.group.variables.get(f"isolator_axial_force_{end}", last).values)
 
 
+def _moment(analysis: Analysis) -> float | None:
+    """The largest product of compression and displacement of an isolator; they need not come at one moment."""
+    moved = _isolators(analysis)
+    if moved is None:
+        moved = _resultant("base_displacement")(analysis)
+    return None if moved is None else float(np.max(np.maximum(-_forces(analysis, "min"), 0.0) * moved))
+
+
 def _over(measure: Callable[[Analysis], float | None], sign: float = 1.0) -> Callable[[_Statistic], float | None]:
     """The statistic of a measure over histories; with the sign -1 the largest is that of the negative values."""
 
@@ -113,7 +121,11 @@ ESTIMATE = TableSpec[_Estimate](
     each="Isolated base, equivalent linear (EN 1998-1, 10.9)",
     formulas=True,
 )
-_NOTE = "N: axial force of the isolators, gravity included, positive in tension"
+_NOTES = (
+    "N: axial force of the isolators, gravity included, positive in tension",
+    "N u: largest compression times largest displacement of an isolator, a moment that the analysis leaves out: for "
+    "rubber half of it acts below and half above, for a dish below or above all of it on that side",
+)
 ISOLATED_BASE = TableSpec[Analysis](
     "isolated_base",
     "Isolated base",
@@ -130,8 +142,9 @@ ISOLATED_BASE = TableSpec[Analysis](
         text("isolator", lambda one: names_of(one.group, "isolator")[_forces(one, "max").argmax()]),
         col("N min", KN, lambda one: _forces(one, "min").min()),
         text("isolator", lambda one: names_of(one.group, "isolator")[_forces(one, "min").argmin()]),
+        col("N u", KN_M, _moment, negligible=ROUNDING, optional=True),
     ),
-    notes=(_NOTE,),
+    notes=_NOTES,
 )
 STATISTICS = TableSpec[_Statistic](
     "isolated_base_statistics",
@@ -148,8 +161,9 @@ STATISTICS = TableSpec[_Statistic](
         col("base shear", KN, _over(_resultant("base_shear")), negligible=ROUNDING),
         col("N max", KN, _over(lambda one: _forces(one, "max").max()), negligible=ROUNDING),
         col("N min", KN, _over(lambda one: _forces(one, "min").min(), sign=-1.0)),
+        col("N u", KN_M, _over(_moment), negligible=ROUNDING, optional=True),
     ),
-    notes=(_NOTE,),
+    notes=_NOTES,
     keys=2,
     named_as="isolated_base",
 )

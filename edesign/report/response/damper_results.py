@@ -58,13 +58,12 @@ def _of_vibration(name: str) -> Callable[[Place], float | None]:
     return lambda damper: None if not np.isfinite(value := damper.known(name)) else value
 
 
-_NO_STIFFNESS = 1e-3  # N/m: rounding of a dashpot's force
 DAMPER_STIFFNESS = TableSpec[Place](
     "damper_stiffness",
     "{whose}: dampers",
     (
         text("damper", "name"),
-        col("k'", KN_MM, _of_vibration("damper_storage_stiffness"), negligible=_NO_STIFFNESS),
+        col("k'", KN_MM, _of_vibration("damper_storage_stiffness")),
         col("loss factor", ONE, _of_vibration("damper_loss_factor")),
         col("amplitude", MM, _of_vibration("damper_amplitude")),
     ),

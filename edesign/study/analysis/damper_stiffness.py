@@ -75,6 +75,7 @@ def damped_modes(project: AnalysisFile, structure: Structure, spec: ModalAnalysi
     else:
         modes = structure.modes(spec.modes)
     storing = dict(zip(devices, _storing(stiffness), strict=True))
+    stiffness.real[~_storing(stiffness)] = 0.0  # the rounding of a dashpot's cycle
     small = tuple(device for device in unknown if storing[device] and not _linear(device))
     return DampedModes(modes, stiffness, frequency, np.where(counted, amplitude, np.nan), small, left_out)
 

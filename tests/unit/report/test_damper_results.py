@@ -69,5 +69,7 @@ def test_stiffness_in_modes():
     table = damper_stiffness_table("modes", found)
     assert table.texts == [["V_1_1", "7.100", "0.3500", "20.00"]]
     assert "2 Hz" in table.notes[0] and amplitude_notes(found) == []
+    found.add("damper_loss_factor", ("damper",), [np.nan], "1", "of a dashpot there is none")
+    assert damper_stiffness_table("modes", found).rows[0][2] is None
     found.attributes["dampers_in_small_vibrations"] = ["V_1_1"]
     assert amplitude_notes(found) == ["1 of 1 dampers count in small vibrations: no `design_deformation` is given"]
