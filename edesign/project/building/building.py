@@ -127,7 +127,7 @@ class Building(spacing.Storeys, AnalysisFile):
         setbacks: floors that cover some bays of the plan only; a later one overrides an earlier one.
         supports: support of all columns, or a mapping by column line; lines that it does not name take its `default`,
             else `fixed`.
-        restrained_floors: floors above the base that the ground holds in plan; a design stands on the lowest.
+        restrained_floors: floors above the base that the ground holds in plan; of a design the lowest, as a basement.
         soils: soils by name, on which footings stand.
         diaphragms: floors that are rigid in their plane, in each part of them that does not touch another.
         partial_diaphragms: those of these floors of which some bays alone are rigid, in one or more parts.
