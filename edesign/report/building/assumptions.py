@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
-from edesign.project.reading.problems import listed
 
 Rows = list[tuple[str, str]]
 NOT_CHECKED = (
@@ -46,7 +45,8 @@ def _floors(building: Building) -> str:
     if building.partial_diaphragms:
         which = f"{which} in part" if len(stiff) == 1 else f"{which}, some in part alone,"
     several = [str(floor) for floor in stiff if len(building.rigid_parts(floor)) > 1]
-    apart = f" The parts of floors {listed(several)} move apart." if several else ""
+    floors = "floor" if len(several) == 1 else "floors"
+    apart = f" The parts of {floors} {', '.join(several)} move apart." if several else ""
     return f"{which} rigid in their plane; beams in them have no axial forces.{apart} Slabs add no strength to beams."
 
 
