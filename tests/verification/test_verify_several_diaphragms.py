@@ -10,16 +10,18 @@ import numpy as np
 import pytest
 from building_examples import building
 from verification.test_verify_building_model import rigid_in_shear  # noqa: F401
-from verification.test_verify_building_pushes import pushed, sharp, values  # noqa: F401
+from verification.test_verify_building_pushes import pushed, pushover, sharp, values  # noqa: F401
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
+from edesign.codes.ec8.target_displacement import equivalent_oscillator
 from edesign.core import Analysis
 from edesign.space.elastic_design import elastic_design
 from edesign.space.nonlinear import build_building
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.masses import mass_shift
 from edesign.space.structure.model import space_model
+from edesign.study.analysis.capacity import capacity
 from edesign.study.run.analyses import run_analysis
 
 TOWERS = """\
@@ -231,3 +233,17 @@ def test_each_diaphragm_is_pushed_with_its_own_torque() -> None:
         assert moments[name] == pytest.approx(-0.05 * length * load, rel=1e-12)
     assert values(group, "diaphragm_displacement").shape == (2, 4, 2)
     assert np.abs(values(group, "diaphragm_rotation")[-1]).min() > 0.0
+
+
+def test_the_oscillator_of_a_push_is_that_of_all_diaphragms() -> None:
+    """m* = sum F_i and Gamma = m* / sum F_i^2 / m_i, F = m Phi, Phi = 1 at the control node: Annex B, B.1 to B.3."""
+    whole = building(towers(BOTH).replace("modes: 9", "modes: auto"))
+    spec = pushover("x+", pattern="first_mode", roof_drift=1e-3, steps=4)
+    found = capacity(whole, spec)
+    frame, loads = found.push.frame, found.basis.loads
+    assert frame.model.node_names[frame.control] == "floor.3"
+    forces = np.array([loads[name] for name in frame.masses]) * frame.masses["floor.3"] / loads["floor.3"]
+    m = np.array(list(frame.masses.values()))
+    oscillator = equivalent_oscillator(*found.basis.of_bodies)
+    assert oscillator.mass == pytest.approx(forces.sum(), rel=1e-12)
+    assert oscillator.Gamma == pytest.approx(forces.sum() / (forces**2 / m).sum(), rel=1e-12)

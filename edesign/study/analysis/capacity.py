@@ -25,7 +25,7 @@ from edesign.project.analysis_file import AnalysisFile
 from edesign.space.nonlinear.masses import IN_PLACE
 from edesign.study.analysis.damper_stiffness import small_amplitude
 from edesign.study.analysis.dampers import goes_with_speed
-from edesign.study.analysis.lateral_patterns import by_floor, floor_masses, lateral_loads
+from edesign.study.analysis.lateral_patterns import by_body, by_floor, lateral_loads
 from edesign.study.analysis.leading_mode import leading_mode, torsional_ratios
 from edesign.study.analysis.push import Progress, Push, Stop, push, pushed_along
 from edesign.study.analysis.second_order import second_order_slope
@@ -58,7 +58,8 @@ class Basis:
 
     Attributes:
         loads: lateral, on the nodes by name; their sum is 1 N.
-        forces, masses: of the floors from the lowest, N and kg.
+        forces: of the floors from the lowest, N.
+        of_bodies: forces, N, and masses, kg, of what moves as one, that of the control node last.
         mass: of the frame, kg.
     """
 
@@ -67,7 +68,8 @@ class Basis:
         self._project, self._dampers = project, spec.dampers
         self._direction = pushed_along(frame, spec)
         self.loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers, self._direction)
-        self.forces, self.masses = by_floor(frame, self.loads), floor_masses(frame)
+        self.forces = by_floor(frame, self.loads)
+        self.of_bodies = by_body(frame, self.loads), by_body(frame, frame.masses)
         self.mass = frame.mass
 
     @cached_property
@@ -248,7 +250,7 @@ def capacity(
 
 
 def _n2(capacity: Capacity, spectrum: Spectrum) -> Target:
-    oscillator = n2.equivalent_oscillator(capacity.basis.forces, capacity.basis.masses)
+    oscillator = n2.equivalent_oscillator(*capacity.basis.of_bodies)
     found = n2.target_displacement(capacity.curve, oscillator, spectrum, _corner(spectrum))
     relation, Gamma = found.idealisation, oscillator.Gamma
     values = (

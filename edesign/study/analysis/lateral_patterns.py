@@ -86,6 +86,23 @@ def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     return np.array([sum(values.get(name, 0.0) for name in floor.nodes) for floor in frame.floors])
 
 
+def by_body(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
+    """Return the sums of values of nodes over each floor, or each of its diaphragms and what is beside them.
+
+    Args:
+        values: of nodes, by name.
+
+    Returns:
+        The sums, (n,), from the lowest floor but for those of the control node, which are last.
+    """
+    control, bodies = frame.model.node_names[frame.control], []
+    for floor in frame.floors:
+        tied = {node for part in floor.parts for node in part.nodes}
+        bodies += [*(part.nodes for part in floor.parts), tuple(node for node in floor.nodes if node not in tied)]
+    bodies.sort(key=lambda nodes: control in nodes)
+    return np.array([sum(values.get(name, 0.0) for name in nodes) for nodes in bodies])
+
+
 def eccentric_moments(
     frame: FrameModel, loads: Mapping[str, float], eccentricity: tuple[float, float], direction: int
 ) -> dict[str, float]:
