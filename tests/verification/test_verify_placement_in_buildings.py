@@ -77,12 +77,14 @@ def written(text: str, names: Mapping[str, str]) -> str:
     return text
 
 
-def study_of(folder: Path, base: str, design: str, most: float, verify: str = "") -> Study:
+def study_of(
+    folder: Path, base: str, design: str, most: float, verify: str = "", records: str = "[first, second]"
+) -> Study:
     """A study of a project or building with one placement `tried` and the criterion `drift`."""
     for i, name in enumerate(("one", "two", "three", "four")):
         (folder / f"{name}.csv").write_text(motion_text(i), encoding="utf-8")
     (folder / "base.yaml").write_text(base, encoding="utf-8")
-    judged = f"verify: {{records: [first, second], levels: DBE, criteria: drift, {verify}}}"
+    judged = f"verify: {{records: {records}, levels: DBE, criteria: drift, {verify}}}"
     text = (
         "edesign_study: 1\ntitle: Tried\nproject: base.yaml\n"
         f"designs: {{tried: {{method: placement, {design}, {judged}}}}}\n"
@@ -138,8 +140,8 @@ def test_a_row_of_plane_frames_is_equipped_as_one_of_them(tmp_path: Path, monkey
     ):
         folder = tmp_path / name
         folder.mkdir()
-        study = study_of(folder, f"{text}\n{shaken}{of_both}", f"{common}, {places}", 0.011)
-        every = EveryLayout(study.base, items)
+        study = study_of(folder, f"{text}\n{shaken}{of_both}", f"{common}, {places}", 0.011, records="first")
+        every = EveryLayout(study.base, items, records=("first",))
         found[name] = placed(study, every), every
     (plane, of_plane), (space, of_space) = found["plane"], found["space"]
     assert plane.group.attributes["proof"] == space.group.attributes["proof"] == "optimal"
