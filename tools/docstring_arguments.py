@@ -11,6 +11,7 @@ import re
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import edesign
@@ -32,6 +33,9 @@ SAYS = re.compile(
     r"|(?<!\w)(m|mm|N|kN|Nm|Pa|MPa|s|ms|Hz|kg|t|degC|K|rad|J|kJ|SI|g|%|degrees|points|years?|UTF)(?!\w)"  # units
 )
 
+LIMITS = re.compile(r"(?<!\w)(all|at least|without|not|only)(?!\w)")
+"""Words by which an argument is less, or no less, than its type says."""
+
 
 @dataclass(frozen=True)
 class Entry:
@@ -43,6 +47,7 @@ class Entry:
         place: `function.argument`.
         text: what is said of it.
         signature: words that its name, type, function, module and the sentences above say.
+        of_type: words that its name, its type and the first sentence of the docstring of this type say.
     """
 
     path: Path
@@ -50,11 +55,13 @@ class Entry:
     place: str
     text: str
     signature: frozenset[str]
+    of_type: frozenset[str]
 
     @property
     def says_nothing(self) -> bool:
         """Whether each of its words stands in the signature, or says nothing of any argument."""
-        return not SAYS.search(self.text) and not words(self.text) - self.signature
+        said, limited = words(self.text), LIMITS.search(self.text)
+        return not SAYS.search(self.text) and (said <= self.signature or (said <= self.of_type and not limited))
 
 
 def words(text: str) -> frozenset[str]:
@@ -106,8 +113,21 @@ def _of_docstring(
         if match is None:
             raise SystemExit(f"{path}:{start + 1}: this is no argument")
         name = match["name"].strip("*` ")
-        own = known | words(name) | words(types.get(name, ""))
-        yield Entry(path, (start, after), f"{node.name}.{name}", match["text"], own)
+        own = words(name) | words(types.get(name, ""))
+        of_type = own.union(*(of_types().get(one, ()) for one in re.findall(r"\w+", types.get(name, ""))))
+        yield Entry(path, (start, after), f"{node.name}.{name}", match["text"], known | own, of_type)
+
+
+@cache
+def of_types() -> dict[str, frozenset[str]]:
+    """What the first sentence of a class says, by the name of the class; of classes of one name what all say."""
+    found: dict[str, frozenset[str]] = {}
+    for path in (ROOT / "edesign").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                said = words((ast.get_docstring(node) or "").partition("\n")[0])
+                found[node.name] = found.get(node.name, said) & said
+    return found
 
 
 def _types(node: ast.FunctionDef | ast.ClassDef) -> dict[str, str]:
@@ -157,7 +177,7 @@ def remove(found: list[Entry]) -> None:
                     del lines[begin - 2]
                     begin -= 1
                 above = lines[begin - 2].strip()
-                if lines[begin - 1].strip() == '"""' and above.startswith('"""') and len(lines[begin - 2]) <= 116:
+                if lines[begin - 1].strip() == '"""' and above.startswith('"""') and len(lines[begin - 2]) <= 117:
                     lines[begin - 2] += '"""'
                     del lines[begin - 1]
         path.write_text("\n".join(lines), encoding="utf-8")

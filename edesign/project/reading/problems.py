@@ -54,7 +54,7 @@ class Problem:
 
 
 class Problems:
-    """Collects the problems of one file; a key path becomes the line and column of its value or key."""
+    """Collects what is wrong in one file: problems are added by key paths, which become lines and columns."""
 
     def __init__(self, root: Node) -> None:
         self.root = root
