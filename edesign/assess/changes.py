@@ -71,7 +71,6 @@ def in_common(first: HistorySet, other: HistorySet) -> tuple[dict[str, Group], d
     """Return the completed histories of two sets whose records both have, by name.
 
     Args:
-        first: of a variant.
         other: of another one.
     """
     records = [_records(found) for found in (first, other)]

@@ -81,7 +81,6 @@ def stripe_counts(stripes: Stripes, limit: float) -> tuple[np.ndarray, np.ndarra
     """Count analyses at each intensity, and those that reach a limit.
 
     Args:
-        stripes: of a measure.
         limit: of the measure; COLLAPSE counts collapses only.
 
     Returns:
@@ -98,7 +97,6 @@ def capacities(stripes: Stripes, limit: ArrayLike) -> np.ndarray:
     collapse and the first with one it rises without bound half way.
 
     Args:
-        stripes: of a measure.
         limit: (m,) or a single value of the measure; COLLAPSE gives the intensity of collapse.
 
     Returns:

@@ -129,7 +129,6 @@ def located_measure(
         measure: a name of MEASURES.
         storeys: only drifts of these storeys, only columns and dampers in them and beams at their floors; None: all.
         members: only these columns, beams or dampers; None: all.
-        chosen: where in a building.
 
     Returns:
         The measure; None where it does not apply (see `response_measures`) or nothing is selected. A measure of the

@@ -27,7 +27,6 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: AnalysisFi
 
     Args:
         group: results of the analysis, as archived, with the histories that the quantity needs.
-        project: of the frame.
 
     Returns:
         The largest value over the chosen places; None where it does not apply, see `lacking`.

@@ -155,7 +155,6 @@ def measure_statistics(histories: HistorySet, names: Collection[str] | None = No
     The others are missing in all of them.
 
     Args:
-        histories: of one variant at one level.
         names: only these of them; None: all.
     """
     measures = histories.measures

@@ -226,7 +226,6 @@ def member_checks(
         spectral_factors: (k, d); the sign does not count.
         combination_set: (k,) which column of `masks` holds for a combination.
         gravity: (c,) whether a case counts in V_Ed,G of EN 1998-1, 6.6.2(2).
-        members: their constants.
         masks: (m, n_sets) checks of a member under the combinations of a set, by `mask`.
         M_b: (m, k) M_b,Rd of members under combinations; without it that of their constants.
 

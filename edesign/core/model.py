@@ -513,7 +513,6 @@ class Model:
         """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
         Args:
-            law: the law with its parameters and effects.
             terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees are
                 places in `degrees`. They should have mass.
             brace: stiffness in series at the size of the device, N/m; 0: rigid.

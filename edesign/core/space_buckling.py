@@ -46,7 +46,6 @@ def buckling_shapes(
     residual allows.
 
     Args:
-        model: of the frame.
         axial: (m,) N, tension positive.
         start: (k, n_equations) K-orthonormal shapes.
         exact_below: factors from here on need not be exact.

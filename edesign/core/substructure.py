@@ -200,7 +200,6 @@ class SubstructureLoop:
         step: main step, s.
         sub_steps: of the rig in a main step.
         compensator, rig, sensors: of the laboratory.
-        specimen: law and effects of the damper in it.
         scales: of its force and its deformation, F = scales[0] law(scales[1] u).
         numerical: the structure, linear or a frame that may yield; None: targets are given.
         rig_stiffness: between actuator and specimen, N/m; 0: rigid.

@@ -52,7 +52,6 @@ class Damper:
 
         Args:
             temperature_C: degC.
-            model: what the temperature changes.
 
         Raises:
             InputError: as of `temperature.at`.

@@ -35,9 +35,6 @@ class Dashpot:
 def dashpot(law: LawValues) -> Dashpot:
     """Return the dashpot and spring that a viscous law is.
 
-    Args:
-        law: law and parameters.
-
     Raises:
         InputError: the law is no viscous dashpot, has effects beside, or its exponent is out of range.
 

@@ -21,7 +21,6 @@ def steady_cycle(
     """Return the force of a damper in the last of 12 cycles of a steady sine of its deformation.
 
     Args:
-        law: law and parameters.
         amplitude: of the deformation, m.
         frequency: Hz.
         brace: stiffness in series, N/m; 0: rigid.
@@ -48,7 +47,6 @@ def complex_stiffness(
     last of 12 cycles; effects that count what happened are as far as they are there.
 
     Args:
-        law: the law with its parameters and effects.
         amplitude: of the deformation of damper and brace, m.
         frequency: Hz.
         brace: stiffness in series, N/m; 0: rigid.
@@ -73,7 +71,6 @@ def effective_stiffness(
     forces have no part in the stiffness: they are zero at the turn, and fall towards it all the way.
 
     Args:
-        law: law and parameters.
         amplitude: of the deformation, m.
         frequency: Hz.
         speed: at which friction counts, m/s; None: the largest of the sine.

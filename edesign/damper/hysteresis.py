@@ -257,9 +257,6 @@ _LAWS: Mapping[str, Callable[..., Hysteresis]] = MappingProxyType(
 def hysteresis(law: LawValues) -> Hysteresis:
     """Return the steady cycles of a law that yields or slips.
 
-    Args:
-        law: law and parameters.
-
     Raises:
         InputError: the law has no yield or slip force, or effects beside.
 
@@ -283,7 +280,6 @@ def behind_brace(loop: Hysteresis, deformation: np.ndarray, flexibility: np.ndar
     Nothing in the brace dissipates, so the cycle of the damper is one of this amplitude.
 
     Args:
-        loop: of one law.
         deformation: amplitude of damper and brace, (d,) m.
         flexibility: of the brace over the force that a force of the law's stands for, (d,) m/N; 0: rigid.
     """

@@ -91,7 +91,6 @@ def residuals(predicted: PropertyRows, measured: PropertyRows) -> Residuals:
     """Return the relative residuals of a prediction.
 
     Args:
-        predicted: properties.
         measured: properties of the same tests.
     """
     return Residuals(
@@ -107,9 +106,6 @@ def pointedness(rows: PropertyRows) -> np.ndarray:
     A linear law has sinusoidal stress, whose amplitude is the root of the squares of G' and G''. A spring beside a
     dashpot of constant force (exponent near 0) has G_eq / G' = 1 + pi n / 4: 1.2 for n = 0.35. A rate-independent loop,
     whose stress is largest at the largest strain, has less than 1.
-
-    Args:
-        rows: properties.
     """
     return rows.G_eq / (rows.G_storage * np.sqrt(1.0 + rows.loss_factor**2))
 

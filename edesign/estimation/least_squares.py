@@ -157,7 +157,6 @@ def fit(
         start: (p,) coordinates, or a fit of the model, whose predictions and slopes are not asked for again; None: the
             centres of the priors.
         steps: most of them; None: those of the settings.
-        settings: numbers of the estimator.
         slopes: (n_i, p) d predicted / d z that hold well enough at the start; None: they are found.
 
     Returns:

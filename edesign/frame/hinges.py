@@ -297,7 +297,6 @@ def _hinge_law(values: HingeValues, stiffness: float, end: int, in_space: bool) 
     about local y of a beam whose web stands upright clockwise is positive.
 
     Args:
-        values: moments and rotations of the hinge.
         stiffness: before yield, N m/rad.
         end: 0: start, 1: end.
         in_space: whether the hinge turns about local y.

@@ -84,9 +84,6 @@ class MemberLoads:
     def split(self, stretches: Stretches) -> tuple[list[MemberLoads], tuple[float, float]]:
         """Return the loads on each element of a member, and the sums on the joints at its start and end, N.
 
-        Args:
-            stretches: elements and arms of the member.
-
         Returns:
             Loads of each element; sums at the start and at the end, N.
         """

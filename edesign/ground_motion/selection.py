@@ -112,7 +112,6 @@ def select_records(
         target: spectrum of the action.
         T_1: fundamental period, s.
         count: how many are chosen.
-        options: for scaling and comparing.
         events: earthquake of each record; None: they are not known.
 
     Returns:

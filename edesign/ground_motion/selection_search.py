@@ -40,7 +40,6 @@ def search(library: Library, caps: Sequence[Cap], count: int, exhaustive_limit: 
     """Return the best choice found, indices rising, and whether all were compared.
 
     Args:
-        library: the candidates.
         caps: what a choice keeps to; each lies within the one before it, so that a choice that keeps to them can
             always be completed.
         count: records wanted; the caller made sure that so many can be had.

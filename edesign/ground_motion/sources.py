@@ -74,7 +74,6 @@ def find_recording(entry: SuiteEntry, suite: Suite, folders: Sequence[Path], sim
     is an error: the next place is not tried.
 
     Args:
-        suite: to which it belongs.
         folders: where the user keeps files of the PEER data base; searched with all folders below them.
         simulated_records: whether one may take the place of a recording.
 

@@ -23,11 +23,7 @@ _UNITS = "N, moments N*m"
 
 
 def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
-    """Yield the groups of an elastic design with their places below `PLACE`.
-
-    Args:
-        design: of the building.
-    """
+    """Yield the groups of an elastic design with their places below `PLACE`."""
     yield PLACE, _summary(design)
     yield f"{PLACE}/modes", _modes(design)
     yield f"{PLACE}/combinations", _combinations(design)

@@ -38,7 +38,6 @@ def add_restraints(group: Group, design: ElasticDesign) -> None:
 
     Args:
         group: of the members in the archive.
-        design: of the building.
     """
     checks, members = design.members, design.frame.members
     kinds = checks.kinds

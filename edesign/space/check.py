@@ -66,11 +66,7 @@ def check_building(building: Building) -> dict[str, str]:
 
 
 def floor_loads(frame: SpaceFrame) -> dict[str, np.ndarray]:
-    """Return what each load case brings to the floors, (n_floors + 1,) N downwards, the base first, by case.
-
-    Args:
-        frame: of the building.
-    """
+    """Return what each load case brings to the floors, (n_floors + 1,) N downwards, the base first, by case."""
     floors = frame.level_of_nodes
     return {
         name: np.bincount(floors, -on_nodes(frame, case)[:, 2], minlength=frame.n_floors + 1)

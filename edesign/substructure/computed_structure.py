@@ -96,9 +96,6 @@ class ComputedStructure:
     def direct(self, drive: Drive) -> Direct:
         """Return the response without laboratory: an ideal rig, exact integration, steps too fine to count.
 
-        Args:
-            drive: with a ground motion.
-
         Raises:
             InputError: the main step is far too long for the specimen on the mass at its end.
             AnalysisError: the law of the damper fails.
@@ -139,7 +136,6 @@ class ComputedStructure:
         """Return the response of the numerical part in a test as the group of a history, and its drifts (n, n_storeys).
 
         Args:
-            drive: with a ground motion.
             failed: why the test has no result; empty: it has one.
 
         Returns:
@@ -171,9 +167,6 @@ class ComputedStructure:
         """Yield warnings if steps leave out samples, and if a linear structure is too fast for them, or too slow.
 
         Too fast is one whose vibrations grow even with an ideal rig.
-
-        Args:
-            drive: of the test.
         """
         structure, loop = self.laboratory.structure, self.file.loop
         if drive.left_out:

@@ -115,9 +115,6 @@ class Laboratory:
 def laboratory(file: RtsFile) -> Laboratory:
     """Return the laboratory of a checked file.
 
-    Args:
-        file: of the tests.
-
     Raises:
         InputError: the law or the structure cannot be tested so; the message says why, and where it stands.
     """

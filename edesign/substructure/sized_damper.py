@@ -12,7 +12,6 @@ class SizedDamper(CoreDamper):
     """A damper F = scales[0] law(scales[1] u) that is moved step by step, or by a whole history.
 
     Args:
-        law: with its effects.
         scales: of force and deformation.
 
     Raises:

@@ -84,7 +84,6 @@ def law_estimates(problem: DamperProblem, model: FittedModel | None) -> dict[str
     """Return the parameters of the law by name; those that were not fitted are fixed.
 
     Args:
-        problem: of the tests.
         model: fitted; None: the declared law.
     """
     units = {one.name: one.unit for one in problem.law.all_parameters(problem.declared)}
@@ -98,7 +97,6 @@ def law_stages(problem: DamperProblem, refit: FittedModel, final: FittedModel) -
     """Return the parameters of the law by stage and name.
 
     Args:
-        problem: of the tests.
         refit: the law fitted again.
         final: the corrected model.
     """

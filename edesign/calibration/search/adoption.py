@@ -243,7 +243,6 @@ def kept(fitter: Fitter, model: FittedModel) -> Kept:
     """Return a model without the effects of which the 95 % interval of the size holds zero, the others fitted again.
 
     Args:
-        fitter: of the problem.
         model: fitted to all samples.
     """
     dropped: list[Dropped] = []
@@ -280,7 +279,6 @@ def validated(fitter: Fitter, found: Kept, refit: float, validate: Validate) -> 
     effect comes in by the validation tests.
 
     Args:
-        fitter: of the problem.
         found: a model of which no effect may be nothing.
         refit: error of the validation tests by the refitted law.
         validate: error of the validation tests by a model.

@@ -277,7 +277,6 @@ class Fitter:
 
         Args:
             left: by the best that is thought of.
-            known: model of the effects that are known.
         """
         return self._at_least(Noise.left_by(left, self.problem.deviations, self.problem.sizes), known)
 

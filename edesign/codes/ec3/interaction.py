@@ -137,8 +137,6 @@ def annex_a_factors(
 
     Args:
         section: its areas and moduli.
-        y: flexural buckling about y.
-        z: flexural buckling about z.
         N_cr_T: elastic critical force of torsional buckling, N.
         lambda_0: slenderness in lateral torsional buckling under uniform moment (C1 = 1); 0 without it.
         C1: of the moment diagram.

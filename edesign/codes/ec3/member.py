@@ -111,7 +111,6 @@ class Strength:
 
     Args:
         member: section, steel and restraints.
-        trace: of the calculation.
 
     Attributes:
         member: section, steel and restraints.

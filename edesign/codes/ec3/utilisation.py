@@ -71,7 +71,6 @@ def utilisation(
 
     Args:
         member: section, steel and restraints.
-        forces: of the combination.
         check: its name: `N`, `V_Y`, `V_Z`, `M_Y`, `M_Z`, `N_M`, `N_B`, `M_B`, `EQ_6_61`, `EQ_6_62`, `BEAM_M`, `BEAM_N`,
             `BEAM_V` or `COLUMN_V`.
         station: number of the station of `M_Y`, `M_Z` and `N_M`; others take the largest forces along the member.

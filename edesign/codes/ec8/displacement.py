@@ -23,9 +23,6 @@ TABLE_A_1 = {"A": (4.5, 10.0), "B": (5.0, 10.0), "C": (6.0, 10.0), "D": (6.0, 10
 def design_ground_displacement(spectrum: ElasticSpectrum) -> float:
     """Return d_g = 0.025 a_g S T_C T_D, m.
 
-    Args:
-        spectrum: horizontal elastic spectrum.
-
     Source: EN 1998-1:2004, 3.2.2.4(1), Eq. 3.12.
     """
     p = spectrum.parameters

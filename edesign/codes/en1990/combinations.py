@@ -61,7 +61,6 @@ def fundamental(
     Args:
         cases: category of each load case by its name: `permanent`, or a category of `psi`.
         psi: factors by category.
-        factors: partial factors.
         expression: `6.10`, or `6.10a/b` for the pair.
         favourable: add combinations in which permanent actions are favourable (gamma_G,inf) and in which variable
             actions are absent.

@@ -77,7 +77,6 @@ def set_up(
     """Decide what is fitted, from where, and within which bounds.
 
     Args:
-        observed: linear equivalents of the tests.
         start: see `fit_forces`.
         bounds: see `fit_forces`.
         fixed: see `fit_forces`.

@@ -77,7 +77,6 @@ def start_values(
     """Start values of all parameters, SI.
 
     Args:
-        observed: of the tests.
         given: values that are taken as they are, SI.
         branches: of a law with branches; more if `given` names more.
 
@@ -132,7 +131,6 @@ def linear_start(law: Law, coordinates: Coordinates, observed: Observed, seed: i
 
     Args:
         coordinates: of the fit.
-        observed: linear equivalents of the tests.
 
     Returns:
         Coordinates (n,) of the best starts.

@@ -183,11 +183,7 @@ def is_campaign(root: Node) -> bool:
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
-    """Check that number, area and thickness of layers are there, once each, or none of them.
-
-    Args:
-        problems: collects what is wrong.
-    """
+    """Check that number, area and thickness of layers are there, once each, or none of them."""
     sizes = ("layer_area", "layer_area_mm2", "layer_thickness", "layer_thickness_mm")
     if block.layers is None:
         if any(getattr(block, key) is not None for key in sizes):
@@ -227,7 +223,6 @@ def check_one(block: Model, key: str, plain: str, keys: Keys, problems: Problems
 
     Args:
         keys: place of the block in the file.
-        problems: collects what is wrong.
         required: whether one of them must be there.
     """
     given = [name for name in (key, plain) if getattr(block, name) is not None]

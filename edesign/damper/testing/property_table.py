@@ -287,7 +287,6 @@ def write_property_table(table: PropertyTable, path: Path | str) -> None:
     """Write a table as CSV with the columns of `COLUMNS`, seven digits; the file appears when it is whole.
 
     Args:
-        table: the properties.
         path: of the CSV file.
 
     Raises:

@@ -149,7 +149,6 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
     after rest.
 
     Args:
-        test: the record.
         ramp: duration of the way from rest to a first sample that is displaced, s.
     """
     if test.time.size < _FEWEST:
@@ -184,7 +183,6 @@ def extremes_before(
     one standard error of the best is taken, and nothing where that is no better by more than chance.
 
     Args:
-        test: the record.
         first: sample that is judged.
         weight: (n,) factors of the residuals that make noise as strong at all times.
         force_of: force (n,) N of the test after extremes.
@@ -292,7 +290,6 @@ def _moved(test: Recorded, left: np.ndarray, moving: np.ndarray) -> bool:
     """Say whether the force is surely nearer to that of a motion that went on before than to that after rest.
 
     Args:
-        test: the record.
         left: (n,) N, what the force leaves of that after rest.
         moving: (n,) N, the difference that a motion before makes.
     """

@@ -31,7 +31,6 @@ def programme(
     """Return the analyses of a project as data of a script.
 
     Args:
-        structure: of the frame.
         stem: of the script's name, with which those of the records begin.
         without_dampers: whether the script is to have no dampers.
         progress: takes the name of each stage at its beginning.

@@ -91,7 +91,6 @@ def damper_branches(law: LawValues, force: float, deformation: float, brace: flo
     """Return the branches that a damper is, with the brace inside where that is exact.
 
     Args:
-        law: with its parameters.
         force: F = force * law(deformation * u).
         deformation: see `force`.
         brace: stiffness in series, N/m; 0: rigid.

@@ -34,7 +34,6 @@ class PlaneLoads:
     Args:
         model: in SI.
         grid: on which its frames stand.
-        taken: its load patterns.
         across: 0 of a frame in the plane X-Z, 1 in Y-Z.
 
     Raises:

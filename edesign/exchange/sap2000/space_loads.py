@@ -21,7 +21,6 @@ class SpaceLoads:
     Args:
         model: in SI.
         grid: on which its frames stand.
-        taken: its load patterns.
 
     Raises:
         InputError: a load is of a kind that buildings do not have.

@@ -73,7 +73,6 @@ def mass_factors(
 
     Args:
         model: in SI.
-        taken: its load patterns.
         masses: kg, of all joints that loads may give one.
         gravity: acceleration, m/s2.
 

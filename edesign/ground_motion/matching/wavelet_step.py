@@ -42,7 +42,6 @@ class Step:
 
         Args:
             state: motion and peaks.
-            ordinates: what is matched.
             lags: of the peak behind the centres of wavelets, in widths.
             time_step: s.
 

@@ -43,7 +43,6 @@ def simulate(
         v_s30: mean shear velocity of the upper 30 m at the site, m/s, 180 to 1500; None: the reference rock of `crust`.
         seed: of the random numbers, not negative.
         time_step: s, 0.001 to 0.02.
-        crust: region.
         name: of the record; made from the arguments if empty.
 
     Raises:

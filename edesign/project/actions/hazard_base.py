@@ -106,7 +106,6 @@ def level_of(hazard: Hazard, level: str | None) -> str:
     """Return the level of an action whose levels have spectra of their own; None stands for the only one.
 
     Args:
-        hazard: the seismic action.
         level: name of a level, or None.
 
     Raises:

@@ -25,7 +25,6 @@ def check_analyses(building: Building, problems: Problems, files: bool = True) -
 
     Args:
         building: its members and loads are right.
-        problems: collects what is wrong.
         files: whether the files of the records must be there.
     """
     for name, steel in building.materials.items():

@@ -19,7 +19,6 @@ def check_dampers(building: Building, problems: Problems, profiles: Catalogue | 
 
     Args:
         building: its members are right.
-        problems: collects what is wrong.
         profiles: names of the catalogue; None leaves section names unchecked.
     """
     check_devices(building, problems, lambda keys, run: check_bays(building, problems, keys, run))

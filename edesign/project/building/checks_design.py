@@ -14,7 +14,6 @@ def check_design(building: Building, problems: Problems, files: bool = True) -> 
 
     Args:
         building: read without schema problems.
-        problems: collects what is wrong.
         files: whether the files that the hazard names must be there.
     """
     check_hazard(building.hazard, building, problems, files)

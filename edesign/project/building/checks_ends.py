@@ -13,7 +13,6 @@ def check_building_ends(building: Building, problems: Problems) -> None:
 
     Args:
         building: its members stand.
-        problems: collects what is wrong.
     """
     layout = building.layout
     check = Selections(building, problems)

@@ -18,7 +18,6 @@ def check_isolation(building: Building, problems: Problems, profiles: Catalogue 
 
     Args:
         building: its members are right.
-        problems: collects what is wrong.
         profiles: names of the catalogue; None leaves section names unchecked.
     """
     isolation = building.isolation

@@ -28,7 +28,6 @@ def check_layout(building: Building, problems: Problems, profiles: Catalogue | N
 
     Args:
         building: read without schema problems.
-        problems: collects what is wrong.
         profiles: names of the catalogue; None leaves section names unchecked.
     """
     columns = (building.n_bays("x") + 1) * (building.n_bays("y") + 1) * building.n_storeys

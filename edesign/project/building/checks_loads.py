@@ -17,7 +17,6 @@ def check_loads(building: Building, problems: Problems) -> None:
 
     Args:
         building: its members are right.
-        problems: collects what is wrong.
     """
     check = Selections(building, problems)
     loads = building.loads

@@ -18,7 +18,6 @@ class Selections(GridSelections):
 
     Args:
         building: read without schema problems.
-        problems: collects what is wrong.
     """
 
     def __init__(self, building: Building, problems: Problems) -> None:

@@ -143,7 +143,6 @@ def check_plausible(building: Building, problems: Problems) -> None:
 
     Args:
         building: read without schema problems.
-        problems: collects what is wrong.
     """
     for keys, value, bounds in _values(building):
         if not bounds.refuses(value):
@@ -158,7 +157,6 @@ def check_given_masses(building: Building, problems: Problems) -> None:
 
     Args:
         building: the building without schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     for floor, by_area in _mass_by_area(building).items():
         if FLOOR_MASS.refuses(by_area):

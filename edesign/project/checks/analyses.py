@@ -23,7 +23,6 @@ def check_analyses(project: Project, problems: Problems, files: bool = True) -> 
     """Check loads, masses, damping, records and analyses of a project without schema problems.
 
     Args:
-        problems: collects what is wrong.
         files: whether the files of the records must be there.
     """
     check = Selections(project.frame, problems)
@@ -40,7 +39,6 @@ def check_shared(project: AnalysisFile, problems: Problems, files: bool = True) 
 
     Args:
         project: the file, which has no schema problems.
-        problems: collects what is wrong.
         files: whether the files of the records must be there.
     """
     check_damping(project, problems)
@@ -89,7 +87,6 @@ def check_drift(project: AnalysisFile, problems: Problems, keys: Keys, drift: fl
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
         drift: drift ratio; None: none is given.
     """
     largest = project.largest_drift

@@ -44,7 +44,6 @@ def check_criteria(
         objectives: letters.
         project: whose structure and hazard levels they mean.
         variants: names of the variants of the study.
-        problems: collects what is wrong.
         kept: histories that the study keeps of every record; None: not known.
         dampers: names of the dampers of each variant.
     """

@@ -17,7 +17,6 @@ def check_in_space(keys: Keys, criterion: LimitCriterion, project: AnalysisFile,
     Args:
         keys: of the criterion.
         criterion: as read; it has no schema problems.
-        problems: collects what is wrong.
     """
     subject, place = criterion.subject, criterion.in_space
     given = [key for key in SPACE_KEYS if key in criterion.model_fields_set]

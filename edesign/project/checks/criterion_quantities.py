@@ -30,7 +30,6 @@ def check_quantity(
     Args:
         criterion: as read; it has no schema problems.
         project: whose structure it means.
-        problems: collects what is wrong.
         kept: histories that the study keeps of every record; None: not known.
         dampers: names of the dampers of each variant.
     """
@@ -80,7 +79,6 @@ def check_members(keys: Keys, given: Sequence[str], project: AnalysisFile, what:
 
     Args:
         what: kind of the members: `column`, `beam`, `brace`, or `column or beam`.
-        problems: the problems of the file, to which those found are added.
     """
     allowed = [name for name in project.grid.members if member_kind(name) in what.split(" or ")]
     if not allowed:

@@ -30,7 +30,6 @@ def check_dampers(project: Project, problems: Problems) -> None:
 
     Args:
         project: the project, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     check_devices(project, problems, lambda keys, run: _places(project, problems, keys, run))
     for part in ("devices", "attachments"):
@@ -49,7 +48,6 @@ def check_devices(project: AnalysisFile, problems: Problems, stand: Callable[[Ke
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
         stand: checks the places of dampers at keys, and returns their storeys; none where they are wrong.
     """
     for i, analysis in enumerate(project.analyses):
@@ -100,7 +98,6 @@ def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
     """Check that a law is either in the file itself or in a law file.
 
     Args:
-        problems: the problems of the file, to which those found are added.
         law: the law, as the file describes it.
     """
     if law.file is None:
@@ -135,7 +132,6 @@ def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, l
     """Check that a damper has the size that its law needs: layers or a factor on its forces.
 
     Args:
-        problems: the problems of the file, to which those found are added.
         device: the damper, or an item of a catalogue.
         laws: of the project, by name.
     """
@@ -226,8 +222,6 @@ def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, 
     Args:
         keys: of the `kind` of the dampers.
         run: of dampers, or their design.
-        project: with the frame.
-        problems: collects what is wrong.
     """
     grid = project.frame
     absent = [

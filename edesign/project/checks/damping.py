@@ -23,7 +23,6 @@ def check_damping(project: AnalysisFile, problems: Problems) -> None:
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     damping = project.damping
     if isinstance(damping, RayleighDamping):

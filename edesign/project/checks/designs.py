@@ -273,11 +273,7 @@ def _bounds(keys: Keys, spec: SizedDesign, bounds: Bounds, problems: Problems) -
 
 
 def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
-    """Check factors and temperatures of bounds against each other.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check factors and temperatures of bounds against each other."""
     for side in ("upper", "lower"):
         if getattr(bounds, side) is not None and getattr(bounds, f"{side}_factors") is not None:
             problems.at_key((*keys, f"{side}_factors"), f"`{side}` is given; keep one of them [E-KEY-03]")

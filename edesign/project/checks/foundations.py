@@ -12,7 +12,6 @@ def check_foundations(project: AnalysisFile, problems: Problems, supports: objec
 
     Args:
         project: read without schema problems.
-        problems: collects what is wrong.
         supports: of the frame or building: a mapping by lines, or one for all.
         place: of the supports in the file.
     """

@@ -23,7 +23,6 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
 
     Args:
         project: read without schema problems.
-        problems: collects what is wrong.
         profiles: names of the catalogue; None leaves section names that the project does not define unchecked.
     """
     frame = project.frame

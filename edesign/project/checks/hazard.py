@@ -17,7 +17,6 @@ def check_hazard(hazard: Hazard | None, holder: FileModel, problems: Problems, f
 
     Args:
         holder: the file that it stands in, which keeps the contents of the files that the action names.
-        problems: collects what is wrong.
         files: whether the files that it names must be there.
     """
     if hazard is None:

@@ -18,7 +18,6 @@ def check_hinges(project: Project, problems: Problems) -> None:
 
     Args:
         project: read without schema problems.
-        problems: collects what is wrong.
     """
     check = Selections(project.frame, problems)
     check_ends(project, problems, check, project.frame)
@@ -54,8 +53,6 @@ def check_ends(file: AnalysisFile, problems: Problems, check: _Checks, members: 
 
     Args:
         file: read without schema problems.
-        problems: collects what is wrong.
-        check: of its selections.
         members: its columns and beams.
     """
     for i, hinges in enumerate(file.hinges):
@@ -85,7 +82,6 @@ def no_rigid_ends(file: AnalysisFile, problems: Problems, keys: Keys) -> None:
 
     Args:
         file: read without schema problems.
-        problems: collects what is wrong.
         keys: place of the panel zones.
     """
     rigid = file.elements.rigid_ends

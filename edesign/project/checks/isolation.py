@@ -30,7 +30,6 @@ def check_isolation(project: Project, problems: Problems) -> None:
 
     Args:
         project: the project, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     isolation = project.isolation
     if isolation is None:
@@ -64,11 +63,7 @@ NO_PUSHOVER = (
 
 
 def check_isolated_analyses(project: AnalysisFile, problems: Problems) -> None:
-    """Check that nothing is asked of a file with an isolated base that is not offered for one.
-
-    Args:
-        problems: collects what is wrong.
-    """
+    """Check that nothing is asked of a file with an isolated base that is not offered for one."""
     for i, analysis in enumerate(project.analyses):
         if isinstance(analysis, PushoverAnalysis) and analysis.dampers:
             problems.at_key(("analyses", i, "kind"), NO_PUSHOVER)
@@ -82,7 +77,6 @@ def check_isolator(
     """Check law, weight and vertical direction of an isolator, and that its lines have no other one.
 
     Args:
-        problems: collects what is wrong.
         isolator: of a plane frame or a building.
         taken: numbers of isolators by column line, to which those of its lines are added.
         lines: key of its column lines.
@@ -106,7 +100,6 @@ def check_law(project: AnalysisFile, problems: Problems, keys: Keys, item: AnyBa
     """Check that a law exists, with a size that it knows, and acts in the directions of what has it.
 
     Args:
-        problems: collects what is wrong.
         keys: place of what has it.
         item: an isolator, or what acts beside isolators.
     """

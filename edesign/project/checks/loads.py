@@ -16,7 +16,6 @@ def check_loads(project: Project, problems: Problems) -> None:
 
     Args:
         project: the project, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     check = Selections(project.frame, problems)
     loads, before = project.loads, len(problems.found)

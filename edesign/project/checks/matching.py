@@ -20,7 +20,6 @@ def check_matching(
         hazard: the seismic action; None: there is none.
         match: what the file says; None: the record stays as recorded.
         keys: its place in the file of the problems.
-        problems: collects what is wrong.
         damping: the place of the damping of the hazard there, or what leads to it.
     """
     if match is None:
@@ -40,10 +39,8 @@ def check_fitted_level(hazard: Hazard, level: str | None, keys: Keys, problems: 
     """Check which of the levels a record is fitted to, where each has a spectrum of its own.
 
     Args:
-        hazard: the seismic action.
         level: that the file names; None: none.
         keys: of what the level belongs to, in the file of the problems.
-        problems: collects what is wrong.
     """
     if level is not None and not hazard.own_shapes:
         message = (
@@ -67,7 +64,6 @@ def check_fitted_levels(
         keys: where the levels stand in the file of the problems.
         records: names of fitted records of the project; those that are fitted to a shape of all levels pass.
         project: that has them.
-        problems: collects what is wrong.
     """
     for name in records:
         only = project.fitted_level(name)
@@ -85,7 +81,6 @@ def check_compared_damping(hazard: Hazard | None, suite: str, problems: Problems
     Args:
         hazard: the seismic action; None: there is none.
         suite: name of the records.
-        problems: collects what is wrong.
         keys: the place that is told.
     """
     if isinstance(hazard, UserHazard) and not hazard.at_5_percent:
@@ -101,7 +96,6 @@ def check_less_than_critical(damping: float, problems: Problems, keys: Keys = ("
 
     Args:
         damping: ratio of critical.
-        problems: collects what is wrong.
         keys: its place in the file of the problems.
     """
     if damping >= 1.0:

@@ -16,7 +16,6 @@ def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str],
     """Check that names are defined.
 
     Args:
-        problems: collects what is wrong.
         keys: of the names; a single one may stand there without a list.
         what: they are, for messages: "variant".
         known: those that there are.
@@ -32,7 +31,6 @@ def check_records(problems: Problems, keys: Keys, given: Sequence[str], project:
     """Check references of records, RECORD or SUITE/RECORDING; recordings are found when the suite is read.
 
     Args:
-        problems: the problems of the file, to which those found are added.
         project: the file, which has no schema problems.
     """
     for i, reference in enumerate(given):

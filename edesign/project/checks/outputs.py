@@ -18,7 +18,6 @@ def check_outputs(project: Project, problems: Problems) -> None:
 
     Args:
         project: the project, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     outputs = project.outputs
     check_kept(project, problems)
@@ -37,7 +36,6 @@ def check_kept(project: AnalysisFile, problems: Problems) -> None:
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     outputs = project.outputs
     for i, kind in enumerate(outputs.histories):
@@ -74,7 +72,6 @@ def check_member(project: AnalysisFile, problems: Problems, keys: Keys, member: 
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     known = project.grid.members
     if member in known:

@@ -32,7 +32,6 @@ def check_pairs(
     Args:
         hazard: the seismic action that they are fitted to; None: there is none.
         folder: to which paths are relative.
-        problems: the problems of the file, to which those found are added.
         what: the file is, for messages; empty: its files need not be there.
     """
     for name, record in records.items():

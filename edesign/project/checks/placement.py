@@ -35,11 +35,7 @@ def check_placement_design(
 
 
 def check_bays_of_frame(keys: Keys, spec: PlacementDesign, project: AnalysisFile, problems: Problems) -> bool:
-    """Check that a plane frame has the candidate places of a placement, and return whether it has.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check that a plane frame has the candidate places of a placement, and return whether it has."""
     assert isinstance(project, Project)
     if spec.places:
         message = "a plane frame has one direction; give `bays`, this is of a building [E-KEY-03]"
@@ -51,22 +47,14 @@ def check_bays_of_frame(keys: Keys, spec: PlacementDesign, project: AnalysisFile
 
 
 def check_candidate_places(keys: Keys, spec: Design, project: Project, problems: Problems) -> bool:
-    """Check that the frame has the bays and storeys of a design, and return whether it has.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check that the frame has the bays and storeys of a design, and return whether it has."""
     check = Selections(project.frame, problems)
     bays = spec.bays is None or check.bays(keys, spec.bays)
     return check.storeys(keys, spec.storeys) and bays
 
 
 def check_design_hazard(keys: Keys, spec: Design, project: AnalysisFile, problems: Problems) -> None:
-    """Check that the project has the levels and records of a design.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check that the project has the levels and records of a design."""
     levels = project.hazard_levels
     if spec.level is not None and spec.level not in levels:
         problems.at_value((*keys, "level"), unknown_name("level", spec.level, levels))

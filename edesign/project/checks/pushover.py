@@ -17,7 +17,6 @@ def check_pushover(project: AnalysisFile, problems: Problems, keys: Keys, pushov
 
     Args:
         project: of the frame and the hazard.
-        problems: collects what is wrong.
         keys: where they stand.
         pushover: an analysis of a project, or an item of a study.
     """

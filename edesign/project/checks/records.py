@@ -39,7 +39,6 @@ def check_project_records(project: AnalysisFile, problems: Problems) -> None:
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     for name, record in project.records.items():
         keys: Keys = ("records", name)
@@ -61,7 +60,6 @@ def check_record(record: Record, keys: Keys, problems: Problems) -> None:
 
     Args:
         record: as the file describes it.
-        problems: the problems of the file, to which those found are added.
     """
     if isinstance(record, ChosenRecords):
         return
@@ -87,7 +85,6 @@ def check_components(record: TwoComponents, keys: Keys, problems: Problems) -> N
     Args:
         record: as the file describes it.
         keys: its place in the file.
-        problems: collects what is wrong.
     """
     for i, component in enumerate(record.pair):
         check_record(component, (*keys, "pair", i), problems)
@@ -163,7 +160,6 @@ def check_record_files(
     """Check that the files and folders of records are there.
 
     Args:
-        problems: collects what is wrong.
         what: the file is, for messages.
     """
     for name, record in records.items():
@@ -193,7 +189,6 @@ def check_component_files(record: TwoComponents, folder: Path, keys: Keys, probl
         record: as the file describes it.
         folder: to which paths are relative.
         keys: its place in the file.
-        problems: collects what is wrong.
         what: the file is, for messages.
     """
     for i, component in enumerate(record.pair):
@@ -210,7 +205,6 @@ def check_suite_files(
         record: as the file describes it.
         folder: to which paths are relative.
         keys: its place in the file.
-        problems: collects what is wrong.
         what: the file is, for messages.
     """
     if not is_suite_name(record.suite):
@@ -252,7 +246,6 @@ def check_processing(steps: tuple[Step, ...], keys: Keys, problems: Problems) ->
     Args:
         steps: in their order.
         keys: their place in the file.
-        problems: collects what is wrong.
     """
     for i, step in enumerate(steps):
         if not step.given:

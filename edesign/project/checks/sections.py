@@ -13,7 +13,6 @@ def check_own_sections(sections: Mapping[str, object], problems: Problems, profi
 
     Args:
         sections: of the file, by name.
-        problems: collects what is wrong.
         profiles: names of the catalogue; None leaves names unchecked.
     """
     for name, section in sections.items():

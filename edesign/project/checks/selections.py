@@ -16,7 +16,6 @@ class GridSelections:
     """Checks of selections in a grid of storeys; each returns whether it found nothing wrong.
 
     Args:
-        problems: collects what is wrong.
         what: "frame" or "building", for messages.
     """
 
@@ -92,7 +91,6 @@ class Selections(GridSelections):
 
     Args:
         frame: read without schema problems.
-        problems: collects what is wrong.
     """
 
     def __init__(self, frame: Frame, problems: Problems) -> None:

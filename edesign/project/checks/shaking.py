@@ -43,7 +43,6 @@ def check_shaking(file: AnalysisFile, problems: Problems, keys: Keys, asked: _Sh
     Args:
         file: that is shaken.
         keys: their place there.
-        asked: what that file says.
     """
     if file.structure == "frame":
         for key, what in _OF_BUILDINGS.items():

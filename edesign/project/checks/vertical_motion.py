@@ -79,7 +79,6 @@ def check_horizontal(project: AnalysisFile, problems: Problems, keys: Keys, reco
 
     Args:
         project: the file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
         records: references of the records.
     """
     for i, name in enumerate(map(record_of, records)):

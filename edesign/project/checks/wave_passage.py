@@ -13,7 +13,6 @@ def check_wave_passage(base: AnalysisFile, problems: Problems, keys: Keys, passa
 
     Args:
         base: the frame or building, read without schema problems.
-        problems: collects what is wrong.
         keys: where the wave is described.
         passage: the wave; None: there is none.
     """

@@ -12,7 +12,6 @@ def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
     """Check that a file exists, and return whether it does.
 
     Args:
-        problems: the problems of the file, to which those found are added.
         what: what the file is, for messages.
     """
     if not is_there(path):

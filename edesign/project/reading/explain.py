@@ -24,7 +24,6 @@ def explain(error: ValidationError, model: type[BaseModel], problems: Problems) 
 
     Args:
         error: as raised by `model.model_validate` on the plain data of the file.
-        problems: collects the result.
     """
     details = error.errors(include_url=False)
     meant = {detail["loc"]: key for detail in details if (key := _meant(detail, model, problems))}

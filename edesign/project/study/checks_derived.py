@@ -18,7 +18,6 @@ def check_derived(study: Study, problems: Problems) -> None:
 
     Args:
         study: the study, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     of_file = [name for name in study.variants if name not in study.derived]
     for name in of_file:

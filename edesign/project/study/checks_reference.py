@@ -25,7 +25,6 @@ def check_reference(reference: Reference, problems: Problems) -> None:
 
     Args:
         reference: the reference file, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     _check_unique(problems, ("tables",), [table.title for table in reference.tables], "title")
     for i, table in enumerate(reference.tables):

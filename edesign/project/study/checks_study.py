@@ -44,7 +44,6 @@ def check_study(study: Study, problems: Problems) -> None:
 
     Args:
         study: the study, which has no schema problems.
-        problems: the problems of the file, to which those found are added.
     """
     base = study.base
     for name, design in study.designs.items():

@@ -34,12 +34,7 @@ _UNITS = {"a0": (1.0, ""), "a1": (1e3, " ms"), "a2": (1.0, " s^2")}
 
 
 def check_compensators(rts: RtsFile, problems: Problems) -> None:
-    """Check all compensators; the rig of the file is known.
-
-    Args:
-        rts: the file of substructure tests.
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check all compensators; the rig of the file is known."""
     for name, compensator in rts.compensators.items():
         if name in TAKEN:
             problems.at_key(

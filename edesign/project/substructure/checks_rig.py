@@ -21,7 +21,6 @@ def check_plant(rig: RigModel, keys: Keys, problems: Problems) -> None:
 
     Args:
         rig: without schema problems.
-        problems: collects what is wrong.
     """
     if isinstance(rig, TransferFunctionRig):
         _transfer_function(rig, keys, problems)
@@ -35,11 +34,7 @@ def check_plant(rig: RigModel, keys: Keys, problems: Problems) -> None:
 
 
 def check_covariance(file: RigFile, problems: Problems) -> None:
-    """Check that the covariance of a rig file is a covariance matrix of the numbers of its rig.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check that the covariance of a rig file is a covariance matrix of the numbers of its rig."""
     if file.covariance is None:
         return
     names, rows, keys = list(file.standard_errors), file.covariance, ("covariance",)
@@ -101,12 +96,7 @@ def _transfer_function(rig: TransferFunctionRig, keys: Keys, problems: Problems)
 
 
 def check_sensors(rts: RtsFile, problems: Problems) -> None:
-    """Check the sensors; the rig of the file is known.
-
-    Args:
-        rts: the file of substructure tests.
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check the sensors; the rig of the file is known."""
     sensors, limits = rts.sensors, rts.plant.limits
     for key, limit, value in (
         ("displacement_range", "stroke", rts.displacement_range),
@@ -131,12 +121,7 @@ def check_sensors(rts: RtsFile, problems: Problems) -> None:
 
 
 def check_sub_steps(rts: RtsFile, problems: Problems) -> None:
-    """Check that the sub-steps of a servo-hydraulic rig do not make it oscillate; the rig of the file is known.
-
-    Args:
-        rts: the file of substructure tests.
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check that the sub-steps of a servo-hydraulic rig do not make it oscillate; the rig of the file is known."""
     plant, h = rts.plant, rts.sub_step
     if not isinstance(plant, ServoHydraulicRig):
         return
@@ -153,12 +138,7 @@ def check_sub_steps(rts: RtsFile, problems: Problems) -> None:
 
 
 def check_noise(rts: RtsFile, problems: Problems) -> None:
-    """Check that the noise of the sensors is within their range; the rig of the file is known.
-
-    Args:
-        rts: the file of substructure tests.
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check that the noise of the sensors is within their range; the rig of the file is known."""
     in_rig_file = rts.sensors.encoder_noise is None
     for keys, noise, reach, what, scale, unit in (
         (
@@ -177,12 +157,7 @@ def check_noise(rts: RtsFile, problems: Problems) -> None:
 
 
 def check_loop(rts: RtsFile, problems: Problems) -> None:
-    """Check steps, and parameters of the integration.
-
-    Args:
-        rts: the file of substructure tests.
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check steps, and parameters of the integration."""
     if rts.loop.main_step > LONGEST_STEP:
         message = (
             f"{rts.loop.main_step:.4g} s is no step of a loop; at most {LONGEST_STEP:g} s is possible [E-VALUE-02]"

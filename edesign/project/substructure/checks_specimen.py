@@ -14,12 +14,7 @@ _WHAT = "substructure test file"
 
 
 def check_specimen(rts: RtsFile, problems: Problems) -> None:
-    """Check the specimen in the laboratory; the file has no schema problems.
-
-    Args:
-        rts: the file of substructure tests.
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check the specimen in the laboratory; the file has no schema problems."""
     specimen = rts.specimen
     if specimen.law is not None and specimen.law_file is not None:
         problems.at_key((*_KEYS, "law_file"), "give either `law` or `law_file`, one of them [E-KEY-03]")

@@ -21,11 +21,7 @@ LARGEST_STEP = {"newmark_explicit": 2.0, "central_difference": 2.0, "bogacki_sha
 
 
 def check_structure(rts: RtsFile, problems: Problems) -> None:
-    """Check the numerical part of the tests; the file has no schema problems.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check the numerical part of the tests; the file has no schema problems."""
     if isinstance(rts.structure, ProjectStructure) and rts.project is not None:
         _physical(rts.structure, rts.project, problems)
         if rts.project.isolation is not None:

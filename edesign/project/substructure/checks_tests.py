@@ -30,11 +30,7 @@ _WHAT = "substructure test file"
 
 
 def check_tests(rts: RtsFile, problems: Problems) -> None:
-    """Check tests, records and outputs; the rig of the file is known.
-
-    Args:
-        problems: the problems of the file, to which those found are added.
-    """
+    """Check tests, records and outputs; the rig of the file is known."""
     if rts.structure is None and not rts.tests:
         message = "there is nothing to test; give the `structure`, or `tests` of the kind `command` [E-KEY-02]"
         problems.at_key(("compensators",), message)

@@ -117,11 +117,7 @@ CHANGES_IN_SHORT = TableSpec[_Pair](
 
 
 def changes_table(sets: Sequence[HistorySet]) -> Table:
-    """Return where each quantity changes most from the first variant of a level to each other one.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return where each quantity changes most from the first variant of a level to each other one."""
     rows = [
         _Row(label(pair.found), quantity, found)
         for pair in _pairs(sets)
@@ -132,21 +128,13 @@ def changes_table(sets: Sequence[HistorySet]) -> Table:
 
 
 def changes_in_short(sets: Sequence[HistorySet]) -> Table:
-    """Return the largest changes of a storey's drift and a column's force, and tension, a row for each variant.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return the largest changes of a storey's drift and a column's force, and tension, a row for each variant."""
     pairs = list(_pairs(sets))
     return CHANGES_IN_SHORT.of(pairs, firsts=", ".join(dict.fromkeys(pair.first.variant for pair in pairs)))
 
 
 def tension_notes(sets: Sequence[HistorySet]) -> list[str]:
-    """Return a line for each set with columns that go into tension, and those that lift their supports.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return a line for each set with columns that go into tension, and those that lift their supports."""
     notes = []
     for found in dict.fromkeys(label(one) for one in sets):
         of = next(one for one in sets if label(one) == found)

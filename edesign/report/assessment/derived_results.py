@@ -81,11 +81,7 @@ class Bounded:
 
 
 def sweeps(study: Study, sets: Sequence[HistorySet]) -> list[Sweep]:
-    """Return the sweeps of a study that have histories, in the order of the file.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return the sweeps of a study that have histories, in the order of the file."""
     there = {(found.variant, found.level): found for found in sets}
     levels = dict.fromkeys(found.level for found in sets)
     made = []
@@ -117,9 +113,5 @@ def bounded(study: Study, sets: Sequence[HistorySet]) -> list[Bounded]:
 
 
 def not_swept(study: Study, sets: Sequence[HistorySet]) -> list[HistorySet]:
-    """Return the sets without those of `vary`, which have tables of their own.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return the sets without those of `vary`, which have tables of their own."""
     return [found for found in sets if found.variant not in study.derived or study.derived[found.variant].bound]

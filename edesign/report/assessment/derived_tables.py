@@ -52,11 +52,7 @@ BOUNDS = TableSpec[_Bound](
 
 
 def derived_tables(study: Study, sets: Sequence[HistorySet]) -> list[Table]:
-    """Return a table of each sweep and of each variant with bounds, level by level.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return a table of each sweep and of each variant with bounds, level by level."""
     tables = [sweep_table(sweep) for sweep in sweeps(study, sets)]
     return tables + [bounds_table(found) for found in bounded(study, sets)]
 

@@ -108,11 +108,7 @@ def tables_of_sets(
 
 
 def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, HistorySet]]:
-    """Return each set with completed histories behind the first such set of its level, level by level.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return each set with completed histories behind the first such set of its level, level by level."""
     found: list[tuple[HistorySet, HistorySet]] = []
     for level in dict.fromkeys(one.level for one in sets):
         there = [one for one in sets if one.level == level and one.completed]
@@ -137,7 +133,6 @@ def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str
     """Return a line for each set with histories that failed or have not run: they are in no statistic.
 
     Args:
-        sets: the histories by variant and level.
         labelled: whether the sets are named.
     """
     notes = []

@@ -231,7 +231,6 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers) -> l
     """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations.
 
     Args:
-        sets: the histories by variant and level.
         members: acceptance limits of the members, by variant.
     """
     found = [set_performance(one, members(one.variant), "mean") for one in sets]

@@ -40,7 +40,6 @@ def model_elevations(
 
     Args:
         building: its grid and supports.
-        frame: its members.
         heading: lines above each drawing; (): none.
         variant: of a study, of which the frames with dampers are drawn; "": all frames are.
 

@@ -212,7 +212,6 @@ def adrs_figure(hazard: Hazard, targets: Sequence[Curve]) -> Figure:
     """Draw equivalent oscillators against elastic spectra, acceleration against displacement, a panel for each push.
 
     Args:
-        hazard: whose levels they are of.
         targets: of the N2 method and one variant, at least one.
     """
     from matplotlib.lines import Line2D

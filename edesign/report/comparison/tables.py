@@ -165,7 +165,6 @@ def statistic_note(cell: ComparedCell, usual: str) -> str:
     """Return a note on a statistic that is not the usual one of the table.
 
     Args:
-        cell: the printed value and the one found.
         usual: the statistic of most cells.
     """
     return "" if cell.statistic == usual else f"{WORDS[cell.statistic]} of the histories"

@@ -192,7 +192,6 @@ def verdict_text(judged: Sequence[Judged], runs: Sequence[Run]) -> str:
     """Return the verdict in a sentence or two.
 
     Args:
-        judged: the judged runs.
         runs: the runs of the tests.
     """
     groups = _by_criterion(judged)
@@ -239,7 +238,6 @@ def sheet_json(runs: Sequence[Run], judged: Sequence[Judged], notes: Sequence[st
 
     Args:
         runs: the runs of the tests.
-        judged: the judged runs.
         notes: what the reader of the files said.
     """
     return {

@@ -20,7 +20,6 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
     Args:
         archive: of a study.
         study: that it holds; None: it cannot be read.
-        sets: its histories by variant and level.
     """
     tables = []
     hazard = None if study is None else study.base.hazard

@@ -101,7 +101,6 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
 
     Args:
         group: of a design of viscous or hysteretic dampers.
-        sets: histories by variant and level.
         factors: property factors of the variants that have the design, by their names.
         rules: of the code in force, for statistics over motions.
     """

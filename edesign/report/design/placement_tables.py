@@ -91,7 +91,6 @@ def placement_tables(
 
     Args:
         group: designs/NAME of an archive.
-        sets: histories by variant and level.
         factors: property factors of the variants that have the design, by their names.
         rules: of the code in force, for statistics over motions.
     """

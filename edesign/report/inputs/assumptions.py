@@ -27,7 +27,6 @@ def assumption_rows(project: Project, study: Study | None = None) -> Rows:
     """Return a topic and its sentences for each assumption; topics that a project has not are left out.
 
     Args:
-        project: of the frame.
         study: of the archive; None: the analyses are those of the project.
     """
     shaken = _shaken(project, study)

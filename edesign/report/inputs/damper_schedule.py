@@ -87,7 +87,6 @@ def schedule_tables(
     Bounds of a variant, and other temperatures, ask of its own dampers; variants that `vary` makes are left out.
 
     Args:
-        frames: of the archive.
         study: it is of; None: a project.
         whole: reads the results of an analysis with what was kept over time.
 

@@ -45,11 +45,7 @@ def law_colors(project: AnalysisFile) -> dict[str, str]:
 
 
 def law_words(name: str, law: DamperLaw) -> str:
-    """Return a law in words: its type with its parameters, the size of its prototype, temperature and factor.
-
-    Args:
-        law: the law in the project.
-    """
+    """Return a law in words: its type with its parameters, the size of its prototype, temperature and factor."""
     if law.file is not None:
         parts = [f"law of {Path(law.file).name}"]
     else:

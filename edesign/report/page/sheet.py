@@ -34,9 +34,7 @@ def sheet_page(
         title: of the campaign.
         runs: their cycles.
         judged: criteria on the runs.
-        asked: what the device is accepted by.
         notes: what was left out.
-        document: for the cover.
     """
     sections = (
         made("acceptance", lambda: _acceptance(runs, judged)),

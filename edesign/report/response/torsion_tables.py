@@ -55,11 +55,7 @@ TORSION = TableSpec[_Twist](
 
 
 def torsion_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Return a table of each set of histories of a building; plane frames have none.
-
-    Args:
-        sets: histories by variant and level.
-    """
+    """Return a table of each set of histories of a building; plane frames have none."""
     return tables_of_sets(sets, "line_drift_max", lambda groups, whose: TORSION.of(_twists(groups), whose=whose))
 
 

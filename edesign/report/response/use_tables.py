@@ -48,11 +48,7 @@ USE = TableSpec[_Use](
 
 
 def use_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
-    """Return a table of each set of histories of a building; plane frames have none.
-
-    Args:
-        sets: histories by variant and level.
-    """
+    """Return a table of each set of histories of a building; plane frames have none."""
     return tables_of_sets(sets, "section_use_max", lambda groups, whose: USE.of(_uses(groups), whose=whose))
 
 

@@ -16,11 +16,7 @@ from edesign.space.structure.masses import psi_2
 
 
 def with_joined_cases(frame: SpaceFrame) -> SpaceFrame:
-    """Return the frame with its permanent cases as one, `G`, and a single category of use as `Q`.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the frame with its permanent cases as one, `G`, and a single category of use as `Q`."""
     permanent = [case for case in frame.cases.values() if case.category == PERMANENT]
     variable = [case for case in frame.cases.values() if case.category != PERMANENT]
     cases = {"G": _sum("G", permanent)} | {case.name: case for case in variable}
@@ -42,21 +38,12 @@ def _sum(name: str, cases: Sequence[LoadCase]) -> LoadCase:
 
 
 def action_factors_of(design: Design, national: NationalParameters) -> ActionFactors:
-    """Return the national partial factors with gamma_G and gamma_Q of the file.
-
-    Args:
-        design: of the building.
-        national: parameters of the country.
-    """
+    """Return the national partial factors with gamma_G and gamma_Q of the file."""
     return replace(national.action_factors, G_sup=design.partial_factors.G, Q=design.partial_factors.Q)
 
 
 def psi_of(building: Building, national: NationalParameters) -> dict[str, Psi]:
-    """Return the national psi factors; psi_2 is that of the masses where the file gives it.
-
-    Args:
-        national: parameters of the country.
-    """
+    """Return the national psi factors; psi_2 is that of the masses where the file gives it."""
     psi = dict(national.psi)
     masses = building.masses
     if masses is not None and masses.from_loads is not None:

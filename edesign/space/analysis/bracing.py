@@ -99,11 +99,7 @@ class Bracing:
 
 
 def bracing(frame: SpaceFrame) -> Bracing:
-    """Return what the braces of a frame bring to its columns and beams.
-
-    Args:
-        frame: of the building.
-    """
+    """Return what the braces of a frame bring to its columns and beams."""
     members = frame.members
     braces = np.array([number for number, member in enumerate(members) if member.kind == "brace"], dtype=int)
     axis = np.array([AXES.index(members[number].frame[0][0].lower()) for number in braces], dtype=int)
@@ -195,11 +191,7 @@ def _collectors(frame: SpaceFrame, braces: np.ndarray, cosine: np.ndarray) -> tu
 
 
 def joined_beams(frame: SpaceFrame) -> Iterator[list[int]]:
-    """Yield the beams of each frame and floor that are joined end to end, by their numbers.
-
-    Args:
-        frame: of the building.
-    """
+    """Yield the beams of each frame and floor that are joined end to end, by their numbers."""
     lines: dict[tuple[str, int], list[tuple[int, Member]]] = {}
     for number, member in enumerate(frame.members):
         if member.kind == "beam":

@@ -30,11 +30,7 @@ WITHOUT_EFFECT = 3  # class of a section: buckling resistances of classes 1 to 3
 
 
 def single_diagonals(frame: SpaceFrame, bracing: Bracing) -> np.ndarray:
-    """Return which braces count in tension only and cross no other one, (b,).
-
-    Args:
-        frame: of the building.
-    """
+    """Return which braces count in tension only and cross no other one, (b,)."""
     members = [frame.members[number] for number in bracing.braces]
     return np.array([not of.compression and of.bracing != CROSSING for of in members], dtype=bool)
 

@@ -49,7 +49,6 @@ class DeflectionAnalysis:
     """Finds the deflections of beams, whatever sections they have; what sections do not change is prepared once.
 
     Args:
-        frame: nodes and members.
         cases: load cases by name, permanent ones first; their uniform loads may change with the sections.
         permanent: name of the permanent case.
         combinations: characteristic ones.

@@ -60,7 +60,6 @@ def effects(
     A brace that does not count in compression carries alone what the model divides between two.
 
     Args:
-        frame: of the building.
         static: effects of the load cases.
         seismic: effects of the seismic action, by direction.
         storeys: with the factors for second-order effects.
@@ -78,7 +77,6 @@ def largest(effects: Effects, combinations: Sequence[Combination]) -> np.ndarray
     """Return the largest magnitude of each internal force over combinations, (n_members, n_stations, 6).
 
     Args:
-        effects: of the actions.
         combinations: of load cases and responses.
     """
     found = np.zeros(effects.static.shape[1:])

@@ -37,7 +37,6 @@ class LiveLoadReduction:
     """Reduces the imposed loads of a building by members; what sections do not change is prepared once.
 
     Args:
-        frame: nodes and members.
         psi: factors by category.
 
     Attributes:

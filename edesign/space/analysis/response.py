@@ -83,11 +83,7 @@ class SeismicResponse:
 
 
 def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
-    """Return the effects of all load cases of a frame.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the effects of all load cases of a frame."""
     return static_cases(model, tuple(frame.cases.values()))
 
 
@@ -244,7 +240,6 @@ def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray
     """Return P_tot of each storey: the vertical load at and above it, (n_storeys,) N.
 
     Args:
-        frame: with its load cases.
         factors: of the load cases, such as 1 for G and psi_2 for Q; cases that are absent do not count.
     """
     down = np.zeros(len(frame.node_names))
@@ -320,7 +315,6 @@ def nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
     """Return a load case of forces and moments on nodes.
 
     Args:
-        frame: of the building.
         nodal: (n_nodes, 6) N and N m.
     """
     none = np.zeros(0, dtype=int)

@@ -189,7 +189,6 @@ def critical_factors(
     twist above all, are looked at for themselves. A direction without any has the least of the others.
 
     Args:
-        model: of the frame.
         modes: all its natural modes, of generalised mass 1: together all shapes under horizontal forces.
         axial: (n_members,) N, tension positive.
         mass: (n_nodes,) kg, that of the modes.

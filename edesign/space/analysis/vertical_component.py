@@ -81,7 +81,6 @@ def vertical_component(frame: SpaceFrame, elastic: VerticalSpectrum, beta: float
     """Return the members that the vertical component concerns; None if there are none.
 
     Args:
-        frame: of the building.
         beta: lower bound factor of the design spectrum.
 
     Source: EN 1998-1:2004, 4.3.3.5.2(1)-(3); q = 1.5 (3.2.2.5(6)).

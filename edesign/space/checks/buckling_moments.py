@@ -49,7 +49,6 @@ class FreeBeams:
     """Finds M_b,Rd of beams with lateral restraints at their ends alone, whatever sections they have.
 
     Args:
-        frame: nodes and members.
         materials: of the building, by name.
         gamma_M1: partial factor.
         bracing: that meets some of the beams.
@@ -79,7 +78,6 @@ class FreeBeams:
 
         Args:
             frame: with the sections of the members, and the load cases.
-            effects: of the actions.
             spectral: (d, n_members, n_stations, 6) magnitudes of the responses.
             static_factors: (k, n_cases) factors of the load cases in k combinations.
             spectral_factors: (k, d) factors of the responses in them.

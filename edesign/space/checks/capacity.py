@@ -76,11 +76,7 @@ class Joint:
 def by_section(
     frame: SpaceFrame, materials: Mapping[str, Steel], value: Callable[[SteelSection, Steel], float]
 ) -> np.ndarray:
-    """Return a value of section and steel for each member, (n_members,); each pair of them is asked once.
-
-    Args:
-        frame: of the building.
-    """
+    """Return a value of section and steel for each member, (n_members,); each pair of them is asked once."""
     pairs, of_members = frame.sections
     return np.array([value(frame.section(name), materials[steel]) for name, steel in pairs])[of_members]
 
@@ -89,7 +85,6 @@ def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarra
     """Return the numbers of the members in which a system dissipates energy: beams with hinges, or diagonals.
 
     Args:
-        frame: of the building.
         axis: direction of the action.
         system: `moment_frame`, `concentric_diagonal` or `concentric_v`.
 
@@ -121,7 +116,6 @@ def overstrength(
     """Return Omega of one direction: the least of M_pl,Rd / M_Ed of beams, or of N_pl,Rd / N_Ed of diagonals.
 
     Args:
-        frame: of the building.
         materials: its steels, by name.
         acting: (n_members, n_stations, 6) largest effects in the seismic design situation, by `largest`.
         members: numbers of the dissipative members of this direction.
@@ -161,7 +155,6 @@ def joints(
     The resistance of a column is the least within the axial forces of the seismic design situation (4.4.2.3(4)).
 
     Args:
-        frame: of the building.
         materials: its steels, by name.
         acting: as for `overstrength`.
         beams: numbers of the beams with hinges in this direction.
@@ -201,7 +194,6 @@ def bend_about_y(frame: SpaceFrame, columns: np.ndarray, axis: Axis) -> np.ndarr
     """Return which columns bend about their strong axis under horizontal forces along an axis, (n_columns,).
 
     Args:
-        frame: of the building.
         columns: (n_columns,) numbers.
     """
     return np.asarray(np.abs(frame.webs[columns, AXES.index(axis)]) > _DIAGONAL)
@@ -218,7 +210,6 @@ def column_moments(
     """Return M_N,Rd of columns about the axis that horizontal forces bend them about, (n_columns,) N m.
 
     Args:
-        frame: of the building.
         materials: its steels, by name.
         columns: (n_columns,) numbers.
         force: (n_members,) largest axial forces, N, without sign.

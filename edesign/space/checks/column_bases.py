@@ -24,7 +24,6 @@ def hinged_bases(frame: SpaceFrame, axis: Axis) -> np.ndarray:
     """Return the numbers of the columns on supports that restrain rotation by forces along an axis.
 
     Args:
-        frame: of the building.
         axis: direction of the horizontal forces.
 
     Returns:
@@ -53,9 +52,7 @@ def base_criteria(
     over the length. N_Ed, which the class depends on, is that of the amplified combinations.
 
     Args:
-        frame: of the building.
         materials: its steels, by name.
-        effects: of the actions.
         amplified: combinations for members that must not yield.
         bases: numbers of the columns, by `hinged_bases`.
         axis: of the moment frame.

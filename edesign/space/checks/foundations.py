@@ -111,12 +111,7 @@ class Foundations:
 
 
 def supports(frame: SpaceFrame, bracing: Bracing) -> Supports:
-    """Return the supports of a frame at its base.
-
-    Args:
-        frame: of the building.
-        bracing: its braces.
-    """
+    """Return the supports of a frame at its base."""
     supported = frame.fixed.any(axis=1) | (frame.springs > 0.0).any(axis=1)
     nodes = np.flatnonzero(supported & (frame.level_of_nodes == 0))
     place = {int(node): number for number, node in enumerate(nodes)}

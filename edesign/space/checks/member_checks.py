@@ -140,7 +140,6 @@ class MemberChecker:
 
         Args:
             frame: with the sections of the members.
-            effects: of the actions.
             fundamental: combinations for persistent design situations.
             seismic: combinations for seismic design situations.
             overstrength: Omega of both directions.
@@ -335,7 +334,6 @@ def amplified_combinations(
     elastic spectrum, q times those of the design spectrum, cannot come: the factor is at most q.
 
     Args:
-        design: of the building.
         seismic: combinations for the seismic design situation.
         overstrength: Omega of both directions.
         q: behaviour factors of both directions.

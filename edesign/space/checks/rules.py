@@ -72,7 +72,6 @@ def behaviour_criteria(
 
     Args:
         building: with the design block of the file.
-        frame: with the members.
         q: behaviour factor of each direction.
         limit: upper limit of q in each direction.
         dissipative: numbers of the dissipative members.
@@ -178,7 +177,6 @@ def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray
 
     Args:
         building: with buckling lengths and steels.
-        frame: with the members.
         members: (n,) numbers of the diagonals.
 
     Returns:
@@ -205,7 +203,6 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
 
     Args:
         building: with the design block of the file.
-        frame: with the members.
         overstrength: of this direction.
 
     Returns:

@@ -69,7 +69,6 @@ def web_panels(
     (6.6.3(6)).
 
     Args:
-        frame: of the building.
         materials: its steels, by name.
         seismic: (n_members, n_stations, 6) effects of the seismic action along the axis.
         beams: numbers of the beams with hinges in this direction.

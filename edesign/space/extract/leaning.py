@@ -13,9 +13,6 @@ def leaning_shares(frame: PlaneFrame) -> dict[int, dict[int, float]]:
     A floor carries its mass to the two nearest frames that resist and reach up to it, by the lever rule; beyond the
     last of them to that one. So the shares of all frames that resist make the whole, and their mass has the centre of
     the floor's.
-
-    Args:
-        frame: of a building.
     """
     frames = parallel_frames(frame)
     place = frame.building.coordinates("y" if frame.along == "x" else "x")
@@ -41,7 +38,6 @@ def leaning(frame: PlaneFrame, values: Callable[[PlaneFrame], AtNodes]) -> dict[
     """Return what leans on a frame at each floor.
 
     Args:
-        frame: of a building.
         values: of the nodes of a frame, for instance its masses.
     """
     shares = leaning_shares(frame)

@@ -130,11 +130,7 @@ def building_storeys(
 
 
 def mass_centres(frame: SpaceFrame) -> np.ndarray:
-    """Return the centre of mass of each level from the base, of its nodes where it has no mass, (n_levels, 2) m.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the centre of mass of each level from the base, of its nodes where it has no mass, (n_levels, 2) m."""
     found = []
     for level in range(frame.n_floors + 1):
         there = frame.level_of_nodes == level

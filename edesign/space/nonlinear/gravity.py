@@ -89,11 +89,7 @@ def gravity_loads(building: Building, frame: SpaceFrame) -> GravityLoads:
 
 
 def member_axes(frame: SpaceFrame) -> np.ndarray:
-    """Return local x, y and z of the members, (n_members, 3, 3).
-
-    Args:
-        frame: of the building.
-    """
+    """Return local x, y and z of the members, (n_members, 3, 3)."""
     start, end = frame.ends
     x = (frame.coordinates[end] - frame.coordinates[start]) / frame.length[:, None]
     return np.stack([x, np.cross(frame.webs, x), frame.webs], axis=1)

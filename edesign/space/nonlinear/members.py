@@ -62,7 +62,6 @@ class BuildingMembers:
 
     Args:
         building: whose members are of steels by their thickness.
-        frame: its nodes and members.
         model: of the core, which has the nodes of the frame in their order.
         gravity: loads on the members, at which these are integrated piece by piece.
 

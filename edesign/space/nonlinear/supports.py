@@ -49,7 +49,6 @@ def add_supports(
 
     Args:
         building: from `load_building`.
-        frame: of the building.
         model: of the core, which has the nodes of the frame in their order.
         footings: by lines of columns; a line whose footing is not among them is fixed.
         masters: ids, by diaphragm.

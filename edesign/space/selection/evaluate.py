@@ -63,7 +63,6 @@ class Evaluator:
     """Evaluates choices of sections; each once.
 
     Args:
-        analysis: of the building.
         workers: processes that analyse at the same time, this one among them.
 
     Attributes:
@@ -163,11 +162,7 @@ class Evaluator:
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
     def weak_columns(self, design: ElasticDesign) -> set[int]:
-        """Return the groups of columns below joints where columns or web panels are too weak for the beams.
-
-        Args:
-            design: of the building.
-        """
+        """Return the groups of columns below joints where columns or web panels are too weak for the beams."""
         nodes: set[str] = set()
         if JOINTS in self.searched:
             nodes |= {joint.node for joint in design.joints if not joint.passed}
@@ -230,7 +225,6 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
     """Return how far each limit is used, by clause: members, storeys, joints and diagonals one by one; 1 is the limit.
 
     Args:
-        design: of the building.
         clauses: for the whole building that count beside the checks of members.
     """
     found = {"members": np.nanmax(design.members.utilisation, axis=1, initial=0.0)}

@@ -50,7 +50,6 @@ class Search:
     """Searches the lightest sections of a building.
 
     Args:
-        evaluate: of choices.
         order: pairs of groups (upper, lower) of which the upper one must not be larger.
         budget: largest number of evaluations.
         progress: takes a line of progress.
@@ -403,7 +402,6 @@ def column_order(frame: SpaceFrame, groups: Sequence[Group]) -> list[tuple[int, 
     """Return pairs of groups of columns, upper and lower, that stand on each other somewhere.
 
     Args:
-        frame: of the building.
         groups: of members.
     """
     numbers = {group.name: number for number, group in enumerate(groups)}

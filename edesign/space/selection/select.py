@@ -217,11 +217,7 @@ def with_sections(building: Building, sections: dict[str, str]) -> Building:
 
 
 def governing_check(design: ElasticDesign, group: str) -> Governing:
-    """Return the most used check of the members of a group.
-
-    Args:
-        design: of the building.
-    """
+    """Return the most used check of the members of a group."""
     numbers = [number for number, member in enumerate(design.frame.members) if member.group == group]
     of = design.members.utilisation[numbers]
     of = np.where(np.isnan(of), -1.0, of)

@@ -65,9 +65,5 @@ def _completed(block: M, values: Mapping[str, float]) -> M:
 
 
 def system_of(design: Design, axis: Axis) -> System:
-    """Return the structural system of one direction.
-
-    Args:
-        design: of the building.
-    """
+    """Return the structural system of one direction."""
     return design.systems.x if axis == "x" else design.systems.y

@@ -42,7 +42,6 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
 
     Args:
         building: from `load_building`.
-        frame: its nodes and members.
 
     Raises:
         InputError: a section is not known.
@@ -191,22 +190,14 @@ def members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
 
 
 def on_members(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
-    """Return the whole load of a case on each member, (n_members, 3) N, global.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the whole load of a case on each member, (n_members, 3) N, global."""
     found = case.uniform * frame.length[:, None]
     np.add.at(found, case.point_member, case.point_force)
     return found
 
 
 def self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
-    """Return the weight of the members.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the weight of the members."""
     pairs, of_members = frame.sections
     weight = [frame.section(name).A * building.materials[steel].density * STANDARD_GRAVITY for name, steel in pairs]
     uniform = np.zeros((len(frame.members), 3))

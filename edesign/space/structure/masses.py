@@ -94,7 +94,6 @@ def mass_shift(frame: SpaceFrame, eccentricity: tuple[float, float]) -> np.ndarr
     Those of all diaphragms stand to one side, together. Others are held by the nodes that they stand at.
 
     Args:
-        frame: of the building.
         eccentricity: share of the length of each floor along x and y, of its own where a floor has several diaphragms.
 
     Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3.

@@ -84,11 +84,7 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
 
 
 def masters(frame: SpaceFrame) -> np.ndarray:
-    """Return the centre of mass of each diaphragm, or of its nodes if it has no mass, (n_diaphragms, 2) m.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the centre of mass of each diaphragm, or of its nodes if it has no mass, (n_diaphragms, 2) m."""
     found = []
     for number in range(len(frame.diaphragms)):
         own = frame.node_diaphragm == number

@@ -113,7 +113,6 @@ def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[Analy
     """Return a warning for each damper that strained beyond the tests of its law, or beyond its strain limit.
 
     Args:
-        devices: of the frame.
         strain: (n_devices,) largest shear strain of each.
     """
     found = []
@@ -143,7 +142,6 @@ def core_strain_warnings(group: Group, devices: Sequence[Device]) -> list[Analys
 
     Args:
         group: results of a history or a pushover.
-        devices: of the frame.
     """
     if "core_strain_max" not in group.variables:
         return []

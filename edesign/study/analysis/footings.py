@@ -180,7 +180,6 @@ def store_interaction(group: Group, found: Interaction) -> None:
 
     Args:
         group: of the modal analysis.
-        found: first mode on footings and on fixed bases.
     """
     group.attributes |= {
         "fixed_base_period_s": found.fixed,

@@ -23,9 +23,6 @@ LASTING = 0.01
 class DelayedSupports:
     """The displacements of the supports of a frame under wave passage, relative to the support that it reaches first.
 
-    Args:
-        ground: what is applied.
-
     Attributes:
         motions: of the supports, for the core; none of those without delay.
     """

@@ -27,7 +27,6 @@ def scale_warnings(
     from small intensities to collapse, and their result is the intensity, not the response at a factor.
 
     Args:
-        tasks: of the plan.
         motions: recordings made ready, by reference; those that could not be fitted are left out.
         scales: factor of the fit by reference where it is not made yet; that of the motion by default.
     """

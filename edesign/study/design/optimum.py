@@ -24,7 +24,6 @@ def objective(outcome: RoundOutcome, least: Least) -> float:
     It is infinite where a criterion has no value or a history was not completed: such dampers are no optimum.
 
     Args:
-        outcome: verdicts on the histories of the round.
         least: the ratio that is minimised, `worst` or `mean`.
     """
     if outcome.failed or not outcome.verdicts:

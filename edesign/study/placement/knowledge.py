@@ -63,7 +63,6 @@ class Knowledge:
 
         Args:
             layout: the option at each position.
-            outcome: the verdicts on its histories.
 
         Returns:
             The layout with its cost and worst ratio.

@@ -42,7 +42,6 @@ def store_placement(
     Args:
         group: of the design.
         candidates: that it chose from.
-        knowledge: what it analysed.
         proof: of the chosen layout; None: the search is not over.
     """
     chosen = chosen_of(knowledge)

@@ -257,7 +257,6 @@ def make_positions(
     """Return the positions of candidate places.
 
     Args:
-        stacks: bays that are equipped alike.
         options: numbers of the items, from 1.
         continuous: whether no position is equipped above an empty one.
         groups: storeys that are equipped alike.

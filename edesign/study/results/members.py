@@ -114,7 +114,6 @@ def plastic_rotation(member: Member, end: int, bending: Bending) -> Terms:
 
     Args:
         end: 0 for its start, 1 for its end.
-        bending: one of the planes in which it bends.
     """
     of_end = member.springs_about(end, bending)
     springs: Terms = tuple((1.0, "plastic_rotation", s.element, 0) for s in of_end if s.yields)

@@ -66,7 +66,6 @@ def chord_rotation(frame: FrameModel, member: Member, end: int, bending: Bending
 
     Args:
         end: 0 for its start, 1 for its end.
-        bending: one of the planes in which it bends.
     """
     inside: Terms = ((1.0, "deformation", member.element, bending.chord[end]),)
     if len(member.parts) == 1:

@@ -151,11 +151,7 @@ class ExpectedTest:
 
 
 def force_delay(laboratory: VirtualLaboratory) -> float:
-    """Return the delay of the force beside that of the rig, s: of its sensor, and half a step if it is held over it.
-
-    Args:
-        laboratory: with the tests.
-    """
+    """Return the delay of the force beside that of the rig, s: of its sensor, and half a step if it is held over it."""
     file = laboratory.file
     held = file.loop.force == "held" and file.integration.method in OVER_THE_STEP
     return laboratory.laboratory.sensors.force_delay + (0.5 * file.loop.main_step if held else 0.0)
@@ -360,7 +356,6 @@ class LinearModel:
         the motion of the structure follows from the linearised loop.
 
         Args:
-            drive: of the test.
             direct: analysis of the structure itself; None: the target is given.
             compensator: of `compensator`.
 
@@ -450,7 +445,6 @@ def law_at(damper: TestedDamper, amplitude: float, band: np.ndarray) -> ComplexS
     """Return a damper in the rig as it is in steady sines of one amplitude.
 
     Args:
-        damper: of the laboratory.
         amplitude: of its deformation, m.
         band: (n,) frequencies, Hz, rising, n >= 4.
     """
@@ -465,7 +459,6 @@ def _first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
     A dashpot has no stiffness that would share in that of a mode, but its force does: |k_E| counts.
 
     Args:
-        part: the numerical part.
         specimen: its complex stiffness over omega.
     """
 

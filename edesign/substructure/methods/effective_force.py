@@ -127,7 +127,6 @@ def force_transfer(
 
     Args:
         part: the structure of d degrees.
-        forcing: the actuators.
         frequency: (m,) Hz.
         damper_stiffness: K' + i K'' of the damper at all of these frequencies, N/m.
 
@@ -151,7 +150,6 @@ def force_ratios(part: LinearPart, forcing: Forcing, damper_stiffness: complex =
 
     Args:
         part: the structure of d degrees.
-        forcing: the actuators.
         damper_stiffness: K' + i K'' of the damper, N/m; its real part counts for the frequencies.
     """
     omega, shapes = part.modes(damper_stiffness.real)

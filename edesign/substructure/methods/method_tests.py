@@ -63,7 +63,6 @@ def run_method(
     """Run a test by another method.
 
     Args:
-        laboratory: structure and damper.
         step: of the integration, s.
         ground: (n,) ground acceleration at the steps, m/s2.
         abort: deformation of the damper that ends a pseudo-dynamic test, m.

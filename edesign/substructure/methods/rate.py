@@ -64,7 +64,6 @@ def rate_effect(damper: CoreDamper, amplitude: float, frequency: float, time_sca
     """Return what a test that is `time_scale` times slower sees of a damper.
 
     Args:
-        damper: the law.
         amplitude: of its deformation, m.
         frequency: of the motion at real speed, Hz.
         time_scale: greater than zero.
@@ -83,7 +82,6 @@ def steady_stiffness(damper: CoreDamper, amplitude: float, frequency: float) -> 
     """Return K' + i K'' (N/m) of a damper in a steady sine: the first harmonic of the last of 12 cycles from rest.
 
     Args:
-        damper: the law.
         amplitude: of the deformation, m.
         frequency: Hz.
 

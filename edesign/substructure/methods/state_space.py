@@ -46,11 +46,7 @@ class LinearSystem:
 
 
 def fixed_base(part: LinearPart) -> LinearSystem:
-    """Return a structure under the acceleration of its base (m/s2): the state is displacement and velocity, (2 n,).
-
-    Args:
-        part: the numerical part.
-    """
+    """Return a structure under the acceleration of its base (m/s2): the state is displacement and velocity, (2 n,)."""
     n = len(part.names)
     zero = np.zeros(n)
     inverse = np.linalg.inv(part.mass)
@@ -102,7 +98,6 @@ class _Balance:
     """The damper at the end of each step.
 
     Args:
-        damper: its law.
         system: with the rows of its motion.
         end: (s,) state by a force of 1 N at the end of a step.
         step: s.

@@ -16,11 +16,7 @@ _SHOWN = {"s": (1e3, "ms"), "m": (1e6, "um")}
 
 
 def rig_file_text(found: IdentifiedRig) -> str:
-    """Return the text of a rig file, which a file of substructure tests names by `rig: {file: rig.yaml}`.
-
-    Args:
-        found: identified properties.
-    """
+    """Return the text of a rig file, which a file of substructure tests names by `rig: {file: rig.yaml}`."""
     chosen = found.chosen
     a0, a1, a2 = found.alpha
     data = {
@@ -35,11 +31,7 @@ def rig_file_text(found: IdentifiedRig) -> str:
 
 
 def rig_data(found: IdentifiedRig) -> dict[str, Any]:
-    """Return what was found as plain data in SI, for JSON.
-
-    Args:
-        found: identified properties.
-    """
+    """Return what was found as plain data in SI, for JSON."""
     return {
         "source": str(found.source),
         "step": found.step,

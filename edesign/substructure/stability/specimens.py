@@ -46,7 +46,6 @@ def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray) -> C
     """Return a damper law as it is in steady sines of one amplitude.
 
     Args:
-        law: with parameters and effects.
         amplitude: of the deformation, m.
         frequency: (n,), Hz, rising, n >= 4; at each the law runs through 12 cycles.
 

@@ -104,7 +104,6 @@ def unchecked_recursion(
     """Return the recursion of a method without asking whether it is stable.
 
     Args:
-        part: the numerical part.
         step: main step, s.
         method: see `recursion`.
         force: see `recursion`.
@@ -154,7 +153,6 @@ def largest_step(part: LinearPart, method: str, specimen_stiffness: float = 0.0)
     Of the methods without a limit the step is infinite and the mode the highest.
 
     Args:
-        part: the numerical part.
         method: one of METHODS.
         specimen_stiffness: in the place of the specimen, N/m.
 
@@ -237,7 +235,6 @@ def growth(numerical: Recursion, stiffness: float, damping: float, step: float) 
     The specimen is a spring and a dashpot, which the rig moves in ramps.
 
     Args:
-        numerical: the numerical part.
         stiffness: of the specimen, N/m.
         damping: of the specimen, N s/m.
         step: s.

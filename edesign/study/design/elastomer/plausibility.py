@@ -153,8 +153,6 @@ def _too_thick(model: ElastomerModel, sizing: ElastomerSizing, largest: float, r
     """Yield a warning if layers stay so far below their strain limit that thinner ones would save elastomer.
 
     Args:
-        model: of the dampers.
-        sizing: the dampers.
         largest: largest strain of the layers at the level of the design.
         reached: effective strain of the layers at the level of the design.
     """

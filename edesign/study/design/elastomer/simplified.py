@@ -142,7 +142,6 @@ def static_response(
     """Return the drifts under the lateral forces of the spectrum reduced for the added damping.
 
     Args:
-        model: of the dampers.
         elastomer: its properties; the loss factor follows the frequency, k_D is given.
         k_D: storage stiffness of the dampers of each storey, (s,) N/m.
 
@@ -170,7 +169,6 @@ def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Elastome
 
     Args:
         action: spectrum, and damping ratio of the frame without dampers.
-        sizing: the dampers.
     """
     found = design_warnings(spec)
     period = 1.0 / sizing.frequency

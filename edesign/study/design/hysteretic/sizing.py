@@ -39,7 +39,6 @@ def size_hysteretic(model: HystereticModel, target: float, factor: float = 1.0) 
     """Find the yield forces of a target; they keep their distribution over the height.
 
     Args:
-        model: of the dampers.
         target: damping ratio to be added if the design gives a damping, else share of the storey shears.
         factor: on the yield forces, after they are found.
 

@@ -29,7 +29,6 @@ def secant_vibration(model: HystereticModel, yield_force: np.ndarray, action: Ac
     At each amplitude of the roof shape and secants agree; the amplitude is the one that the design asks for.
 
     Args:
-        model: of the dampers.
         yield_force: of all dampers of each storey along its drift, (s,) N.
         action: whose spectrum gives the amplitude; None: what the design says.
 

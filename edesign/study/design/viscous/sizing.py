@@ -48,7 +48,6 @@ def size_viscous(model: ViscousModel, target: float, factor: float = 1.0) -> Vis
     cycle, and with the braces in series. Coefficients keep their distribution over the height.
 
     Args:
-        model: of the dampers.
         target: damping ratio to be added; nan for the least coefficients.
         factor: on the coefficients, after they are found.
 
