@@ -96,17 +96,21 @@ def _at_roof(model: HystereticModel, scale: np.ndarray, roof: float, start: Seca
     modes = model.bare if start is None else start.modes
     u = roof / float(modes.lead.floors[-1]) * modes.lead.dampers
     shape, relax = modes.lead.shape / modes.lead.floors[-1], Relaxation()
+    periods: list[float] = []
     for _ in range(_MOST_ITERATIONS):
         u = _static(model, scale, roof, model.building.frame.mass * shape, u)
         deformation = np.maximum(np.abs(u), _LEAST * np.abs(u).max())
         secants = model.secants(scale, deformation)
         modes = model.building.frame.modes(secants.force / deformation)
         following = roof / float(modes.lead.floors[-1]) * modes.lead.dampers
+        periods = [*periods[-1:], 2.0 * math.pi / modes.first_omega]
         if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
             return _vibration(model, scale, roof, deformation, secants, modes)
         shape = relax(shape, modes.lead.shape / modes.lead.floors[-1])
     raise AnalysisError(
-        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g} [E-DESIGN-02]"
+        f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g}: at the roof amplitude of "
+        f"{1e3 * roof:.4g} mm the last two trials have first periods of {periods[0]:.6g} and {periods[-1]:.6g} s "
+        "[E-DESIGN-02]"
     )
 
 

@@ -128,8 +128,8 @@ def dashpot_modes(
     led = _guided(frame, bare, right, left)
     if led is None:
         return DashpotModes(omega, damping, told, None)
-    of_s, state, row = led
-    parts, rest = _shares(vectors, oscillates, row @ left, state)
+    of_s, state = led
+    parts, rest = _shares(vectors, oscillates, state, n)
     whole = parts.sum()
     mean_omega = float(parts @ omega / whole)
     mean_damping = float((parts @ damping + rest) / (whole + rest))  # what does not oscillate is damped critically
@@ -144,36 +144,32 @@ def _oscillates(inverse: np.ndarray) -> np.ndarray:
 
 def _guided(
     frame: CondensedFrame, bare: LinearModes, right: np.ndarray, left: np.ndarray
-) -> tuple[complex, np.ndarray, np.ndarray] | None:
-    """The guided vibration (see `Lead`) of right x = s left x: s, state x and row y of y' right = s y' left, y' left x = 1.
-
-    None: it does not oscillate.
-    """
+) -> tuple[complex, np.ndarray] | None:
+    """The s and state x of right x = s left x of the guided building (see `Lead`); None: it does not oscillate."""
     assert frame.plan is not None, "a plane frame is guided as it is"
     n = bare.omega.size
     guides = (bare.masses * np.sqrt(frame.mass)) @ frame.plan.guides
     free = scipy.linalg.qr(guides)[0][:, guides.shape[1] :]
     into = scipy.linalg.block_diag(free, free, np.eye(len(right) - 2 * n))
     own_right, own_left = into.T @ right @ into, into.T @ left @ into
-    inverse, rows, vectors = scipy.linalg.eig(np.linalg.solve(own_right, own_left), left=True)
+    inverse, vectors = scipy.linalg.eig(np.linalg.solve(own_right, own_left))
     oscillates = _oscillates(inverse)
     q = free @ vectors[: free.shape[1], oscillates]
     likeness = np.abs(bare.participation @ q) ** 2 / np.sum(np.abs(q) ** 2, axis=0) / bare.lead.participation**2
     if not likeness.size or likeness.max() <= _ALIKE:
         return None
     at = oscillates[int(np.argmax(likeness))]
-    state, row = vectors[:, at], np.linalg.solve(own_right.T, rows[:, at].conj())
-    return complex(1.0 / inverse[at]), into @ state, into @ row / (row @ own_left @ state)
+    return complex(1.0 / inverse[at]), into @ vectors[:, at]
 
 
-def _shares(
-    vectors: np.ndarray, oscillates: np.ndarray, row: np.ndarray, state: np.ndarray
-) -> tuple[np.ndarray, float]:
+def _shares(vectors: np.ndarray, oscillates: np.ndarray, state: np.ndarray, n: int) -> tuple[np.ndarray, float]:
     """How the vibrations of vectors (columns) share a state: each of those that oscillate, and all others together.
 
-    A part is the size of what a vibration and its conjugate have of row @ state = 1, as `Lead.share` of real modes.
-    Where two coincide both parts grow without limit, alike, so that means by them are continuous.
+    The state is the sum of vibrations. A part is the size of what one and its conjugate have of the n modal
+    displacements of the state, along these: without dashpots that is `Lead.share`. Where two vibrations coincide
+    both parts grow without limit, alike, so that means by them are continuous.
     """
     own, mirrored = np.linalg.lstsq(vectors, np.column_stack([state, state.conj()]))[0].T
-    parts = ((row @ vectors) * own + ((row.conj() @ vectors) * mirrored).conj())[oscillates]
+    along = state[:n].conj() / np.sum(np.abs(state[:n]) ** 2)
+    parts = ((along @ vectors[:n]) * own + ((along.conj() @ vectors[:n]) * mirrored).conj())[oscillates]
     return np.abs(parts), float(abs(1.0 - parts.sum()))

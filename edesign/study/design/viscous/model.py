@@ -118,9 +118,7 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
         assert modes.first is not None
         share = self.bare.lead.participation * float(self.bare.lead.floors[-1])
         added = modes.first_damping if damping is None else damping
-        return self.roof_amplitude(
-            modes.first.roof, modes.first.storeys, share, modes.first_omega, added, action
-        )
+        return self.roof_amplitude(modes.first.roof, modes.first.storeys, share, modes.first_omega, added, action)
 
     def modes(self, linear: np.ndarray, coefficient: np.ndarray) -> DashpotModes:
         """Return the complex modes of the frame with linear dashpots and the springs in series with them.

@@ -1,0 +1,109 @@
+"""Designs of dampers of buildings whose modes along the direction and in turns share it, and pass each other.
+
+References: a floor on cantilevers with equal frequencies along x and in turns and a dashpot beside its centre, whose
+modes are known in closed form: the turn about the dashpot is not damped, the other one has c (1 + d^2 / r^2) / (2 m w).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from design_examples import design
+from verification.test_verify_shaken_buildings import stiffness
+
+from edesign.frame.sections.building_sections import BuildingSections
+from edesign.project.analysis_file import AnalysisFile
+from edesign.project.building import parse_building
+from edesign.study.design.design import DesignResult, run_design
+
+LEVER = 2.5  # of the dampers from the centre of the floor, m
+METHODS = {
+    "viscous": "method: viscous, law: oil, damping: 10 %",
+    "power": "method: viscous, law: oil4, damping: 10 %, amplitude: spectrum, level: DBE",
+    "share": "method: hysteretic, law: steel, shear_share: 20 %, level: DBE",
+    "loops": "method: hysteretic, law: steel, damping: 6 %, level: DBE",
+    "elastomer": "method: strain_energy, law: rubber, damping: 8 %, strain: 20 %, target_in: first_mode,"
+    " layer_thickness: 20 mm, level: DBE",
+}
+SIZES = ("damping_coefficient", "yield_force", "damper_stiffness")
+
+
+def floor(middle: float, beside: float) -> AnalysisFile:
+    """A floor of 32 t on six columns.
+
+    Args:
+        middle: share of the mass on the middle line, with which the floor turns faster.
+        beside: mass at one edge that makes the floor eccentric, t.
+    """
+    text = f"""\
+edesign_building: 1
+title: A floor that turns as fast as it moves
+plan: {{x: [3 m, 3 m], y: [{2.0 * LEVER} m]}}
+storeys: [3.5 m]
+columns: [{{section: HEB200, material: S275, strong: x}}]
+beams: [{{along: x, section: IPE300, material: S275, ends: pinned}}]
+missing: {{beams: [{{along: x}}, {{along: y}}]}}
+materials: {{S275: {{E: 210 GPa, fy: 275 MPa, nu: 0.3, law: elastic}}}}
+loads: {{self_weight: false}}
+masses:
+  given:
+    - {{at: [A, C], floors: 1, mass: {8.0 * (1.0 - middle)!r} t}}
+    - {{at: B1, floors: 1, mass: {16.0 * middle!r} t}}
+    - {{at: B2, floors: 1, mass: {16.0 * middle + beside!r} t}}
+elements: {{geometry: {{columns: linear}}}}
+hazard: {{code: ec8-2004, a_gR: 0.36 g, ground: C, spectrum: 1, levels: {{DBE: {{gamma_I: 1.0}}}}}}
+damping: {{kind: rayleigh, ratio: 3 %, periods: [0.6 s, 0.15 s]}}
+dampers:
+  laws:
+    oil: {{type: viscous, parameters: {{c: 100 kN*s/m}}}}
+    oil4: {{type: viscous_power, parameters: {{c: 100 kN*(s/m)^0.4, alpha: 0.4}}}}
+    steel: {{type: elastic_plastic, parameters: {{k: 50 kN/mm, Fy: 120 kN, b: 0.02}}}}
+    rubber: {{type: kelvin_voigt, parameters: {{k: 2 kN/mm, c: 200 kN*s/m}},
+      prototype: {{layers: 2, layer_area: 0.01 m^2, layer_thickness: 10 mm}}}}
+"""
+    return parse_building(text, "building.yaml", BuildingSections())
+
+
+def made(text: str, file: AnalysisFile) -> DesignResult:
+    """Dampers at one edge."""
+    where = "kind: storey, along: x, frames: X2, bays: 1, state: initial"
+    return run_design(file, "tried", design(f"{text}, {where}", file), Path("."))
+
+
+def test_dampers_beside_the_centre_of_a_floor_that_turns_as_fast_as_it_moves() -> None:
+    """c = 2 zeta m w, as the shares r^2 / (r^2 + d^2) and d^2 / (r^2 + d^2) are of 0 and of c (1 + d^2 / r^2) / (2 m w).
+
+    1e-3: the shares are those of small damping, and shift by its square, 1e-4 here.
+    """
+    k_x, k_y, k_turn = stiffness("HEB200")
+    omega2 = 6.0 * k_x / 32e3
+    polar = (6.0 * k_x * LEVER**2 + 4.0 * k_y * 3.0**2 + 6.0 * k_turn) / omega2
+    middle = 1.0 - (polar - 32e3 * LEVER**2) / (32e3 * 3.0**2)  # four masses at 3 m from the centre along x
+    found = made(METHODS["viscous"].replace("10 %", "1 %"), floor(middle, 0.0)).group
+    coefficient = float(found.variables["damping_coefficient"].values[0])
+    assert coefficient == pytest.approx(2.0 * 0.01 * 32e3 * np.sqrt(omega2), rel=1e-3)
+    complex_ratios = np.sort(found.variables["damping_complex"].values[:2])
+    r2 = polar / 32e3
+    assert complex_ratios == pytest.approx([0.0, 0.01 * (1.0 + LEVER**2 / r2)], rel=2e-3, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", METHODS)
+def test_a_design_does_not_jump_where_modes_pass_each_other(name: str) -> None:
+    """Half the step of the mass, half the largest step of the dampers; 0.65 leaves room for the curvature.
+
+    The mode with most mass along x changes on the way.
+    """
+    largest, leading = [], set()
+    for count in (9, 17):
+        sizes = []
+        for middle in np.linspace(0.68, 0.90, count).tolist():
+            found = made(METHODS[name], floor(middle, 0.5))
+            assert found.status == "completed", found.reason
+            leading.add(int(found.group.attributes["leading_mode"]))
+            size = next(key for key in SIZES if key in found.group.variables)
+            sizes.append(float(found.group.variables[size].values[0]))
+        largest.append(np.abs(np.diff(np.log(sizes))).max())
+    assert len(leading) == 2
+    assert largest[1] < 0.65 * largest[0] < 0.65 * 0.15
