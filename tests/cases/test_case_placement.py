@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -15,7 +16,10 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.frame.project_file import load_project, load_study
 from edesign.report.archive.document import page_text
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.report.archive.study_tables import study_tables
+from edesign.study.check.summary import check_study
+from edesign.study.placement.candidates import make_candidates
 from edesign.study.run.run import run_study
 
 CASE = HERE / "placement"
@@ -80,6 +84,22 @@ def test_tables_and_report(archive: Path) -> None:
         ["each place", "", "2", "", "0.5", "1"],
     ]
     assert "Cost against worst ratio" in page_text(archive)
+
+
+def test_check_and_run_say_how_many_layouts_there_are(tmp_path: Path) -> None:
+    study = load_study(study_in(tmp_path))
+    said = check_study(study)["placements"]
+    assert re.fullmatch(
+        r"placed: \d+ positions, \d+ layouts; at most \d+ are analysed, by \d+ histories \(1 each\)", said
+    )
+    spec = study.designs["placed"]
+    assert isinstance(spec, PlacementDesign)
+    space = make_candidates(study.base, "placed", spec).space
+    most = min(spec.verify.budget, space.size)
+    assert f"{len(space.positions)} positions, {space.size} layouts; at most {most} are" in said
+    lines: list[str] = []
+    run_study(study, progress=lambda report: lines.append(str(report)))
+    assert any(said.removeprefix("placed: ") in line for line in lines)
 
 
 def test_workers_change_nothing(archive: Path, tmp_path: Path) -> None:

@@ -73,7 +73,7 @@ def made(text: str, file: AnalysisFile) -> DesignResult:
 
 
 def test_dampers_beside_the_centre_of_a_floor_that_turns_as_fast_as_it_moves() -> None:
-    """c = 2 zeta m w, as the shares r^2 / (r^2 + d^2) and d^2 / (r^2 + d^2) are of 0 and of c (1 + d^2 / r^2) / (2 m w).
+    """c = 2 zeta m w: d^2 / (r^2 + d^2) of the motion is not damped, the rest has c (1 + d^2 / r^2) / (2 m w).
 
     1e-3: the shares are those of small damping, and shift by its square, 1e-4 here.
     """

@@ -40,7 +40,8 @@ from edesign.study.design.design import first_warnings
 from edesign.study.motions.motions import Motion, expected_scale
 from edesign.study.plan.choosing import study_with_choices, with_choices
 from edesign.study.plan.plan import Task, make_plan
-from edesign.study.plan.study_plan import make_study_plan, wanted_designs
+from edesign.study.placement.placement import check_placement
+from edesign.study.plan.study_plan import histories_of_a_round, make_study_plan, wanted_designs
 
 ORIGINS = {"file": "from files", "package": "from packages", "simulated": "simulated"}
 
@@ -130,9 +131,13 @@ def check_study(study: Study) -> dict[str, str]:
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *named_record_warnings(recorded), *unjudged(study, plan)]
     warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
+    placements = []
     for name in wanted_designs(study, plan):
         design = study.designs[name]
-        if not isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
+        if isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
+            extent = check_placement(study.base, name, design, histories_of_a_round(study, name))
+            placements += [f"{name}: {extent}"] if extent else []
+        else:
             warnings += first_warnings(study.base, name, design, study.folder)
         warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
     return {
@@ -145,6 +150,7 @@ def check_study(study: Study) -> dict[str, str]:
         "records": _records(study.base, found),
         **_choices(study.base),
         "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
+        **({"placements": "\n".join(placements)} if placements else {}),
         "variants": ", ".join(study.variants),
         "analyses": ", ".join(f"{name} ({count})" if count > 1 else name for name, count in entries.items()),
         "criteria": str(len(study.criteria) + len(study.objectives)),

@@ -11,6 +11,7 @@ from edesign.project.actions.hazard import UserHazard
 from edesign.project.analysis_file import AnalysisFile
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.reading.words import counted
 from edesign.study.design.design import DesignResult
 from edesign.study.design.estimate import action_of
 from edesign.study.design.loop import RoundOutcome
@@ -26,6 +27,7 @@ from edesign.study.placement.space import Layout
 RespondInTurn = Callable[[Sequence[tuple[int, Dampers]]], Iterator[Mapping[str, Group]]]
 """Runs the histories of several dampers with their numbers (from 1), and yields those of each in the same order."""
 
+_EXACT = 1_000_000  # layouts that are told to the last one
 MOST_POSITIONS = 120
 """Of which pairs with eight items make half a million layouts nearby, all of which a certificate looks at."""
 
@@ -69,6 +71,7 @@ def run_placement(
         assert before is not None, "check_placement_design wants the laws"
         group = Group(attributes=about | {"status": "failed", "reason": str(error)})
         return DesignResult(before.model_copy(update={"devices": ()}), group, "failed", str(error))
+    progress(extent(candidates, per_layout))
     known = kept_outcomes(resume)
     budget = spec.verify.budget // per_layout
     about |= {"histories_of_a_layout": per_layout, "budget": spec.verify.budget}
@@ -112,7 +115,22 @@ def _orderable(project: AnalysisFile) -> AnalysisFile:
     return project.model_copy(update={"hazard": hazard.model_copy(update={"damping_correction": "ec8"})})
 
 
-def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per_layout: int) -> None:
+def extent(candidates: Candidates, per_layout: int) -> str:
+    """Return how many layouts there are, and how many histories their search runs at most, in words.
+
+    Args:
+        per_layout: number of histories that judge one layout.
+    """
+    layouts, positions = candidates.space.size, len(candidates.space.positions)
+    most = min(candidates.spec.verify.budget // per_layout, layouts)
+    count = f"{layouts}" if layouts < _EXACT else f"{float(layouts):.2g}"
+    return (
+        f"{counted(positions, 'position')}, {count} layouts; at most {most} are analysed, by {most * per_layout} "
+        f"histories ({per_layout} each)"
+    )
+
+
+def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per_layout: int) -> str:
     """Build the frame with all candidate places, so that errors show before the first analysis.
 
     Args:
@@ -120,14 +138,18 @@ def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per
         name: name of the design.
         per_layout: number of histories that judge one layout.
 
+    Returns:
+        `extent`; empty where the frame is unstable.
+
     Raises:
         InputError: a law or the hazard is wrong, the frame cannot be built, there are too many positions, the limits
             leave no dampers, or the budget is not enough for one layout.
     """
     try:
-        space = make_candidates(project, name, spec).space
+        candidates = make_candidates(project, name, spec)
     except AnalysisError:
-        return  # `run_placement` keeps the reason
+        return ""  # `run_placement` keeps the reason
+    space = candidates.space
     positions = len(space.positions)
     if spec.verify.budget < per_layout:
         message = f"{spec.verify.budget} histories are not enough for one layout, which takes {per_layout} [E-PLACE-02]"
@@ -143,6 +165,7 @@ def check_placement(project: AnalysisFile, name: str, spec: PlacementDesign, per
         fewest = min(len(at.places) * space.numbers[option] for at in lowest for option in at.options)
         message = f"{spec.limits.most_dampers} are fewer than the smallest layout takes, {fewest} [E-PLACE-02]"
         raise InputError(f"designs.{name}.limits.most_dampers: {message}")
+    return extent(candidates, per_layout)
 
 
 def _said(candidates: Candidates, layout: Layout) -> str:
