@@ -121,9 +121,9 @@ def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
     for a, b in dashes:
         _keep_free(sheet, a, b, 0.03)
     floor = results.values("floors", "floor").tolist().index(storey)
-    centre = [scale * float(results.values("floors", name)[floor]) for name in ("x", "y")]
-    sheet.dots([(centre[0], centre[1])], 5.0, edge=TARGET, marker="x", mew=1.0)
-    sheet.block(*centre, 0.08, 0.08)
+    x, y = (scale * float(results.values("floors", name)[floor]) for name in ("x", "y"))
+    sheet.dots([(x, y)], 5.0, edge=TARGET, marker="x", mew=1.0)
+    sheet.block(x, y, 0.08, 0.08)
     leaning = np.array([n for n in braces if np.any(start[n] != end[n])], dtype=int)
     along_x = np.abs(end - start)[beams, 0] > np.abs(end - start)[beams, 1]
     for numbers, color, spots in (

@@ -10,8 +10,16 @@ from edesign.report.response.mode_figures import mode_figures
 
 
 def modes(source: Source) -> Section:
-    """Return the section on periods and shapes of each modal analysis, with the stiffness of dampers in them."""
-    tables = [periods_table(name, group) for name, group in source.groups.items() if "period" in group.variables]
+    """Return the section on periods and shapes of each modal analysis, with the stiffness of dampers in them.
+
+    Analyses with the same periods, as of variants whose dampers have no stiffness, share a table.
+    """
+    alike: dict[str, list[str]] = {}
+    for name, group in source.groups.items():
+        if "period" in group.variables:
+            table = periods_table("", group)
+            alike.setdefault(repr((table.texts, table.notes)), []).append(name)
+    tables = [periods_table("; ".join(names), source.groups[names[0]]) for names in alike.values()]
     dampers = {name: damper_stiffness_table(name, group) for name, group in source.groups.items()}
     title = "Stiffness and loss factor of the dampers"
     folded = tuple(Folded(f"{title}, {name}", (table,)) for name, table in dampers.items() if table.rows)
