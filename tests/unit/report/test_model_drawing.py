@@ -252,6 +252,8 @@ def test_elevations_of_an_isolated_building_show_its_isolators(tmp_path: Path) -
     assert not any("fixed support" in text for text in frames.values())
     assert "isolator slider, vertical 500 MN/m (B)" in frames["Frame X2"] and "slider" not in frames["Frame X1"]
     assert "beside the isolators: moat (A)" in frames["Frame X2"] and "moat" not in frames["Frame YA"]
+    of_base = next(text for caption, text in words.items() if caption.startswith("Loads of the isolated base"))
+    assert "G 5 G 5 G 5 G 5" in of_base and "floor 0: G 500 kN, mass 50.99 t" in of_base  # 5 kN/m2 on 10 m x 10 m
 
 
 def test_plans_show_own_boxes_as_hollow(tmp_path: Path) -> None:
