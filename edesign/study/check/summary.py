@@ -34,6 +34,7 @@ from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import named_record_warnings, project_warnings, study_warnings, unjudged
 from edesign.study.check.check import check_inputs, check_study_inputs, checked_structure
 from edesign.study.check.criteria_inputs import too_few_motions
+from edesign.study.check.histories import histories_text
 from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings
@@ -54,9 +55,9 @@ def check_project(project: AnalysisFile) -> dict[str, str]:
         project: from `load_project` or `load_building`.
 
     Returns:
-        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive; of a
-        building what `check_building` says, and the last four if it has analyses; and warnings, one a line, if
-        something is allowed but may not be meant.
+        Text by label: title, frame, members, period (first period under gravity), records, analyses, histories,
+        archive; of a building what `check_building` says, and the last five if it has analyses; and warnings, one a
+        line, if something is allowed but may not be meant.
 
     Raises:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
@@ -81,6 +82,7 @@ def check_project(project: AnalysisFile) -> dict[str, str]:
         "records": _records(project, {**found, **others}),
         **_choices(project),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
+        **histories_text(project, plan, found),
         "archive": str(project.archive_path),
     }
     return _warnings_last(facts, warnings)
@@ -116,7 +118,7 @@ def check_study(study: Study) -> dict[str, str]:
         study: from `load_study`.
 
     Returns:
-        Text by label: title, project, frame, records, designs, variants, analyses, criteria, archive; and
+        Text by label: title, project, frame, records, designs, variants, analyses, histories, criteria, archive; and
         warnings, one a line.
 
     Raises:
@@ -153,6 +155,7 @@ def check_study(study: Study) -> dict[str, str]:
         **({"placements": "\n".join(placements)} if placements else {}),
         "variants": ", ".join(study.variants),
         "analyses": ", ".join(f"{name} ({count})" if count > 1 else name for name, count in entries.items()),
+        **histories_text(study.base, plan, found),
         "criteria": str(len(study.criteria) + len(study.objectives)),
         "archive": str(study.archive_path),
         **({"warnings": "\n".join(warnings)} if warnings else {}),

@@ -24,6 +24,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.building import Building, load_building
 from edesign.report.ground_motion.record_tables import record_tables
 from edesign.study.check.check import check_inputs
+from edesign.study.check.summary import check_project
 from edesign.study.motions.applied import GroundMotion, ground_motion, scale_factor
 from edesign.study.motions.motions import project_motions
 from edesign.study.motions.pair_criteria import FirstPeriods
@@ -172,6 +173,15 @@ def test_one_motion_of_each_pair_and_angle(tmp_path: Path) -> None:
     assert swapped.vertical is not None and swapped.vertical.acceleration == pytest.approx(wave("z1"), abs=1e-8)
     assert swapped.horizontal.source.endswith("e1.csv in m/s^2 along x, n1.csv in m/s^2 along y")
     assert swapped.second["second_record_source"].startswith("e1.csv")
+
+
+def test_check_counts_histories(tmp_path: Path) -> None:
+    """2 pairs x 3 angles x 2 places of the masses, each of 9.99 s of record and 1 s of free vibration."""
+    more = ", angles: [0 deg, 90 deg, 30 deg], eccentricity: [0, +x+y], free_vibration: 1 s"
+    path = building_file(tmp_path, "{suite: pairs.yaml, components: [y, x], only: [1, 3]}", more)
+    assert check_project(load_building(path, BuildingSections()))["histories"] == (
+        "motions: 12 histories of 2 pairs along y and x, 3 angles, 2 places of the masses; 10.99 s long, 131.9 s in all"
+    )
 
 
 def test_a_single_record_acts_along_its_angle(tmp_path: Path) -> None:
