@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from edesign.exchange.opensees.commands import Value
 from edesign.frame.damping import modal_ratios, modes_needed
 from edesign.project.analysis.damping import (
@@ -42,7 +44,7 @@ def damping_values(project: AnalysisFile, dampers: bool) -> dict[str, Value]:
         if damping.state == "gravity":
             alone.apply_gravity()
         omega = alone.modes(max(modes)).omega
-        values["periods"] = tuple(float(2.0 * np.pi / omega[mode - 1]) for mode in modes)
+        values["periods"] = tuple(float(2.0 * math.pi / omega[mode - 1]) for mode in modes)
     values["stiffness"] = "initial" if isinstance(damping, MassDamping) else damping.stiffness
     return values
 

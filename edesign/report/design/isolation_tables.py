@@ -86,9 +86,8 @@ def _forces(analysis: Analysis, end: str) -> np.ndarray:
 
 def _moment(analysis: Analysis) -> float | None:
     """The largest product of compression and displacement of an isolator; they need not come at one moment."""
-    moved = _isolators(analysis)
-    if moved is None:
-        moved = _resultant("base_displacement")(analysis)
+    each = _isolators(analysis)
+    moved = each if each is not None else _resultant("base_displacement")(analysis)
     return None if moved is None else float(np.max(np.maximum(-_forces(analysis, "min"), 0.0) * moved))
 
 
