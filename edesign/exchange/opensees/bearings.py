@@ -22,7 +22,6 @@ def bearing(law: LawValues, force: float, deformation: float) -> Words:
     """Return the name of the element of a bearing whose forces do not depend on what presses on it, and its parameters.
 
     Args:
-        law: with its parameters.
         force: F = force * law(deformation * u).
         deformation: see `force`.
 
@@ -50,7 +49,6 @@ def pendulum(law: LawValues, force: float, weight: float) -> tuple[Words, Words]
     """Return the friction model of a friction pendulum under the axial force of the moment, and its parameters.
 
     Args:
-        law: with its parameters.
         force: F = force * law(u) under the weight.
         weight: N.
 
