@@ -6,6 +6,10 @@ import math
 
 from edesign.errors import InputError
 
+NEAR_COLLAPSE = 2475.0
+"""Return period of the rarest action, years: EN 1998-3:2005, 2.1(3)P, 2 % in 50 years."""
+NEAR_COLLAPSE_CLAUSE = "EN 1998-1, 2.1(4): 2475 years, near collapse of EN 1998-3"
+
 LARGEST_EXPONENT = math.log(1e16)
 """Largest logarithm of gamma_I, either way. Accelerations that are read lie between 1e-10 m/s2, the noise of the best
 seismometers, and 1e6 m/s2, of shock tables: no two actions are further apart."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from edesign.codes.asce7.spectrum import EARTHQUAKES
-from edesign.codes.ec8.importance import factor_of_return_period
+from edesign.codes.ec8.importance import NEAR_COLLAPSE, NEAR_COLLAPSE_CLAUSE, factor_of_return_period
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import factor_of_level, national_of
 from edesign.project.actions.hazard import AsceHazard, EC8Hazard
@@ -18,8 +18,6 @@ from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, spre
 
 LARGEST_BETA = 5.0
 """k_D / k_S up to which preliminary designs go: thesis 5.3.4 after Fan (1998) and Lee (2003)."""
-NEAR_COLLAPSE = 2475.0
-"""Return period of the rarest action, years: EN 1998-3:2005, 2.1(3)P, 2 % in 50 years."""
 
 
 def elastomer_warnings(
@@ -190,7 +188,7 @@ def _rarest(model: ElastomerModel) -> tuple[float, str] | None:
         national = national_of(hazard)
         k = national.hazard_exponent if hazard.k is None else hazard.k
         rarest = factor_of_return_period(NEAR_COLLAPSE, national.reference_return_period, k)
-        source = f"EN 1998-1, 2.1(4): {NEAR_COLLAPSE:g} years, near collapse of EN 1998-3"
+        source = NEAR_COLLAPSE_CLAUSE
     else:
         return None
     return max(rarest / factor_of_level(hazard, level), 1.0), source
