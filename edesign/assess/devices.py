@@ -82,7 +82,6 @@ def worst_of_each(found: HistorySet, values: np.ndarray) -> np.ndarray:
     """Return the largest values of each motion over its completed histories, (motions, ...).
 
     Args:
-        found: histories of one variant at one level.
         values: of its completed histories, (n, ...).
     """
     of = np.array([found.motion_of[name] for name in found.completed])

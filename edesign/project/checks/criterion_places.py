@@ -30,10 +30,7 @@ def check_places(
     apply, which is reported with its verdict.
 
     Args:
-        keys: of the criterion.
         criterion: whose names all exist.
-        problems: collects what is wrong.
-        dampers: names of the dampers of each variant.
     """
     measured = isinstance(criterion, MeasureCriterion)
     place = MEASURES[criterion.subject].place if measured else QUANTITIES[criterion.subject].place

@@ -172,8 +172,6 @@ def check_apart(
     """Check that the ends of a damper can move apart: that they are not both on one rigid floor, nor on the ground.
 
     Args:
-        problems: collects what is wrong.
-        keys: of the damper.
         tied: diaphragm of each node that one ties, by name; its text is what messages call it.
         fixed: nodes that the ground holds in all directions.
     """

@@ -97,7 +97,6 @@ def tables_of_sets(
     """Yield a table of each set whose completed histories have a variable.
 
     Args:
-        sets: the histories by variant and level.
         needed: the variable, such as `section_use_max`, which histories of plane frames do not have.
         table: makes one of the histories and the name of the set.
     """
@@ -117,11 +116,7 @@ def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, History
 
 
 def motion_notes(sets: Sequence[HistorySet]) -> list[str]:
-    """Return what statistics are taken of if motions have several histories, as those of buildings may.
-
-    Args:
-        sets: the histories by variant and level.
-    """
+    """Return what statistics are taken of if motions have several histories, as those of buildings may."""
     counts = [len(set(found.motion_of.values())) for found in sets]
     if all(count == len(found.histories) for count, found in zip(counts, sets, strict=True)):
         return []

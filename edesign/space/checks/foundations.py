@@ -194,7 +194,6 @@ def foundations(
     """Return the reactions at all supports and the design actions on foundations.
 
     Args:
-        frame: of the building.
         static: effects of load cases.
         response: effects of the seismic action, by direction.
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.

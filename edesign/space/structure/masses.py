@@ -70,11 +70,7 @@ class FloorMasses:
 
 
 def floor_masses(frame: SpaceFrame) -> FloorMasses:
-    """Return the mass of each floor, its centre and its radius of gyration.
-
-    Args:
-        frame: of the building.
-    """
+    """Return the mass of each floor, its centre and its radius of gyration."""
     floors, count = frame.level_of_nodes, frame.n_floors + 1
 
     def sums(values: np.ndarray) -> np.ndarray:

@@ -29,7 +29,6 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool
     its area, so that a pair is as stiff as the one that acts (`TENSION_ONLY_SHARE`; EN 1998-1, 6.7.2(2)P).
 
     Args:
-        frame: of a building.
         materials: of the file, by name.
         gravity: braces hold the floors in place and carry nothing else, `GRAVITY_SHARE` of their area.
 
@@ -62,7 +61,6 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
     """Return the properties of the members in the model, in the order of `PROPERTIES`.
 
     Args:
-        frame: of the building.
         gravity: see `space_model`.
 
     Returns:

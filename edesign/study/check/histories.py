@@ -18,7 +18,6 @@ def histories_text(project: AnalysisFile, plan: Sequence[Task], found: Mapping[s
     """Return a line for each record: its histories, the motions, angles and places that they are made of, their length.
 
     Args:
-        project: whose records they are.
         plan: all analyses; those of other kinds are left out.
         found: recordings by reference.
 

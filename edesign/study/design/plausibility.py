@@ -46,7 +46,6 @@ def shared_mode(modes: LinearModes, damping: np.ndarray) -> Iterator[str]:
     """Say so if modes of a building share the direction of a design, whose target is the mean of their damping.
 
     Args:
-        modes: with dampers.
         damping: ratio that the dampers add to each, (n,).
     """
     share = modes.lead.share
