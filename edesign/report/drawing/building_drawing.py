@@ -14,15 +14,12 @@ from edesign.project.notation.frames import Direction, frames_of_line, frames_of
 from edesign.project.notation.names import base_device_name, isolator_name
 from edesign.report.drawing.frame_drawing import (
     DAMPER,
-    GAP,
     DamperDrawing,
     Line,
     Point,
     damper_in_bay,
-    draw_isolation,
-    draw_members,
+    draw_to_scale,
     straight_damper,
-    without_scales,
 )
 
 if TYPE_CHECKING:
@@ -115,21 +112,18 @@ class BuildingElevation:
             dampers: names of those that stand in the frame, without isolators.
             isolated: whether it stands on its isolators, if it has any.
         """
-        bases, isolation = self._bases(), self.building.isolation if isolated else None
-        below, of_base = 0.0, []
-        if isolation is not None:
-            lines, below = tuple(line for line, _, _ in bases), GAP * self.height
-            of_base = [isolator_name(line) for one in isolation.isolators for line in one.under(lines)]
-            beside = (one for one in isolation.beside if self._along in one.axes)
-            of_base += [base_device_name(line) for one in beside for line in one.under(lines)]
-            draw_isolation(axes, {line: x for line, x, _ in bases}, of_base, below)
-        supports = [(x, kind) for line, x, kind in bases if isolator_name(line) not in of_base]
-        draw_members(axes, self.lines, supports)
         for name in dampers:
             drawing = self.damper(name)
             for (x0, y0), (x1, y1) in drawing.braces if drawing is not None else ():
                 axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=1.4, zorder=1.8)
-        without_scales(axes, self, self.width, 2.0 * below)
+        bases, isolation = self._bases(), self.building.isolation if isolated else None
+        of_base = []
+        if isolation is not None:
+            lines = tuple(line for line, _, _ in bases)
+            of_base = [isolator_name(line) for one in isolation.isolators for line in one.under(lines)]
+            beside = (one for one in isolation.beside if self._along in one.axes)
+            of_base += [base_device_name(line) for one in beside for line in one.under(lines)]
+        draw_to_scale(axes, self, bases, of_base, self.width)
 
     def damper(self, name: str) -> DamperDrawing | None:
         """Return the lines of a damper; None of one that stands elsewhere, or where there is no such bay or storey.

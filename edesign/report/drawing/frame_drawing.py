@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol
@@ -109,7 +109,7 @@ class FrameElevation:
         return damper_in_bay(kind, left, right, low, high, name[-1] if name.endswith(("_r", "_f")) else "")
 
     def draw(self, axes: Axes, dampers: Sequence[str], isolated: bool = False) -> None:
-        """Draw the frame to scale, without scales and frame of the axes; its isolators are among the dampers.
+        """Draw the frame to scale; its isolators are among the dampers.
 
         Args:
             axes: in m, with equal scales afterwards.
@@ -117,48 +117,42 @@ class FrameElevation:
         frame = self.frame
         for name in dampers:
             draw_damper(axes, self.damper(name))
-        supports = [
-            (x, support_name(frame.support(line)))
+        bases = [
+            (line, x, support_name(frame.support(line)) if (line, 1) in frame.column_at else "")
             for line, x in zip(frame.lines, frame.x, strict=True)
-            if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers
+            if names.node_name(line, 0) in frame.nodes
         ]
-        draw_members(axes, self.lines, supports)
-        isolated = any(name.startswith("I_") for name in dampers)
-        below, right = GAP * frame.height if isolated else 0.0, self.width
-        if isolated:
-            there = zip(frame.lines, frame.x, strict=True)
-            bases = {line: x for line, x in there if names.node_name(line, 0) in frame.nodes}
-            draw_isolation(axes, bases, dampers, below)
+        right = self.width
         if frame.leaning_column is not None:
             right += 0.5 * frame.bay_widths[-1]
             _draw_leaning_column(axes, frame, right)
-        without_scales(axes, self, right, 2.0 * below)
+        of_base = dampers if any(name.startswith("I_") for name in dampers) else ()
+        draw_to_scale(axes, self, bases, of_base, right)
 
 
-def draw_members(axes: Axes, lines: Mapping[str, Line], supports: Iterable[tuple[float, str]]) -> None:
-    """Draw members to scale, and the signs of supports at level 0.
-
-    Args:
-        lines: start and end of every member by its name, m.
-        supports: where each is, m, and its kind, one of `SUPPORTS`.
-    """
-    for name, ((x0, y0), (x1, y1)) in lines.items():
-        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D") else 1.6, zorder=1.5)
-    for x, kind in supports:
-        axes.plot(x, 0.0, marker=SUPPORTS[kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
-
-
-def without_scales(axes: Axes, elevation: Elevation, right: float, below: float = 0.0) -> None:
-    """Give axes the limits of an elevation with a margin and equal scales, and take their frame away.
+def draw_to_scale(
+    axes: Axes, elevation: Elevation, bases: Sequence[tuple[str, float, str]], of_base: Collection[str], right: float
+) -> None:
+    """Draw members, and what they stand on: signs of supports, or a base on isolators; without scales and frame.
 
     Args:
+        axes: in m, with equal scales afterwards.
+        bases: column bases from the left: line, place in m, and kind of the support, one of `SUPPORTS`; "": none.
+        of_base: names of isolators, and of what acts beside them; (): the frame is not isolated.
         right: end of what is drawn, m.
-        below: depth of what is drawn under level 0, m.
     """
+    for name, ((x0, y0), (x1, y1)) in elevation.lines.items():
+        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D") else 1.6, zorder=1.5)
+    below = GAP * elevation.height if of_base else 0.0
+    if of_base:
+        _draw_isolation(axes, {line: x for line, x, _ in bases}, of_base, below)
+    for line, x, kind in bases:
+        if kind and names.isolator_name(line) not in of_base:
+            axes.plot(x, 0.0, marker=SUPPORTS[kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
     margin = 0.04 * max(elevation.width, elevation.height)
     axes.set_aspect("equal")
     axes.set_xlim(-margin, right + margin)
-    axes.set_ylim(-margin - below, elevation.height + margin)
+    axes.set_ylim(-margin - 2.0 * below, elevation.height + margin)
     axes.set_axis_off()
 
 
@@ -192,15 +186,8 @@ def damper_in_bay(kind: str, left: float, right: float, low: float, high: float,
     return straight_damper(*lines[kind])
 
 
-def draw_isolation(axes: Axes, bases: Mapping[str, float], dampers: Collection[str], below: float) -> None:
-    """Draw the base, its isolators, and a mark beside each line where something else acts on the base.
-
-    Args:
-        axes: in m.
-        bases: column bases from the left: their places, m, by line.
-        dampers: names of isolators, and of what acts beside them.
-        below: from the base to the middle of the isolators, m.
-    """
+def _draw_isolation(axes: Axes, bases: Mapping[str, float], dampers: Collection[str], below: float) -> None:
+    """The base, isolators `below` it (m), and a mark beside each line where something else acts on the base."""
     places = list(bases.values())
     axes.plot((places[0], places[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
     for line, x in bases.items():
