@@ -15,8 +15,8 @@ from cases.conftest import HERE, copied_study
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.frame.project_file import load_project, load_study
-from edesign.report.archive.document import page_text
 from edesign.project.dampers.placement import PlacementDesign
+from edesign.report.archive.document import page_text
 from edesign.report.archive.study_tables import study_tables
 from edesign.study.check.summary import check_study
 from edesign.study.placement.candidates import make_candidates

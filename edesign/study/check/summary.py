@@ -39,9 +39,9 @@ from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings
 from edesign.study.motions.motions import Motion, expected_scale
+from edesign.study.placement.placement import check_placement
 from edesign.study.plan.choosing import study_with_choices, with_choices
 from edesign.study.plan.plan import Task, make_plan
-from edesign.study.placement.placement import check_placement
 from edesign.study.plan.study_plan import histories_of_a_round, make_study_plan, wanted_designs
 
 ORIGINS = {"file": "from files", "package": "from packages", "simulated": "simulated"}
