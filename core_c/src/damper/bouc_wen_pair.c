@@ -18,9 +18,9 @@ static const double ROUNDING = 0.25 * DBL_EPSILON;
  * long its last terms say by how much. */
 static const double LONGEST = 1.5;
 
-/* z and b along a piece of the path, by powers of the share t of it. */
+/* z, b and z . b along a piece of the path, by powers of the share t of it. */
 typedef struct {
-  double z[2][TERMS + 1], b[2][3];
+  double z[2][TERMS + 1], b[2][3], a[TERMS + 3];
 } ed_series;
 
 static double value(const double *c, int terms, double t)
@@ -31,32 +31,25 @@ static double value(const double *c, int terms, double t)
   return sum;
 }
 
+/* z . b */
 static double along(const ed_series *s, int terms, double t)
 {
-  return value(s->z[0], terms, t) * value(s->b[0], 2, t) + value(s->z[1], terms, t) * value(s->b[1], 2, t);
+  return value(s->a, terms + 2, t);
 }
 
-static double slope_of(const double *c, int terms, double t)
-{
-  double sum = terms * c[terms];
-  for (int k = terms - 1; k > 0; k--)
-    sum = sum * t + k * c[k];
-  return sum;
-}
-
-/* Derivative of z . b. */
+/* Its derivative. */
 static double pace(const ed_series *s, int terms, double t)
 {
   double sum = 0.0;
-  for (int c = 0; c < 2; c++)
-    sum += slope_of(s->z[c], terms, t) * value(s->b[c], 2, t) + value(s->z[c], terms, t) * slope_of(s->b[c], 2, t);
+  for (int k = terms + 2; k > 0; k--)
+    sum = sum * t + k * s->a[k];
   return sum;
 }
 
 /* Coefficients of z from z(0) and b on, as many as leave rounding of `size`. Returns the share of the piece to which they do. */
 static double expand(double n, double kappa, double size, ed_series *s, int *terms)
 {
-  double r[TERMS], w[TERMS], a[TERMS], g[TERMS], last = 0.0;
+  double r[TERMS], w[TERMS], *a = s->a, g[TERMS], last = 0.0;
   const double square = s->z[0][0] * s->z[0][0] + s->z[1][0] * s->z[1][0], factor = kappa * pow(square, 0.5 * n - 1.0);
   for (int k = 0; k < TERMS; k++) {
     double parts = 0.0;
@@ -103,10 +96,19 @@ static double where(double (*of)(const ed_series *, int, double), const ed_serie
 }
 
 /* Where within the share `to` z . b first has the other sign, also where it only dips below zero; `to` where it has not. */
-static double change_of_sign(const ed_series *s, int terms, double sign, double to, int *changes)
+static double change_of_sign(ed_series *s, int terms, double sign, double to, int *changes)
 {
-  *changes = 1;
-  double low = 0.0;
+  s->a[terms] = s->a[terms + 1] = s->a[terms + 2] = 0.0;
+  double low = 0.0, least_possible = sign * s->a[0];
+  for (int k = 1; k <= terms + 2; k++) {
+    for (int c = 0; k >= terms && c < 2; c++) /* what the last terms of z bring to it */
+      for (int j = k - terms; j < 3; j++)
+        s->a[k] += s->z[c][k - j] * s->b[c][j];
+    least_possible -= fabs(s->a[k]);
+  }
+  *changes = least_possible < 0.0;
+  if (!*changes)
+    return to;
   for (int i = 1; i <= SAMPLES; i++) {
     double high = to * i / SAMPLES;
     if (sign * along(s, terms, high) >= 0.0 && sign * pace(s, terms, low) < 0.0 && sign * pace(s, terms, high) > 0.0) {
