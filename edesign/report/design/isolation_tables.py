@@ -86,8 +86,8 @@ def _forces(analysis: Analysis, end: str) -> np.ndarray:
 
 def _moment(analysis: Analysis) -> float | None:
     """The largest product of compression and displacement of an isolator; they need not come at one moment."""
-    each = _isolators(analysis)
-    moved = each if each is not None else _resultant("base_displacement")(analysis)
+    of_isolators = _isolators(analysis)
+    moved = _resultant("base_displacement")(analysis) if of_isolators is None else of_isolators
     return None if moved is None else float(np.max(np.maximum(-_forces(analysis, "min"), 0.0) * moved))
 
 
