@@ -199,7 +199,8 @@ class StrainEnergyDesign(_ElastomerDesign):
         damping: damping ratio that the dampers add to the first mode; all distributions but `least_area` need it.
         brace: braces of a storey together along its drift.
         braces_in_target: whether brace and damper together reach the target, not the damper alone.
-        distribution: stiffness of the dampers over the height; `least_area` finds the least in sum for the `drift`.
+        distribution: stiffness of the dampers over the height; `least_area` finds the least in sum for the `drift`, by
+            the estimate or, with `verify`, by histories.
         target_in: what has the target damping: each storey (Eq. 5.9) or the first mode (Eq. 5.6); without the key by
             `distribution`.
     """

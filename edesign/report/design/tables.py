@@ -113,6 +113,7 @@ PLAN_MODES = TableSpec[Place](
         col("along x", PERCENT, at("plan_mass_ratio_x")),
         col("along y", PERCENT, at("plan_mass_ratio_y")),
         col("in turns", PERCENT, at("plan_mass_ratio_turn")),
+        col("share", PERCENT, at("plan_share"), optional=True),
         col("added damping", PERCENT, at("plan_damping")),
     ),
     keys=0,

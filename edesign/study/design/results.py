@@ -171,6 +171,8 @@ def store_plan_modes(group: Group, model: Model, state: Any) -> None:
         where = "in turns about the vertical" if name == "turn" else f"along {name}"
         label = f"effective mass {where} over that of the building"
         group.add(f"plan_mass_ratio_{name}", ("plan_mode",), ratio[:last], "1", label)
+    label = "share of the mode in the vibration along the direction, by which means are taken"
+    group.add("plan_share", ("plan_mode",), modes.lead.share[:last], "1", label)
     label = "damping ratio that the dampers of the design add, by modal strain energy"
     group.add("plan_damping", ("plan_mode",), damping[:last], "1", label)
     group.attributes["leading_mode"] = modes.first + 1
