@@ -157,18 +157,23 @@ def test_prices_that_are_missing_or_idle_are_named(keys: str, message: str) -> N
 
 @pytest.mark.study
 def test_choices_of_eighty_frames_are_those_of_enumeration() -> None:
-    """Four groups of nine sections: at least 78 of 80 optima, none more than 1.7 % heavier.
+    """Four groups of nine sections: all but two are optima, none more than 1.7 % heavier.
 
-    These are the figures of an independent prototype of the loop. Seen: 80 of 80.
+    These are the figures of an independent prototype of the loop. Of a frame that no choice lets meet the checks, as
+    that of seed 68, the search says so.
     """
     gaps = []
     with one_thread():
         for seed in range(80):
             file = random_frames(seed, 9, 4)
             best = enumerated(file)
-            assert best is not None
+            if best is None:
+                with pytest.raises(InputError, match="no sections of the lists were found that meet all checks"):
+                    select_sections(file)
+                continue
             gaps.append(select_sections(file).mass / best.mass - 1.0)
-    assert sum(gap < 1e-9 for gap in gaps) >= 78
+    assert len(gaps) >= 78
+    assert sum(gap < 1e-9 for gap in gaps) >= len(gaps) - 2
     assert max(gaps) <= 0.017
 
 
