@@ -51,7 +51,7 @@ def _summary(design: ElasticDesign) -> Group:
         attributes={
             "passed": int(design.passed),
             "notes": list(design.notes),
-            "mass_kg": float(frame.node_mass.sum()),
+            "mass_kg": frame.acting_mass,
             "ductility_class": design.building.design.ductility_class if design.building.design else "",
             "gamma_M0": design.members.members[0].gamma_M0,
             "gamma_M1": design.members.members[0].gamma_M1,

@@ -160,5 +160,10 @@ def test_a_design_above_a_rigid_basement(torsion: str) -> None:
     for text in ("centre", "e_0 / r", "r / l_s", "fall of stiffness", "rise of stiffness"):
         each = [[of.value for of in one.criteria if text in of.text] for one in (found, expected)]
         assert each[0] == pytest.approx(each[1], rel=1e-6)  # e_0 is small beside the plan
+    for clause in ("6.5.3(2)", "6.6.3(4)"):  # hinges at the column bases are above the basement
+        each = [[of.value for of in one.criteria if of.clause == clause] for one in (found, expected)]
+        assert each[0] == pytest.approx(each[1], rel=1e-9)
+    np.testing.assert_allclose(found.foundations.factor, expected.foundations.factor, rtol=1e-9, atol=0)
+    assert found.frame.acting_mass == pytest.approx(expected.frame.acting_mass, rel=1e-9)
     assert set(found.foundations.nodes) == {name for name in found.frame.node_names if name.endswith(".0")}
     assert found.sway.initial_sway.max() == pytest.approx(expected.sway.initial_sway.max(), rel=1e-9)

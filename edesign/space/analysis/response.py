@@ -203,9 +203,8 @@ class ResponseSpectrumAnalysis:
         """Return F_b (4.3.3.2.2); T_1 is the period of the mode in which most of the mass moves along the axis."""
         T_1 = float(modes.period[modes.effective_mass_ratio[:, AXES.index(axis)].argmax()])
         frame = self.frame
-        mass = float(frame.node_mass[frame.level_of_nodes > frame.held].sum())
         corner = self.elastic.parameters.T_C
-        return base_shear(float(spectrum.acceleration(T_1)), mass, T_1, corner, frame.n_floors - frame.held)
+        return base_shear(float(spectrum.acceleration(T_1)), frame.acting_mass, T_1, corner, frame.n_floors - frame.held)
 
     def _accidental_torsion(self, axis: Axis, F_b: float, ratio: float) -> _Twist:
         """Return the effects of M_ai = e_ai F_i, F_i by the heights of all masses (Eq. 4.11), without sign.

@@ -23,12 +23,18 @@ _TURNS = {"x": 4, "y": 3}  # degree of a support that turns under horizontal for
 def hinged_bases(frame: SpaceFrame, axis: Axis) -> np.ndarray:
     """Return the numbers of the columns on supports that restrain rotation by forces along an axis.
 
+    Above a rigid basement these are the columns that stand on the highest held floor.
+
     Args:
         axis: direction of the horizontal forces.
 
     Returns:
         (n,) numbers.
+
+    Source: EN 1998-1:2004, 4.4.2.6(5): the lowest cross-section where a plastic hinge can form.
     """
+    if frame.held:
+        return frame.columns[frame.level_of_nodes[frame.ends[0][frame.columns]] == frame.held]
     turn = _TURNS[axis]
     restrained = frame.fixed[:, turn] | (frame.springs[:, turn] > 0.0)
     return np.array([number for number in frame.columns if restrained[frame.members[number].start]], dtype=int)

@@ -148,8 +148,8 @@ def foundation_factors(
 
     In ductility class low the factor is 1.
 
-    Where a column of a moment frame has a hinge at its base, Omega is the least M_Rd / M_Ed there of both
-    directions; elsewhere that of the dissipative members of the direction.
+    Where a column line of a moment frame has a hinge at its base, or above the basement, Omega is the least
+    M_Rd / M_Ed there of both directions; elsewhere that of the dissipative members of the direction.
 
     Args:
         building: with the design block of the file.
@@ -165,15 +165,16 @@ def foundation_factors(
     if design.ductility_class == "low":
         return np.ones((2, of.nodes.size)), np.zeros((2, of.nodes.size), dtype=bool)
     frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
-    at_base = np.full(len(frame.node_names), np.inf)
+    of_line = {frame.node_names[node].partition(".")[0]: number for number, node in enumerate(of.nodes)}
+    own = np.full(of.nodes.size, np.inf)
     force = acting[:, :, N].max(axis=1)
     for axis in frames:
         bases = hinged_bases(frame, axis)
         M_Rd = column_moments(frame, building.materials, bases, axis, force, design.partial_factors.M0)
         M_Ed = np.where(bend_about_y(frame, bases, axis), acting[bases, 0, M_Y], acting[bases, 0, M_Z])
         Omega = np.where(M_Rd > 0.0, strength_over_demand(np.maximum(M_Rd, 1.0), M_Ed), 1.0)
-        np.minimum.at(at_base, frame.ends[0][bases], Omega)
-    own = at_base[of.nodes]
+        below = [of_line[frame.node_names[foot].partition(".")[0]] for foot in frame.ends[0][bases]]
+        np.minimum.at(own, below, Omega)
     of_base = np.array([np.isfinite(own) & (axis in frames) for axis in AXES])
     of_direction = np.array([[overstrength[axis].Omega] for axis in AXES])
     Omega = np.where(of_base, own, of_direction)

@@ -200,6 +200,11 @@ class SpaceFrame:
         """Floor at the level of each node, 0 at the base, (n_nodes,); nodes between two floors count up."""
         return np.searchsorted(self.levels, self.coordinates[:, 2] - 1e-9 * self.levels[-1])
 
+    @property
+    def acting_mass(self) -> float:
+        """Mass that the seismic action moves, that of the floors above the base or a rigid basement, kg."""
+        return float(self.node_mass[self.level_of_nodes > self.held].sum())
+
     @cached_property
     def diaphragm_sizes(self) -> np.ndarray:
         """Lengths along x and y of what accidental eccentricity goes by, (n_diaphragms, 2) m.
