@@ -121,7 +121,8 @@ def motion_notes(sets: Sequence[HistorySet]) -> list[str]:
     if all(count == len(found.histories) for count, found in zip(counts, sets, strict=True)):
         return []
     number = " or ".join(map(str, dict.fromkeys(counts)))
-    return wrapped(f"Statistics: over {number} motions; of each the worst of its angles and places of the masses.")
+    what = "motion" if number == "1" else "motions"
+    return wrapped(f"Statistics: over {number} {what}; of each the worst of its angles and places of the masses.")
 
 
 def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str]:

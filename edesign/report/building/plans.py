@@ -47,7 +47,8 @@ def plans_of(results: BuildingValues, heading: Sequence[str] = ()) -> Iterator[N
     """
     different = _different_storeys(results)
     drawn = _other_outlines_first(results, different)[:PANELS]
-    left_out = f" {len(different) - len(drawn)} more plans are not drawn." if len(different) > len(drawn) else ""
+    rest = sorted(storey for storeys in different if storeys not in drawn for storey in storeys)
+    left_out = f" Not drawn: {'storey' if len(rest) == 1 else 'storeys'} {_runs(rest)}." if rest else ""
     for storeys in sorted(drawn):
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
         sections = _sections(results, storeys[0])

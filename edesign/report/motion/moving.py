@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.motion.geometry import Geometry, floor_shares
-from edesign.report.motion.plan_motion import floors_in_plan
+from edesign.report.motion.plan_motion import floors_in_plan, storey_drifts
 from edesign.report.response.frame_figures import End
 from edesign.report.response.histories import History, names_of
 
@@ -174,8 +174,7 @@ def read_moving(
     ground = np.zeros_like(displacement[:, 0]) if base is None else np.asarray(base.values, dtype=float)
     floors = np.concatenate((ground[:, np.newaxis], displacement), axis=1)
     stored = group.variables.get("storey_drift")
-    heights = group.variables["storey_height"].values.reshape(-1, *(1,) * (floors.ndim - 2))
-    drift = np.diff(floors, axis=1) / heights if stored is None else np.asarray(stored.values, dtype=float)
+    drift = storey_drifts(group, floors) if stored is None else np.asarray(stored.values, dtype=float)
     dampers = names_of(group, "damper")
     own = [dampers.index(damper.name) for damper in geometry.dampers]
     force, deformation = (

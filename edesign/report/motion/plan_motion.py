@@ -34,6 +34,36 @@ def floors_in_plan(group: Group, geometry: Geometry, floors: np.ndarray) -> np.n
     return found
 
 
+def storey_drifts(group: Group, floors: np.ndarray) -> np.ndarray:
+    """Return drift ratios of the storeys of a history that did not keep them, by the motion of their floors.
+
+    A floor with several diaphragms has no place of its own that the next floor stands above: the drift is there the
+    mean of the column lines whose places were kept at both floors.
+
+    Args:
+        floors: displacement of base and floors, (times, floors + 1) m, or of a building along x and y.
+
+    Returns:
+        (times, storeys), or of a building (times, storeys, 2).
+    """
+    apart = np.diff(floors, axis=1)
+    several = set(group.variables["diaphragm_floor"].values.tolist()) if "diaphragm_floor" in group.variables else set()
+    points = group.variables.get("point_displacement")
+    if several and points is not None and points.dims[0] == "time":
+        places = {name: i for i, name in enumerate(names_of(group, "point"))}
+        for storey in sorted(several | {floor + 1 for floor in several}):
+            lines = [name.removesuffix(f".{storey}") for name in places if name.endswith(f".{storey}")]
+            both = [
+                (places[below], places[f"{line}.{storey}"])
+                for line in lines
+                if (below := f"{line}.{storey - 1}") in places
+            ]
+            if both:
+                lower, upper = (np.asarray(points.values, dtype=float)[:, list(at)] for at in zip(*both, strict=True))
+                apart[:, storey - 1] = (upper - lower).mean(axis=1)
+    return np.asarray(apart / group.variables["storey_height"].values.reshape(-1, *(1,) * (floors.ndim - 2)))
+
+
 def rigid_motion(places: np.ndarray, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the small motion of a rigid body in plan that is nearest to the motion of its points.
 

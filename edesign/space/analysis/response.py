@@ -204,7 +204,9 @@ class ResponseSpectrumAnalysis:
         T_1 = float(modes.period[modes.effective_mass_ratio[:, AXES.index(axis)].argmax()])
         frame = self.frame
         corner = self.elastic.parameters.T_C
-        return base_shear(float(spectrum.acceleration(T_1)), frame.acting_mass, T_1, corner, frame.n_floors - frame.held)
+        return base_shear(
+            float(spectrum.acceleration(T_1)), frame.acting_mass, T_1, corner, frame.n_floors - frame.held
+        )
 
     def _accidental_torsion(self, axis: Axis, F_b: float, ratio: float) -> _Twist:
         """Return the effects of M_ai = e_ai F_i, F_i by the heights of all masses (Eq. 4.11), without sign.

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from moving_building import DAMPERS, PICTURES, STEP, TEXT, formula, moving_archive, moving_group, small_building
 
+from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.project.building import load_building
 from edesign.report.motion.building_geometry import moving_building
 from edesign.report.motion.encoding import scene_text
 from edesign.report.motion.geometry import Geometry
-from edesign.report.motion.plan_motion import rigid_motion
+from edesign.report.motion.plan_motion import rigid_motion, storey_drifts
 from edesign.report.motion.scenes import Scene, scenes
 from edesign.report.motion.still import member_curve, motion_caption
 from edesign.report.motion.still_building import building_still
@@ -50,6 +51,22 @@ def test_floors_of_the_archive_say_how_every_node_moves_in_plan(tmp_path: Path) 
     assert one.node_motion[..., 5] == pytest.approx(expected[..., 5], abs=1e-8)
     assert not one.node_motion[..., 2:5].any()
     assert "Only floors were kept" in motion_caption(scene)
+
+
+def test_drifts_above_two_towers_are_those_of_the_lines() -> None:
+    """Floor 1 has two diaphragms that part by 30 mm, floor 2 one above the first of them that does not drift."""
+    names = ["A1.1", "B1.1", "C1.1", "D1.1", "A1.2", "B1.2"]
+    moved = np.zeros((1, 6, 2))
+    moved[0, :, 0] = [0.02, 0.02, -0.01, -0.01, 0.02, 0.02]
+    floors = np.zeros((1, 3, 2))
+    floors[0, 1:, 0] = [0.005, 0.02]  # the mean of the masses, and the only diaphragm
+    group = Group()
+    group.coords["point"] = Variable(("point",), np.array(names), "", "places")
+    group.add("point_displacement", ("time", "point", "direction"), moved, "m", "of the places")
+    group.add("diaphragm_floor", ("diaphragm",), np.array([1, 1]), "", "their floors")
+    group.add("storey_height", ("storey",), np.array([4.0, 2.0]), "m", "heights")
+    drift = storey_drifts(group, floors)
+    assert drift[0, :, 0] == pytest.approx([0.00125, 0.0]) and not drift[..., 1].any()
 
 
 def test_rigid_motion_is_that_of_the_points() -> None:
