@@ -92,18 +92,18 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
 
 
 def tables_of_sets(
-    sets: Iterable[HistorySet], needed: str, table: Callable[[Sequence[Group], str], Table]
+    sets: Iterable[HistorySet], needed: str, table: Callable[[Sequence[Sequence[Group]], str], Table]
 ) -> Iterator[Table]:
     """Yield a table of each set whose completed histories have a variable.
 
     Args:
         needed: the variable, such as `section_use_max`, which histories of plane frames do not have.
-        table: makes one of the histories and the name of the set.
+        table: makes one of the histories by motion and the name of the set.
     """
     for found in sets:
-        groups = [group for group in found.completed.values() if needed in group.variables]
-        if groups:
-            yield table(groups, label(found))
+        chosen = {name: group for name, group in found.completed.items() if needed in group.variables}
+        if chosen:
+            yield table(found.by_motion(chosen), label(found))
 
 
 def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, HistorySet]]:

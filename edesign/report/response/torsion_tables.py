@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.sets import HistorySet
+from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import tables_of_sets
 from edesign.report.tables.column import col, count, text
 from edesign.report.tables.table import Table, TableSpec
@@ -17,7 +18,7 @@ from edesign.report.tables.unit import MRAD, ONE, PERCENT
 
 
 class _Twist(NamedTuple):
-    """A storey in one direction: means over the histories of a set.
+    """A storey in one direction: means over the motions of a set.
 
     Attributes:
         least, largest: drift ratios of the column lines that drift least and most, each by its own peak.
@@ -41,32 +42,33 @@ TORSION = TableSpec[_Twist](
     (
         count("storey"),
         text("direction"),
-        col("least drift", PERCENT, "least"),
-        col("largest drift", PERCENT, "largest"),
+        col("least drift", PERCENT, "least", negligible=ROUNDING),
+        col("largest drift", PERCENT, "largest", negligible=ROUNDING),
         text("at", "line"),
         col("largest / mean", ONE, "ratio", form=".2f"),
-        col("turn", MRAD, "turn", optional=True),
+        col("turn", MRAD, "turn", negligible=ROUNDING, optional=True),
     ),
-    signs=(
-        "mean over all histories; of column lines, each by its own peak; largest / mean: over the mean of all lines; "
-        "turn: of the floor above about the vertical",
+    notes=(
+        "Mean over the motions, of each the worst of its angles and places of the masses; of column lines, each by its "
+        "own peak; largest / mean: over the mean of all lines; turn: of the floor above about the vertical.",
     ),
 )
 
 
 def torsion_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
     """Return a table of each set of histories of a building; plane frames have none."""
-    return tables_of_sets(sets, "line_drift_max", lambda groups, whose: TORSION.of(_twists(groups), whose=whose))
+    return tables_of_sets(sets, "line_drift_max", lambda motions, whose: TORSION.of(_twists(motions), whose=whose))
 
 
-def _mean_peak(groups: Sequence[Group], quantity: str) -> np.ndarray | None:
-    found = [values for group in groups if (values := peak(group, quantity)) is not None]
+def _mean_peak(motions: Sequence[Sequence[Group]], quantity: str) -> np.ndarray | None:
+    each = [[values for group in groups if (values := peak(group, quantity)) is not None] for groups in motions]
+    found = [np.max(values, axis=0) for values in each if values]
     return np.mean(found, axis=0) if found else None
 
 
-def _twists(groups: Sequence[Group]) -> Iterator[_Twist]:
-    first = groups[0]
-    lines, turn = _mean_peak(groups, "line_drift"), _mean_peak(groups, "floor_rotation")
+def _twists(motions: Sequence[Sequence[Group]]) -> Iterator[_Twist]:
+    first = motions[0][0]
+    lines, turn = _mean_peak(motions, "line_drift"), _mean_peak(motions, "floor_rotation")
     if lines is None:
         return
     names = [str(name).rpartition(".")[0] for name in first.coords["drift_line"].values]
@@ -82,6 +84,6 @@ def _twists(groups: Sequence[Group]) -> Iterator[_Twist]:
                 float(drifts.min()),
                 float(drifts[worst]),
                 names[own[worst]],
-                float(drifts[worst] / drifts.mean()) if drifts.mean() > 0.0 else 1.0,
+                float(drifts[worst] / drifts.mean()) if drifts.mean() > ROUNDING else 1.0,
                 None if turn is None else float(turn[i]),
             )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -25,7 +26,7 @@ class _Use(NamedTuple):
     section: float
     of_section: str
     member: float | None
-    of_member: str
+    of_member: str | None
 
 
 USE = TableSpec[_Use](
@@ -49,7 +50,9 @@ USE = TableSpec[_Use](
 
 def use_tables(sets: Iterable[HistorySet]) -> Iterator[Table]:
     """Return a table of each set of histories of a building; plane frames have none."""
-    return tables_of_sets(sets, "section_use_max", lambda groups, whose: USE.of(_uses(groups), whose=whose))
+    return tables_of_sets(
+        sets, "section_use_max", lambda motions, whose: USE.of(_uses(list(chain(*motions))), whose=whose)
+    )
 
 
 def _largest(groups: Sequence[Group], quantity: str) -> np.ndarray | None:
@@ -68,7 +71,7 @@ def _uses(groups: Sequence[Group]) -> Iterator[_Use]:
         worst = max(own, key=section.__getitem__)
         of_section = float(section[worst]), names[worst]
         if member is None:
-            yield _Use(kind, storey, *of_section, None, "")
+            yield _Use(kind, storey, *of_section, None, None)
         else:
             worst = max(own, key=member.__getitem__)
             yield _Use(kind, storey, *of_section, float(member[worst]), names[worst])

@@ -12,6 +12,7 @@ from edesign.assess.members import ELASTIC_ROTATION, frame_members, member_usage
 from edesign.assess.performance import member_performance, set_performance
 from edesign.assess.sets import history_sets, measure_statistics
 from edesign.assess.verdicts import Verdict, judge
+from edesign.report.response.torsion_tables import torsion_tables
 
 DRIFTS = {
     "bare.DBE.a.0deg.0": 0.004,
@@ -58,6 +59,22 @@ def test_the_statistic_is_over_the_worst_of_each_motion() -> None:
     half = verdict("most: 0.7 %, share: 50 %", histories())
     assert (half.value, half.met) == (0.5, True)
     assert verdict("most: 0.7 %, statistic: ec8", histories()).statistic == "maximum"  # two motions, not eight
+
+
+def test_torsion_is_that_of_the_worst_of_each_motion() -> None:
+    """Line A1 has the drift of the history, line B1 a half of it, along x alone."""
+    groups = histories()
+    for name, group in groups.items():
+        drift = np.array([[DRIFTS[name], 0.0], [DRIFTS[name] / 2.0, 0.0]])
+        for coordinate, values in {"storey": [1], "direction": ["x", "y"], "drift_line": ["A1.1", "B1.1"]}.items():
+            group.coords[coordinate] = Variable((coordinate,), np.array(values), "", "")
+        group.add("drift_line_storey", ("drift_line",), np.array([1, 1]), "", "")
+        group.add("line_drift_max", ("drift_line", "direction"), drift, "1", "")
+        group.add("line_drift_min", ("drift_line", "direction"), 0.0 * drift, "1", "")
+    (table,) = torsion_tables(history_sets(groups))
+    along_x, along_y = table.texts
+    assert along_x[2:6] == ["0.4000", "0.8000", "A1", "1.33"]  # the mean of 1.0 and 0.6 %
+    assert along_y[2:4] == ["0", "0"] and "worst" in table.notes[0]
 
 
 def test_failed_and_waiting_histories_decide_for_their_motion() -> None:
