@@ -43,6 +43,9 @@ def check_isolation(building: Building, problems: Problems, profiles: Catalogue 
     if standing:
         message = f"line {standing[0]} stands on an isolator, and on a footing by `supports`; leave the footing out"
         problems.at_key((*_AT, "isolators"), f"{message} [E-ISOL-01]")
+    if building.held_floors:
+        message = "the ground holds a floor above the isolators, which could not move; leave it out, or the isolators"
+        problems.at_key(("restrained_floors",), f"{message} [E-ISOL-01]")
     if inside:
         _other_bases(building, problems, [line for line in bases if line not in taken])
     _base(building, problems, isolation, profiles)

@@ -68,6 +68,11 @@ def test_refused_at_its_place(old: str, new: str, place: str, message: str) -> N
     assert lines[0].startswith("building.yaml:")
 
 
+def test_a_floor_that_the_ground_holds_above_isolators_is_refused() -> None:
+    with pytest.raises(FileProblems, match=r"restrained_floors: the ground holds a floor above .*E-ISOL-01"):
+        building(ISOLATED.replace("columns: [", "restrained_floors: [{floors: 1}]\ncolumns: [", 1))
+
+
 def test_a_footing_below_an_isolator_is_refused() -> None:
     soil = "soils: {sand: {density: 1900 kg/m^3, shear_wave_velocity: 180 m/s, poisson: 0.3, damping: 5 %}}\n"
     footing = "supports: {A1: {footing: {soil: sand, length: 2 m, width: 2 m, embedment: 0.5 m}}}\n"
