@@ -20,7 +20,7 @@ from edesign.frame.sections.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.space.structure.frame import RIGID, SpaceFrame
 from edesign.space.structure.masses import psi_2
-from edesign.space.structure.model import TENSION_ONLY_SHARE, diaphragm_floors
+from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 Array = NDArray[np.float64]
 Law = Literal["elastic", "bilinear", "menegotto_pinto"]
@@ -230,7 +230,7 @@ def peer_building(building: Building, frame: SpaceFrame) -> PeerBuilding:
     """
     if frame.springs.any():
         raise ValueError("elastic supports are not in the peers")
-    diaphragms = tuple(np.flatnonzero(frame.node_floor == floor) for floor in diaphragm_floors(frame))
+    diaphragms = tuple(np.flatnonzero(frame.node_diaphragm == number) for number in range(len(frame.diaphragms)))
     masters, mass = _masses(frame, diaphragms)
     nodal, uniform, points = _gravity(building, frame)
     pairs, of_members = frame.sections

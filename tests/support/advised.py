@@ -1147,7 +1147,7 @@ LEFT = {
     "it shows a form and advises nothing": (
         "a mapping `name: value`", "a mapping (`key: value`)", "(a key and its value are written `key: value`",
         "; folders are divided by `/`", "takes targets a delay apart (`spacing: delay`)",
-        "with `scaling: none` every factor is 1", "with `dampers: false` the frame", "a variant with `dampers: none`",
+        "with `scaling: none` every factor is 1", "with `dampers: false` it", "a variant with `dampers: none`",
         "this is what is compared with the spectrum of the hazard by `match`",
         "it is of a frame that may yield: `structure: {",
     ),
@@ -1184,7 +1184,7 @@ LEFT = {
     ),
     "it is of floors and diaphragms of buildings; tests/unit/project/test_building_bad_input.py provokes it": (
         "or leave `design` out", "give `rz: fixed`, or stiffnesses along x and y",
-        "all directions are `free`; leave this entry out", "give each of them an entry of its own",
+        "all directions are `free`; leave this entry out",
     ),
     "it is of a substructure test on a project of its own; tests/unit/substructure provokes it": (
         "by them alone; take more `sub_steps`", "and the file names none under `structure`", "or give a `law_file`",

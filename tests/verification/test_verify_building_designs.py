@@ -314,7 +314,10 @@ HELD = building(f"{ROWS}restrained_floors: [{{floors: 1}}]\n")
 
 
 def test_a_floor_that_the_ground_holds_has_no_part_in_the_modes_of_a_design() -> None:
-    """All modes together move all of the mass that is free, in each direction (Chopra, 13.3); 1e-9 is rounding."""
+    """All modes together move all of the mass that is free, in each direction (Chopra, 13.3); 1e-9 is rounding.
+
+    Dampers in A and C do not stand alike about the centre of mass, so that another mode has 5e-4 of the vibration.
+    """
     spec = design(f"{METHODS['viscous']}, along: y, frames: [A, C], storeys: 2-3, state: initial", HELD)
     found = make_building(HELD, "tried", spec)
     assert np.isnan(found.storey_stiffness).tolist() == [True, False, False]
@@ -324,7 +327,8 @@ def test_a_floor_that_the_ground_holds_has_no_part_in_the_modes_of_a_design() ->
     assert group.variables["bare_period"].values[0] == pytest.approx(
         group.variables["plan_bare_period"].values[leading]
     )
-    assert group.variables["damping_complex"].values[0] == pytest.approx(0.15)
+    assert group.attributes["damping"] == pytest.approx(0.15)
+    assert group.variables["damping_complex"].values[0] == pytest.approx(0.15, rel=1e-3)
 
 
 def test_a_design_below_a_floor_that_the_ground_holds_is_foretold_to_fail() -> None:
