@@ -12,7 +12,7 @@ from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer.material import Elastomer, Moduli
 from edesign.study.design.elastomer.model import ElastomerModel, Iteration
-from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
 
 
 @dataclass(frozen=True)
@@ -46,23 +46,28 @@ def at_consistent_frequency(
 ) -> AtFrequency:
     """Iterate until the elastomer's properties are those at the first frequency of the frame with its dampers.
 
+    Where frequencies no longer come nearer to each other, as those of modes that share a direction, they are relaxed.
+
     Args:
         k_D: horizontal storage stiffness of the storeys (s,) N/m that dampers of some properties have.
         start: frequency of the first iteration, Hz.
         braces: whether the braces are in series.
     """
     frequency, iterations = start, list[Iteration]()
+    relax, apart = Relaxation(), np.inf
     reason = f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
     while reason and len(iterations) < MOST_ITERATIONS:
         moduli = elastomer(frequency)
         wanted = k_D(moduli)
         stiffness = model.stiffness(wanted, moduli.loss_factor, braces)
         modes = model.building.frame.modes(stiffness.real)
-        before, frequency = frequency, modes.first_frequency
+        before, found = frequency, modes.first_frequency
         damping = modes.lead.mean(strain_energy_damping(modes, stiffness).__getitem__)
-        iterations.append(Iteration(before, moduli, wanted, frequency, damping, {}))
-        if abs(frequency - before) <= AGREEMENT * frequency:
+        iterations.append(Iteration(before, moduli, wanted, found, damping, {}))
+        if abs(found - before) <= AGREEMENT * found:
             reason = ""
+        relaxed = float(relax(np.array([before]), np.array([found]))[0])
+        frequency, apart = (found if abs(found - before) < apart else relaxed), abs(found - before)
     return AtFrequency(tuple(iterations), stiffness, modes, reason)
 
 

@@ -213,6 +213,8 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
     def formula(self, coefficient: np.ndarray, roof: float) -> float:
         """Return the damping ratio of the first mode without dampers by FEMA 356, Eq. 9-32.
 
+        Of a building it is the mean of its modes by their shares, with the linear dashpots that the formula stands for.
+
         Args:
             coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
             roof: amplitude at the roof, m; it does not matter for linear dashpots.
@@ -221,6 +223,11 @@ class ViscousModel(DeviceModel[ViscousDesign, Dashpots]):
         alpha, at_roof = self.dashpot.alpha, float(lead.floors[-1])
         shape, period = lead.dampers / at_roof, 2.0 * math.pi / bare.first_omega
         amplitude = roof if alpha < 1.0 else 1.0
+        if self.building.frame.plan is not None:
+            stroke = amplitude * np.abs(shape)
+            linear = linear_dashpot(self.at_places(coefficient), alpha, stroke, bare.first_omega)
+            rigid = Dashpots(coefficient, linear, np.zeros(shape.size), bare.first_omega)
+            return lead.mean(self.added_damping(rigid, bare).__getitem__)
         return added_damping(self.at_places(coefficient), alpha, shape, amplitude, period, 1.0 / at_roof**2)
 
     def storage(self, state: Dashpots) -> np.ndarray:
