@@ -57,11 +57,20 @@ def check_bays(building: Building, problems: Problems, keys: Keys, run: DamperRu
     if not check_places(building, problems, keys, run):
         return ()
     beams = (BeamPlace(*place) for place in building.layout.brace_places(run))
-    absent = [str(beam) for beam in beams if run.kind == "chevron_braces" and beam not in building.layout.beam_at]
-    if absent:
-        message = f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing [E-DAMPER-05]"
+    absent = [beam for beam in beams if beam not in building.layout.beam_at]
+    if absent and run.kind == "chevron_braces":
+        message = f"`chevron_braces` meet a beam in the middle, and {listed(map(str, absent))} is missing [E-DAMPER-05]"
+        problems.at_value((*keys, "kind"), message)
+    if run.kind == "chevron" and (apart := [str(beam) for beam in absent if not _tied(building, beam)]):
+        message = f"a `chevron` pushes the beam above, and there is no {listed(apart)} [E-DAMPER-05]"
         problems.at_value((*keys, "kind"), message)
     return run.storeys.numbers(1, building.n_storeys)
+
+
+def _tied(building: Building, beam: BeamPlace) -> bool:
+    """Whether a rigid floor ties both ends of a beam."""
+    start, end = (building.layout.tied.get(node_name(line, beam.floor)) for line in beam.lines)
+    return start is not None and start == end
 
 
 def check_places(building: Building, problems: Problems, keys: Keys, run: InBays) -> bool:

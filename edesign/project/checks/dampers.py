@@ -180,7 +180,7 @@ def check_apart(
     if device.nodes[0] == device.nodes[1]:
         return
     if None not in rigid and len(rigid) == 1:
-        what = f"diaphragm {rigid.pop()} ties both"
+        what = f"both are on the rigid floor {rigid.pop()}"
     elif all(name in fixed for name in device.nodes):
         what = "both are fixed to the ground"
     if what:

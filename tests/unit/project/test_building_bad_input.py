@@ -325,6 +325,14 @@ def test_mistakes_of_dampers_are_reported_with_their_place(old: str, new: str, s
     _is_reported(DAMPED, old, new, said)
 
 
+def test_a_chevron_needs_the_beam_above_or_a_floor_that_ties_its_ends() -> None:
+    missing = ("dampers:", "missing: {beams: [{along: x, frames: 2, bays: 1, floors: 2}]}\ndampers:")
+    pushing = changed(DAMPED, ("kind: chevron_braces", "kind: chevron"), missing)
+    assert building(pushing).dampers is not None
+    messages = [said for _, said in faults(changed(pushing, ("dampers:", "diaphragms: 1\ndampers:")))]
+    assert says(messages[0], "dampers.devices[0].kind `BX_2_1_2` E-DAMPER-05")
+
+
 def test_dampers_have_nodes_at_the_corners_of_their_bays() -> None:
     text = changed(
         DAMPED,
