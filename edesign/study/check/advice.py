@@ -212,7 +212,7 @@ def _mixed_motions(study: Study, plan: Iterable[Task]) -> list[str]:
             name = record_of(task.record)
             kinds = acting.setdefault((task.variant, task.spec.level), {})
             kinds.setdefault(isinstance(study.base.records[name], InSpace), {})[name] = None
-    found = {}
+    found: dict[str, None] = {}
     for (_, level), kinds in acting.items():
         if len(kinds) == 2:
             names = f"{listed(kinds[True])} (pairs) and {listed(kinds[False])} (single components)"
