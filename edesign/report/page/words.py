@@ -17,6 +17,7 @@ from edesign.report.tables.text import PAPER
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+/-]*")
 _METHODS = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE/SEI 41"}
+_LABEL = re.compile("[a-z]+( [a-z]+)?: ")  # a note begins, as `not met: ...`
 
 
 def analysis_words(name: str, group: Group) -> str:
@@ -104,12 +105,20 @@ def _table(table: Table, say: Callable[[str], str]) -> Table:
 
 
 def _joined(notes: Sequence[str]) -> list[str]:
-    """Notes that were broken into lines of a terminal, each as one again: the next word did not fit a line."""
+    """Notes that were broken into lines of a terminal, each as one again: the next word did not fit a line.
+
+    One that begins with what it is of, `not met: ...`, is a note of its own.
+    """
     found: list[str] = []
     last = ""
     for note in notes:
         word = note.partition(" ")[0]
-        if last and not last.endswith(".") and len(last) <= PAPER < len(last) + 1 + len(word):
+        if (
+            last
+            and not last.endswith(".")
+            and not _LABEL.match(note)
+            and len(last) <= PAPER < len(last) + 1 + len(word)
+        ):
             found[-1] += f" {note}"
         else:
             found.append(note)

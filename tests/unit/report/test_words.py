@@ -71,3 +71,9 @@ def test_notes_broken_for_a_terminal_are_one_again() -> None:
     section = Section("id", "T", (), (plain_table("", ("a",), [["1"]], [long, "stay elastic.", "Another note."]),))
     (table,) = in_words(section, {}).parts
     assert isinstance(table, Table) and table.notes == [f"{long} stay elastic.", "Another note."]
+
+
+def test_a_long_note_is_not_joined_with_one_that_has_a_label() -> None:
+    notes = [f"more than 30 % {'x' * 64}", "not met: of the other direction", "histories: 4 of 4"]
+    (table,) = in_words(Section("id", "T", (), (plain_table("", ("a",), [["1"]], notes),)), {}).parts
+    assert isinstance(table, Table) and table.notes == notes
