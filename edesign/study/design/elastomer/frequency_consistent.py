@@ -12,7 +12,9 @@ from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer.material import Elastomer, Moduli
 from edesign.study.design.elastomer.model import ElastomerModel, Iteration
-from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS
+
+_SLOWEST = AGREEMENT ** (1.0 / MOST_ITERATIONS)  # of a difference over the one before, to agree in time
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,8 @@ def at_consistent_frequency(
 ) -> AtFrequency:
     """Iterate until the elastomer's properties are those at the first frequency of the frame with its dampers.
 
-    Where frequencies no longer come nearer to each other, as those of modes that share a direction, they are relaxed.
+    Where they go to and fro too slowly to agree in time, as with modes that share a direction, their bracket is halved
+    from there on.
 
     Args:
         k_D: horizontal storage stiffness of the storeys (s,) N/m that dampers of some properties have.
@@ -54,7 +57,7 @@ def at_consistent_frequency(
         braces: whether the braces are in series.
     """
     frequency, iterations = start, list[Iteration]()
-    relax, apart = Relaxation(), np.inf
+    apart, slow, low, high = np.inf, False, 0.0, np.inf
     reason = f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
     while reason and len(iterations) < MOST_ITERATIONS:
         moduli = elastomer(frequency)
@@ -66,8 +69,9 @@ def at_consistent_frequency(
         iterations.append(Iteration(before, moduli, wanted, found, damping, {}))
         if abs(found - before) <= AGREEMENT * found:
             reason = ""
-        relaxed = float(relax(np.array([before]), np.array([found]))[0])
-        frequency, apart = (found if abs(found - before) < apart else relaxed), abs(found - before)
+        low, high = (max(low, before), high) if found > before else (low, min(high, before))
+        slow = slow or abs(found - before) > _SLOWEST * apart
+        frequency, apart = (0.5 * (low + high) if slow and 0.0 < low < high < np.inf else found), abs(found - before)
     return AtFrequency(tuple(iterations), stiffness, modes, reason)
 
 
