@@ -119,6 +119,32 @@ def test_the_formula_of_fema_356_is_the_mean_of_the_modes() -> None:
     assert float(found.attributes["damping_fema356"]) == pytest.approx(float(share @ damping), rel=1e-9)
 
 
+def test_towers_share_the_direction_by_their_masses() -> None:
+    """Each tower has a mode of its own along x. Guided, both move as one: v' M phi = sqrt(m / M)."""
+    text = f"""\
+edesign_building: 1
+title: Two towers of one storey
+plan: {{x: [4 m, 6 m, 4 m], y: [5 m]}}
+storeys: [3.5 m]
+setbacks: [{{floors: all, bays: [{{x: 1, y: all}}, {{x: 3, y: all}}]}}]
+columns:
+  - {{section: HEB200, material: S275, strong: x}}
+  - {{at: [C, D], section: HEB300, material: S275, strong: x}}
+beams: [{{along: x, section: IPE300, material: S275, ends: pinned}}]
+missing: {{beams: [{{along: x}}, {{along: y}}]}}
+materials: {{S275: {{E: 210 GPa, fy: 275 MPa, nu: 0.3, law: elastic}}}}
+loads: {{self_weight: false}}
+masses:
+  given: [{{at: [A, B], floors: 1, mass: 8 t}}, {{at: [C, D], floors: 1, mass: 5 t}}]
+{COMMON}"""
+    file = parse_building(text, "building.yaml", BuildingSections())
+    where = "kind: storey, along: x, frames: all, bays: [1, 3], state: initial"
+    found = run_design(file, "tried", design(f"{METHODS['viscous']}, {where}", file), Path(".")).group
+    share, ratio = (found.variables[f"plan_{name}"].values for name in ("share", "mass_ratio_x"))
+    assert share.max() == pytest.approx(32.0 / 52.0, rel=1e-9)
+    assert ratio[share.argmax()] == pytest.approx(32.0 / 52.0, rel=1e-9)
+
+
 L_PLAN = """\
 edesign_building: 1
 title: An L with a heavy corner

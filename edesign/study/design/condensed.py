@@ -14,7 +14,6 @@ from edesign.frame.frame_model import FrameModel, Sum
 from edesign.study.analysis.leading_mode import clusters
 from edesign.study.analysis.structure import Structure
 
-_LEAST_MOMENTUM = 1e-9  # of a floor, over that of its turn about the centre of all masses: below it, rounding
 TOLD = 3
 """Modes that results of designs tell of."""
 
@@ -24,8 +23,8 @@ class Lead:
     """The vibration along the direction of a frame: the first mode of a plane frame, of a building what stands for it.
 
     Torsion or nearly equal periods couple modes of a building, and any of them may lead as dampers are added. So no
-    mode is chosen. The building is guided: its floors neither turn nor move across. Its guided mode v, with most mass
-    along the direction, is regular. The true modes share its motion, and any value is their mean by these shares.
+    mode is chosen. The building is guided: each floor moves along the direction as one. Its guided mode v, with most
+    mass along the direction, is regular. The true modes share its motion, and any value is their mean by these shares.
 
     Attributes:
         share: (n,) of each mode i in v: (v' M phi_i)^2, in sum 1; of one storey its effective mass over the whole.
@@ -103,8 +102,8 @@ class InPlan:
         storey_of: (l,) index of the storey of each line.
         line_A: (l, m), line_B: (l, d), drift ratio on each line, 1/N.
         storey_A: (f, m), storey_B: (f, d), drift of each storey at the centre of mass of the floor above, m/N.
-        guides: (m, h) orthonormal, what guided floors have none of: the momentum of each across the direction, and
-            about its centre of mass, in displacements times the root of the mass.
+        guides: (m, h) orthonormal, what guided floors have none of: any motion but that along the direction of the
+            whole floor as one, in displacements times the root of the mass.
     """
 
     ground: np.ndarray
@@ -425,15 +424,13 @@ def _guides(structure: Structure, ground: np.ndarray, heavy: np.ndarray, directi
     """
     frame, equations = structure.frame, structure.analysis.equations
     root = np.sqrt(structure.analysis.masses()[heavy])
-    found = []
+    found = [np.empty((heavy.size, 0))]
     for floor in frame.floors:
-        here = np.unique(equations[[frame.nodes[name] for name in floor.nodes]][:, [0, 1, 5]])
-        moves = np.where(np.isin(heavy, here), ground * root, 0.0)
-        x, y, turn = moves
-        for across in (x, y):  # about its own centre of mass
-            if across @ across > 0.0:
-                turn = turn - across * (across @ turn) / (across @ across)
-        whole = _LEAST_MOMENTUM * np.linalg.norm(moves[2])
-        found += [row for row in (moves[1 - direction], turn) if np.linalg.norm(row) > whole]
-    guides = np.array(found).reshape(-1, heavy.size)
-    return np.asarray(guides / np.linalg.norm(guides, axis=1)[:, None]).T
+        here = np.isin(heavy, equations[[frame.nodes[name] for name in floor.nodes]][:, [0, 1, 5]])
+        along = (ground[direction] * root)[here]
+        if not along.any():
+            continue
+        others = np.zeros((heavy.size, along.size - 1))
+        others[here] = scipy.linalg.qr(along[:, None])[0][:, 1:]
+        found.append(others)
+    return np.hstack(found)
