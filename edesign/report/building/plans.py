@@ -172,17 +172,18 @@ def _brace_line(start: np.ndarray, end: np.ndarray, beside: float) -> np.ndarray
 
 
 def _column_lines(results: BuildingValues, number: int, size: float, scale: float) -> list[np.ndarray]:
-    """An I with its web as it stands, a circle or a rectangle, as lines of points, inches."""
-    shape = results.section(str(results.values("members", "section")[number])).kind
+    """An I with its web as it stands, a circle, or a rectangle like the section, as lines of points, inches."""
+    section = results.section(str(results.values("members", "section")[number]))
     middle = scale * results.values("members", "start")[number][:2]
     web = results.values("members", "web")[number][:2]
     web = web / max(float(np.hypot(*web)), 1e-12)
     flange = np.array([-web[1], web[0]])
-    if shape == "CHS":
+    if section.kind == "CHS":
         turn = np.linspace(0.0, 2.0 * np.pi, 25)
         return [middle + 0.8 * size * np.column_stack([np.cos(turn), np.sin(turn)])]
-    if shape == "RHS":
-        corners = np.array([(1, 0.8), (-1, 0.8), (-1, -0.8), (1, -0.8), (1, 0.8)]) * size
+    if section.kind == "RHS":
+        sides = size / max(section.h, section.b) * np.array([section.h, section.b])
+        corners = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1)]) * sides
         return [middle + corners @ np.array([web, flange])]
     ends = [middle + size * web, middle - size * web]
     return [np.array(ends), *(np.array([of + size * flange, of - size * flange]) for of in ends)]
