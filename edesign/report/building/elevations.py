@@ -66,19 +66,20 @@ def grid_lines(results: BuildingValues) -> tuple[list[tuple[str, float]], list[t
     return first, second
 
 
-def hinges(results: BuildingValues, members: np.ndarray) -> np.ndarray:
+def hinges(results: BuildingValues, members: np.ndarray, least: float = 0.0) -> np.ndarray:
     """Return the places of the pinned ends of beams, (n, 3) m.
 
     Args:
         results: members and nodes of the building.
         members: numbers of the members, or which they are, (n,).
+        least: distance from the node at least, m, that a sign of its column leaves free.
     """
     start, end = (results.values("members", name)[members] for name in ("start", "end"))
+    along = np.maximum(_PIN, least / np.linalg.norm(end - start, axis=1))[:, np.newaxis] * (end - start)
     stiffness = results.values("members", "ends")[members]
     bends = results.values("members", "kind")[members] == "beam"
     at_start, at_end = bends & (stiffness[:, 0] == 0.0), bends & (stiffness[:, 2] == 0.0)
-    near_start, near_end = start + _PIN * (end - start), end - _PIN * (end - start)
-    return np.concatenate([near_start[at_start], near_end[at_end]])
+    return np.concatenate([(start + along)[at_start], (end - along)[at_end]])
 
 
 def _different_frames(results: BuildingResults) -> list[tuple[str, list[str]]]:

@@ -111,8 +111,8 @@ def _draw(sheet: Sheet, results: BuildingValues, storey: int) -> None:
     sheet.lines(np.stack([start[beams], end[beams]], axis=1), _BEAM, 1.3, zorder=1.0)
     for n in beams:
         _keep_free(sheet, start[n], end[n], 0.02)
-    sheet.dots(scale * hinges(results, beams)[:, :2], 2.8, mew=0.6, zorder=2.0)
     size = min(_COLUMN * narrow, _LARGEST)
+    sheet.dots(scale * hinges(results, beams, 1.3 * size / scale)[:, :2], 2.8, mew=0.6, zorder=2.0)
     sheet.lines([line for n in columns for line in _column_lines(results, int(n), size, scale)], width=1.5, zorder=3.0)
     for x, y in start[columns]:
         sheet.block(x, y, 2.0 * size, 2.0 * size)
