@@ -310,9 +310,9 @@ CHEVRONS = "along: x, frames: 2, bays: 1, storeys: all, law: oil, scale: [2, 1]"
         (CHEVRONS, CHEVRONS.replace("s: 2", "s: [1, @X4]"), "dampers.devices[0].frames `X4` 1 to 3 E-NAME-01"),
         (CHEVRONS, CHEVRONS.replace("along: x", "along: y"), "dampers.devices[0].frames `2` A to C E-NAME-01"),
         ("[A1.0, B2.1]", "[A1.0, @D2.1]", "dampers.devices[2].nodes[1] `D2.1` building E-NAME-01"),
-        ("[A1.0, B2.1]", "@[C1.2, B2.2]", "dampers.devices[2].nodes `C1.2` `B2.2` diaphragm 2 E-DAMPER-05"),
+        ("[A1.0, B2.1]", "@[C1.2, B2.2]", "dampers.devices[2].nodes `C1.2` `B2.2` floor 2 rigid E-DAMPER-05"),
         ("[A1.0, B2.1]", "@[A1.0, B1.0]", "dampers.devices[2].nodes `A1.0` `B1.0` ground E-DAMPER-05"),
-        ("[A1.0, B2.1]", "@[BX_2_1_2, B2.2]", "dampers.devices[2].nodes `BX_2_1_2` diaphragm 2 E-DAMPER-05"),
+        ("[A1.0, B2.1]", "@[BX_2_1_2, B2.2]", "dampers.devices[2].nodes `BX_2_1_2` floor 2 rigid E-DAMPER-05"),
         (", at: A1}", "}\ndiaphragms: 1", "dampers.attachments[0].at `A1` floor 2 E-KEY-02"),
         (
             "dampers:",
