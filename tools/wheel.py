@@ -110,8 +110,8 @@ def build_sdist(folder: Path) -> Path:
         ):
             for item in sorted(given.getmembers(), key=lambda item: item.name):
                 item.pax_headers = {}  # it has the time to the nanosecond
-                plain = item.replace(mtime=moment, uid=0, gid=0, uname="", gname="")
-                archive.addfile(plain, given.extractfile(item) if item.isfile() else None)
+                item.mtime, item.uid, item.gid, item.uname, item.gname = moment, 0, 0, "", ""
+                archive.addfile(item, given.extractfile(item) if item.isfile() else None)
     return folder / sdist.name
 
 
@@ -135,7 +135,8 @@ def build_wheel(sdist: Path, folder: Path) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         with tarfile.open(sdist) as archive:
-            archive.extractall(scratch, filter="data")
+            archive.extraction_filter = getattr(tarfile, "data_filter", None)  # from Python 3.11.4 on
+            archive.extractall(scratch)
         source = Path(scratch, sdist.name.removesuffix(".tar.gz"))
         bare = Path(scratch, "bare")
         settings = environment()
