@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from design_examples import design
+from verification.test_verify_building_designs import COMMON
 from verification.test_verify_shaken_buildings import stiffness
 
 from edesign.frame.sections.building_sections import BuildingSections
@@ -27,18 +28,6 @@ METHODS = {
     "elastomer": "method: strain_energy, law: rubber, damping: 8 %, strain: 20 %, target_in: first_mode,"
     " layer_thickness: 20 mm, level: DBE",
 }
-COMMON = """\
-elements: {geometry: {columns: linear}}
-hazard: {code: ec8-2004, a_gR: 0.36 g, ground: C, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
-damping: {kind: rayleigh, ratio: 3 %, periods: [0.6 s, 0.15 s]}
-dampers:
-  laws:
-    oil: {type: viscous, parameters: {c: 100 kN*s/m}}
-    oil4: {type: viscous_power, parameters: {c: 100 kN*(s/m)^0.4, alpha: 0.4}}
-    steel: {type: elastic_plastic, parameters: {k: 50 kN/mm, Fy: 120 kN, b: 0.02}}
-    rubber: {type: kelvin_voigt, parameters: {k: 2 kN/mm, c: 200 kN*s/m},
-      prototype: {layers: 2, layer_area: 0.01 m^2, layer_thickness: 10 mm}}
-"""
 SIZES = ("damping_coefficient", "yield_force", "damper_stiffness")
 
 
