@@ -153,6 +153,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "coverage": {
             "forms": found.forms,
             "effort": found.effort,
+            "effort_by_step": dict(found.effort_by_step),
             "most_effort": _finite(found.most_effort),
             "depths": [asdict(one) for one in found.depths],
         },

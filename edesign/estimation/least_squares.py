@@ -80,6 +80,7 @@ class Fit:
         evaluations: sets of parameters for which tests were predicted.
         steps: that the search tried.
         converged: whether the search ended by itself.
+        held: number of the first parameters that are kept at the centres of their priors, with slopes of zero.
     """
 
     model: Model
@@ -90,6 +91,7 @@ class Fit:
     evaluations: int
     steps: int = 0
     converged: bool = True
+    held: int = 0
 
     @cached_property
     def values(self) -> np.ndarray:
@@ -103,9 +105,10 @@ class Fit:
 
     @cached_property
     def free(self) -> np.ndarray:
-        """Whether each parameter (p,) stands off its bounds."""
+        """Whether each parameter (p,) is fitted, and stands off its bounds."""
         low, high = ranges_of(self.model.parameters)
-        return np.asarray((self.z > low + _AT) & (self.z < high - _AT))
+        fitted = np.arange(self.z.size) >= self.held
+        return np.asarray(fitted & (self.z > low + _AT) & (self.z < high - _AT))
 
     def weighted(self, noise: Noise | None = None) -> Weighted:
         """Return residuals and slopes in units of a noise; None: that of the fit."""
@@ -145,6 +148,7 @@ def fit(
     steps: int | None = None,
     settings: Settings = SETTINGS,
     slopes: Tests | None = None,
+    held: int = 0,
 ) -> Fit:
     """Search the parameters of largest posterior density: Levenberg-Marquardt, kept inside the bounds.
 
@@ -158,6 +162,8 @@ def fit(
             centres of the priors.
         steps: most of them; None: those of the settings.
         slopes: (n_i, p) d predicted / d z that hold well enough at the start; None: they are found.
+        held: number of the first parameters that are kept where they are, the centres of their priors; a fit to start
+            from says that itself.
 
     Returns:
         The fit, with slopes at its end.
@@ -169,7 +175,8 @@ def fit(
     More (1978), LNM 630, 105-116 (scaling); Kaufman (1975), BIT 15, 49-57 (slopes with nuisance amplitudes fixed);
     Stark and Parker (1995), Computational Statistics 10, 129-141 (the step inside the bounds).
     """
-    search = _Search(model, noise, settings)
+    held = start.held if isinstance(start, Fit) else held
+    search = _Search(model, noise, settings, held)
     most = settings.steps if steps is None else steps
     fresh, damping, taken, idle, scale = slopes is None, _DAMPING, 0, 0, np.zeros(len(model.parameters))
     shortened = False  # differences at this point: where predictions jump, they may be too long however often
@@ -203,7 +210,7 @@ def fit(
             converged = fresh
         if settings.rough or (fresh and (shortened or not search.too_long(root))):
             ended = here.z, tuple(here.predicted), tuple(rates)
-            return Fit(model, noise, *ended, search.evaluations, taken, converged)
+            return Fit(model, noise, *ended, search.evaluations, taken, converged, held)
         shortened = fresh
         rates, fresh, damping = search.slopes(here, root), True, min(damping, 1.0)
 
@@ -221,8 +228,8 @@ class _Point:
 class _Search:
     """Predictions of a search, counted."""
 
-    def __init__(self, model: Model, noise: Noise, settings: Settings) -> None:
-        self.model, self.noise, self.settings = model, noise, settings
+    def __init__(self, model: Model, noise: Noise, settings: Settings, held: int) -> None:
+        self.model, self.noise, self.settings, self.held = model, noise, settings, held
         self.low, self.high = ranges_of(model.parameters)
         self.prior = priors_of(model.parameters)
         self.evaluations, self.moved = 0, np.zeros(len(model.parameters))
@@ -282,7 +289,9 @@ class _Search:
         for first in (True, False):  # then the other side of what could not be predicted
             one_sided = not self.settings.central and first
             sides = [[max(side, key=abs)] if one_sided else side for side in both.tolist()]
-            wanted = [(k, d) for k, side in enumerate(sides) for d in side if d and len(ends[k]) == 1]
+            wanted = [
+                (k, d) for k, side in enumerate(sides) for d in side if d and k >= self.held and len(ends[k]) == 1
+            ]
             found = self.points(
                 np.array([z + d * (np.arange(p) == k) for k, d in wanted]).reshape(len(wanted), p), here
             )

@@ -125,8 +125,8 @@ def uncertainty(
 def at_bounds(fitted: Fit) -> tuple[str, ...]:
     """Return "lower", "upper" or "" of each parameter: the bound at which it stands."""
     low, high = ranges_of(fitted.model.parameters)
-    nearer = fitted.z - low < high - fitted.z
-    return tuple("" if free else "lower" if one else "upper" for free, one in zip(fitted.free, nearer, strict=True))
+    nearer, inside = fitted.z - low < high - fitted.z, fitted.free | (np.arange(fitted.z.size) < fitted.held)
+    return tuple("" if off else "lower" if one else "upper" for off, one in zip(inside, nearer, strict=True))
 
 
 def _inverse(root: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

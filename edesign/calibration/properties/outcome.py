@@ -68,7 +68,7 @@ class TableOutcome(Evidence[PropertyRows]):
         steps.progress("predicting all rows")
         quick: PropertyProblem = found.base.problem  # type: ignore[assignment]
         problem = property_problem(campaign, CYCLES, SAMPLES, quick.inner.threads)
-        return TableOutcome(found, settings, found.base, final, campaign, problem)
+        return TableOutcome(found, settings, found.declared, found.base, final, campaign, problem)
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> PropertyRows:
         """Return the properties of all rows."""
@@ -91,7 +91,11 @@ class TableOutcome(Evidence[PropertyRows]):
         """Return how well rows repeat, by use, and the group that leaves more than that."""
         errors, floor = self.errors["corrected"].tests, self.problem.repeats**2
         parts = [Part(g.name, errors[g.name], floor, 3 * g.rows.size) for g in self.campaign.groups]
-        return dict.fromkeys(USES, floor), worst_of(parts)
+        return self.floor_with_effects(), worst_of(parts)
+
+    def floor_with_effects(self) -> Mapping[Use, float]:
+        """Return how well rows repeat, by use."""
+        return dict.fromkeys(USES, self.problem.repeats**2)
 
     def shape(self) -> str:
         """Return in words what is left."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from edesign.calibration.residual.series import STAGES, Errors, Stage, Worst
 from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
-from edesign.calibration.results.floor import only_noise
+from edesign.calibration.results.floor import MOST, only_noise
 from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import (
@@ -29,8 +29,8 @@ from edesign.calibration.results.result import (
     Verdict,
 )
 from edesign.calibration.results.steps import Steps
-from edesign.calibration.search.adoption import Dropped, Kept, kept, misleads
-from edesign.calibration.search.models import FittedModel, Fitter
+from edesign.calibration.search.adoption import Dropped, Gate, Kept, Refusal, kept, misleads
+from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect as SearchedEffect
 from edesign.calibration.search.search import Ending, Found
 from edesign.calibration.search.settings import SearchSettings
@@ -55,12 +55,14 @@ class Evidence(ABC, Generic[T]):
     Attributes:
         found: by the search.
         settings: of the search.
+        declared: the base model as declared.
         refit: the base model fitted again.
         kept: the model that stands, and what was taken off it.
     """
 
     found: Found
     settings: SearchSettings
+    declared: FittedModel
     refit: FittedModel
     kept: Kept
 
@@ -91,6 +93,10 @@ class Evidence(ABC, Generic[T]):
         """Return the NRMS of what no model can predict by the use of tests, and the test that leaves more than that."""
 
     @abstractmethod
+    def floor_with_effects(self) -> Mapping[Use, float]:
+        """Return the same NRMS with the effects that were found, even if they are withheld."""
+
+    @abstractmethod
     def shape(self) -> str:
         """Return in words what is left."""
 
@@ -109,9 +115,9 @@ class Evidence(ABC, Generic[T]):
     @cached_property
     def every_prediction(self) -> dict[Stage, T]:
         """Predictions of all tests by stage; corrected: with the effects, even if they are withheld."""
-        declared, stands = np.array([one.centre for one in self.found.base.fit.model.parameters]), self.kept.model
+        stands = self.kept.model
         return {
-            "declared": self.predict((), declared),
+            "declared": self.predict((), self.declared.fit.values),
             "refit": self.predict((), self.refit.fit.values),
             "corrected": self.predict(stands.effects, stands.fit.values),
         }
@@ -135,20 +141,31 @@ class Evidence(ABC, Generic[T]):
         return {stage: self.errors_of(self.every_prediction[stage]) for stage in STAGES}
 
     @cached_property
+    def plain(self) -> Stage:
+        """Which model without effects predicts the validation tests better; the search's own one if both do alike."""
+        declared, refit = (self.every_error[stage].validate for stage in ("declared", "refit"))
+        return "declared" if misleads(refit, declared) else "refit"
+
+    @cached_property
     def withheld(self) -> str:
-        """Why the effects are no part of the corrected model, for people: the validation tests; "" if they are."""
-        corrected, refit = (self.every_error[stage].validate for stage in ("corrected", "refit"))
-        if not self.kept.model.effects or not misleads(corrected, refit):
+        """Why the effects are no part of the corrected model, for people; "" if they are."""
+        if not self.kept.model.effects:
             return ""
-        return (
-            f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %) than without them "
-            f"({100.0 * refit:.3g} %)"
-        )
+        corrected, plain = (self.every_error[stage].validate for stage in ("corrected", self.plain))
+        if misleads(corrected, plain):
+            worse = f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %)"
+            return f"{worse} than without them ({100.0 * plain:.3g} %)"
+        left = unexplained_share(self.every_error, self.plain, self.floor_with_effects())
+        if left > 1.0 - self.settings.share:
+            return f"more is left than they explain: {100.0 * left:.3g} % of what is above noise"
+        return ""
 
     @property
     def final(self) -> FittedModel:
         """The corrected model."""
-        return self.refit if self.withheld else self.kept.model
+        if self.kept.model.effects and not self.withheld:
+            return self.kept.model
+        return self.declared if self.plain == "declared" else self.refit
 
     @property
     def errors(self) -> dict[Stage, Errors]:
@@ -161,8 +178,9 @@ class Evidence(ABC, Generic[T]):
         return self._staged(self.every_prediction)
 
     def _staged(self, every: Mapping[Stage, S]) -> dict[Stage, S]:
-        """Return what each stage has: the corrected one that of the refit where the effects are withheld."""
-        return {**every, "corrected": every["refit"]} if self.withheld else dict(every)
+        """Return what each stage has: the corrected one that of a model without effects where there are none."""
+        effects = self.kept.model.effects and not self.withheld
+        return {**every, "corrected": every["corrected" if effects else self.plain]}
 
     def calibration(self, steps: Steps) -> Calibration:
         """Return all of it for people and files."""
@@ -178,7 +196,7 @@ class Evidence(ABC, Generic[T]):
         left = "" if reached else steps.guard("describing what is left", self.shape, NOT_DESCRIBED)
         compared: tuple[ComparedModel, ...] = ()
         if steps.ending != "interrupted":
-            compared = steps.guard(MODELS, lambda: self.posterior.compared(), ())
+            compared = steps.guard(MODELS, lambda: self.standing.compared(), ())
         return Calibration(
             **vars(calibrated),
             verdict=verdict,
@@ -188,12 +206,13 @@ class Evidence(ABC, Generic[T]):
             noise_floor_fit=floor["fit"],
             effects=effects,
             hypotheses=hypotheses,
-            unexplained_share=0.0 if reached else _unexplained_share(errors, floor["validate"]),
+            unexplained_share=0.0 if reached else unexplained_share(errors, self.plain, floor),
             unexplained_shape=left,
             models=compared,
             depths=_depths_of(self.found),
             forms=len(self.fitter.problem.effects),
-            effort=self.found.effort,
+            effort=sum(self.found.effort.values()),
+            effort_by_step=dict(self.found.effort),
             most_effort=self.settings.effort,
             next_test=further,
             other_law=better,
@@ -203,11 +222,29 @@ class Evidence(ABC, Generic[T]):
 
     @cached_property
     def posterior(self) -> Posterior:
+        """The posterior over the models of the search, about the one with the effects that were kept."""
+        best, kept = self.found.best, self.kept.model
+        if self.kept.dropped or best.fit.held != kept.fit.held:
+            best = self.fitter.fit(kept.effects, kept.fit.values, best.noise, held=kept.fit.held) or best
+        return Posterior.of(self.fitter, self.found, best, self._refused)
+
+    @cached_property
+    def standing(self) -> Posterior:
         """The posterior over the models of the search, about the one that stands."""
-        best, final = self.found.best, self.kept.model
-        if self.kept.dropped:
-            best = self.fitter.fit(final.effects, final.fit.values, best.noise) or best
-        return Posterior.of(self.fitter, self.found, best)
+        if self.final is self.kept.model:
+            return self.posterior
+        best = self.found.declared if self.plain == "declared" else self.found.base
+        withheld = {one.key: self.withheld for one in self.found.models if one.effects and self.withheld}
+        return Posterior.of(self.fitter, self.found, best, {**withheld, **self._refused})
+
+    @cached_property
+    def _refused(self) -> dict[Key, str]:
+        """Why models that the search looked at are none to adopt, for people."""
+        found = {key: refusal_words(one) for key, one in self.found.refused.items()}
+        for one in self.kept.dropped:
+            label = one.model.effects[one.index].label
+            found |= {m.key: f"{label}: {why_dropped(one)}" for m in self.found.models if label in m.key}
+        return found
 
     def effects(self, steps: Steps) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
         """Return the effects of the corrected model, and those that were found and are no part of it."""
@@ -289,6 +326,24 @@ def why_dropped(one: Dropped) -> str:
     return f"the 95 % interval of {own[0].name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"
 
 
+def refusal_words(one: Refusal) -> str:
+    """Return why a model that the search looked at is none to adopt, for people."""
+    words = _GATES[one.gate]
+    return f"{one.effect.label} {words}" if one.effect is not None else words
+
+
+_GATES: Mapping[Gate, str] = {
+    "small": "explains less than instruments see",
+    "motion_noise": "explains no more than noise of the displacement makes",
+    "not_needed": "is not needed beside the others",
+    "no_size": "may be nothing: its interval holds zero, or it stands at a bound",
+    "alike": "may be an error of the other equations: something else does as well",
+    "law": "the law as declared does as well",
+    "given_up": "given up in the search for a better one",
+    "leaves_more": "better only as far as equations may be wrong",
+}
+
+
 def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:
     """Return the verdict.
 
@@ -304,10 +359,19 @@ def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:
     return "nothing_found" if ending == "complete" else "not_searched"
 
 
-def _unexplained_share(errors: Mapping[Stage, Errors], noise: float) -> float:
-    """Return the share of the excess over noise of the refitted model that is left in the validation tests."""
-    over = max(errors["refit"].validate - noise, 1e-300)
-    return min(max((errors["corrected"].validate - noise) / over, 0.0), 1.0)
+def unexplained_share(errors: Mapping[Stage, Errors], plain: Stage, floor: Mapping[Use, float]) -> float:
+    """Return the share of what is above noise without effects that is left with them.
+
+    It is that of the validation tests; where nothing is above noise in these, that of the tests fitted to.
+
+    Args:
+        errors: by stage.
+        plain: the model without effects.
+        floor: NRMS of what no model can predict, by the use of tests.
+    """
+    use: Use = "validate" if errors[plain].validate > MOST * floor["validate"] else "fit"
+    without, corrected = (getattr(errors[stage], use) for stage in (plain, "corrected"))
+    return min(max((corrected - floor[use]) / max(without - floor[use], 1e-300), 0.0), 1.0)
 
 
 def _depths_of(found: Found) -> tuple[SearchDepth, ...]:

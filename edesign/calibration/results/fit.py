@@ -15,6 +15,7 @@ from edesign.calibration.search.adoption import STEPS
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.settings import SearchSettings
+from edesign.estimation.least_squares import fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.uncertainty import at_bounds, uncertainty
@@ -39,7 +40,7 @@ def at_full_rate(fitter: Fitter, model: FittedModel) -> FittedModel:
         raise forces
     left = [y - f for y, f in zip(whole.measured, forces, strict=True)]
     noise = Noise.left_by(left, problem.deviations, problem.sizes)
-    found = fitter.fit(model.effects, values, noise, STEPS)
+    found = fitter.fit(model.effects, values, noise, STEPS, model.fit.held)
     if found is None:
         raise PredictionError(f"{model.label} cannot be fitted to all samples")
     return fitter.reweighted(found)
@@ -56,8 +57,10 @@ def estimates(model: FittedModel) -> list[Estimate]:
 
 
 def _estimates(model: FittedModel) -> list[Estimate]:
-    sure, found = uncertainty(model.fit, model.noise), list[Estimate]()
-    for i, (one, bound) in enumerate(zip(model.fit.model.parameters, at_bounds(model.fit), strict=True)):
+    # what is kept as declared is no better known than by the tests
+    of = fit(model.fit.model, model.noise, model.fit.z, 0) if model.fit.held else model.fit
+    sure, found = uncertainty(of, model.noise), list[Estimate]()
+    for i, (one, bound) in enumerate(zip(of.model.parameters, at_bounds(of), strict=True)):
         value, alone = float(model.fit.values[i]), np.eye(sure.z.size)[i]
         rate = one.spread * (one.value(float(sure.z[i])) if one.logarithmic else 1.0)  # for a change of its coordinate
         error = math.inf if bound else sure.standard_error(alone) * rate

@@ -11,11 +11,11 @@ import numpy as np
 
 from edesign.calibration.results.result import ComparedModel
 from edesign.calibration.search.adoption import sure
-from edesign.calibration.search.models import FittedModel, Fitter
+from edesign.calibration.search.models import FittedModel, Fitter, Key
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
-from edesign.estimation.left_out import Difference, Score, difference
-from edesign.estimation.noise import Noise
+from edesign.estimation.left_out import LEAST as LEAST_GAIN
+from edesign.estimation.left_out import Difference
 
 LEAST = 0.01
 """Probability of a model that is worth a word, or a test."""
@@ -26,76 +26,70 @@ _FAR = 50.0  # log density: what is that far behind has no share, however exactl
 
 @dataclass(frozen=True, eq=False)
 class Posterior:
-    """Models of a search with weights exp(score), as the last round of the search that adopted one compared them.
+    """Models of a search, each compared with the one that stands by the rule of adoption.
+
+    Models that a gate refuses have no share. Of the others the odds are those of the comparison, moderated by its
+    error, and every change more has the prior odds at which the rule begins to see a gain.
+
+    Source: moderated odds: MacKay (1992), Neural Computation 4, 720-736, Eq. 10.
 
     Attributes:
         fitter: of the problem at the sampling of a fit.
         best: the model that stands.
-        known: the model beside which the last effect was found, whose equations may be wrong.
         models: all of them, the best one first.
-        searched: by the effects of a rival or a richer model, how far the search itself found it ahead of the best one,
-            which it compared beside what both have in common.
+        refused: why some of them are none to adopt, for people, by their key.
     """
 
     fitter: Fitter
     best: FittedModel
-    known: FittedModel
     models: tuple[FittedModel, ...]
-    searched: Mapping[tuple[str, ...], Difference] = field(default_factory=dict)
+    refused: Mapping[Key, str] = field(default_factory=dict)
 
     @staticmethod
-    def of(fitter: Fitter, found: Found, best: FittedModel) -> Posterior:
+    def of(fitter: Fitter, found: Found, best: FittedModel, refused: Mapping[Key, str]) -> Posterior:
         """Return the posterior over the models of a search.
 
         Args:
             fitter: of the problem at the sampling of a fit.
             best: the model that stands, at that sampling.
+            refused: why models are none to adopt, for people, by their key.
         """
-        every = {_key(model): model for model in (*_models(found), best)}
-        others = [model for key, model in every.items() if key != _key(best)]
-        known = [depth.best for depth in found.depths if depth.adopted is not None]
-        rivals = [one for of_effect in found.rivals for one in of_effect] if best is found.best else []
-        richer = [one for depth in found.depths if depth.best is best for one in depth.tried]
-        searched = {_key(one.model): one.difference for one in (*richer, *rivals)}
-        return Posterior(fitter, best, known[-1] if known else found.base, (best, *others), searched)
+        every = {model.key: model for model in (*found.models, found.best, best)}
+        return Posterior(fitter, best, (best, *(model for key, model in every.items() if key != best.key)), refused)
 
     @cached_property
-    def noise(self) -> Noise:
-        """By which they are compared."""
-        return self.fitter.noise(self.best, self.known)
+    def _behind(self) -> tuple[Difference, ...]:
+        return tuple(self.fitter.compare(self.best, one) for one in self.models)
 
-    @cached_property
-    def scores(self) -> tuple[Score, ...]:
-        """Of each model; one that may be the best is fitted again without tests that move it far."""
-        rough = [self.score(model, sure=False) for model in self.models]
-        least = max(one.total for one in rough) - _FAR
-        both = zip(self.models, rough, strict=True)
-        return tuple(one if one.total < least else self.score(model) for model, one in both)
-
-    def score(self, model: FittedModel, sure: bool = True) -> Score:
-        """Return the score of a model.
-
-        Args:
-            model: at the sampling of a fit.
-            sure: whether it is fitted again without a test that moves it far.
-        """
-        return self.fitter.score(model, self.noise, self.known, sure)
+    def behind(self, i: int) -> Difference:
+        """Return by how much a model is behind the best one."""
+        return self._behind[i]
 
     @cached_property
     def probabilities(self) -> np.ndarray:
         """Of each model (n,)."""
-        totals = np.array([-self.behind(i).total for i in range(len(self.models))])
-        totals[np.isnan(totals)] = -np.inf  # of which tests left out say nothing
-        totals[0] = 0.0
-        weights = np.exp(totals - totals.max())
+        weights = np.array([self.odds(i) for i in range(len(self.models))])
         return np.asarray(weights / weights.sum())
 
-    def behind(self, i: int) -> Difference:
-        """Return by how much a model is behind the best one."""
-        known = self.searched.get(_key(self.models[i]))
-        if known is not None:
-            return Difference(-known.total, known.error)
-        return difference(self.scores[0], self.scores[i])
+    def odds(self, i: int) -> float:
+        """Return the odds of a model beside the best one."""
+        if i == 0:
+            return 1.0
+        model, behind = self.models[i], self.behind(i)
+        if model.key in self.refused or math.isnan(behind.total):
+            return 0.0
+        more = len(model.changes) - len(self.best.changes)
+        moderated = behind.total / math.sqrt(1.0 + math.pi / 8.0 * behind.error**2)
+        return math.exp(min(-moderated - LEAST_GAIN * more, _FAR))
+
+    def why_not(self, i: int) -> str:
+        """Return why a model that is ahead, or refused, is not the one that stands; "" if it is behind."""
+        behind = self.behind(i)
+        if self.models[i].key in self.refused:
+            return self.refused[self.models[i].key]
+        if i == 0 or not behind.total < 0.0:
+            return ""
+        return f"ahead by less than the rule asks: {max(LEAST_GAIN, 2.0 * behind.error):.3g}"
 
     def probability(self, name: str) -> float:
         """Return the probability of an effect, whatever its equation and what is beside it."""
@@ -132,51 +126,32 @@ class Posterior:
             if name not in model.names and others and self.odds(i) >= LEAST and not sure(self.behind(i)):
                 yield i, others
 
-    def odds(self, i: int) -> float:
-        """Return the odds of a model beside the best one."""
-        behind = self.behind(i).total
-        return 0.0 if math.isnan(behind) else math.exp(min(-behind, _FAR))
-
     def rivals(self) -> tuple[int, ...]:
         """Indices of the probable models with other effects than the best one, which is the first."""
         far = [self.odds(i) < LEAST or sure(self.behind(i)) for i in range(len(self.models))]
         return (0, *(i for i, m in enumerate(self.models) if m.names != self.best.names and not far[i]))
 
     def compared(self) -> tuple[ComparedModel, ...]:
-        """Return the models for people, the most probable first."""
-        order = sorted(range(len(self.models)), key=lambda i: (-self.probabilities[i], i))
+        """Return the models for people: the one that stands, then what is ahead of it, then the others."""
+        order = sorted(range(len(self.models)), key=lambda i: (i > 0, self.behind(i).total))
         return tuple(self._compared(i) for i in order[:_SHOWN])
 
     def _compared(self, i: int) -> ComparedModel:
         model, behind = self.models[i], self.behind(i)
         labels = tuple(effect.label for effect in model.effects)
-        return ComparedModel(labels, model.nrms, behind.total, behind.error, float(self.probabilities[i]))
-
-
-def _key(model: FittedModel) -> tuple[str, ...]:
-    return tuple(sorted(effect.label for effect in model.effects))
-
-
-def _models(found: Found) -> Iterator[FittedModel]:
-    """All models that the search fitted to the end."""
-    yield found.base
-    for depth in found.depths:
-        yield from (one.model for one in depth.tried)
-        if depth.adopted is not None:
-            yield depth.adopted
-    for of_effect in found.rivals:
-        yield from (one.model for one in of_effect)
-    yield found.best
+        both = behind.total, behind.error
+        return ComparedModel(labels, model.refits, model.nrms, *both, float(self.probabilities[i]), self.why_not(i))
 
 
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:
     """Return the best model without one of its effects, the others fitted again, and how far that is behind."""
     best, fitter = posterior.best, posterior.fitter
     others, values = best.without(index)
-    rough = fitter.fit(others, values, best.noise)
+    held = best.fit.held
+    rough = fitter.fit(others, values, best.noise, held=held)
     # the noise of the best one is far below what is left without the effect
-    again = None if rough is None else fitter.fit(others, rough.fit.values, rough.noise)
+    again = None if rough is None else fitter.fit(others, rough.fit.values, rough.noise, held=held)
     if again is None:
         return None, None
     fewer = fitter.reweighted(again)
-    return fewer, difference(posterior.score(best), posterior.score(fewer))
+    return fewer, fitter.compare(best, fewer)

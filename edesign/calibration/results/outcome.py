@@ -53,30 +53,30 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
         whole, thin = problem.full_rate, unbounded(problem, settings)
         fitter = unbounded(whole, settings)
 
-        def fitted() -> tuple[FittedModel, Kept]:
-            refit = at_full_rate(fitter, found.base)
+        def fitted() -> tuple[FittedModel, FittedModel, Kept]:
+            declared, refit = (at_full_rate(fitter, one) for one in (found.declared, found.base))
             if not found.best.effects:
-                return refit, Kept(refit)
+                return declared, refit, Kept(refit)
 
             def error(model: FittedModel) -> float:
                 return validation_error(whole, model.effects, model.fit.values)
 
             sure = kept(fitter, at_full_rate(fitter, found.best))
             sure = replace(sure, model=placed(sure.model, error))
-            return refit, validated(fitter, sure, error(refit), error)
+            return declared, refit, validated(fitter, sure, min(error(declared), error(refit)), error)
 
-        def at_all_samples() -> tuple[FittedModel, Kept] | None:
+        def at_all_samples() -> tuple[FittedModel, FittedModel, Kept] | None:
             try:
                 return fitted()
             except PredictionError:  # larger steps hid that the model has no prediction; at those it has one
                 return None
 
         sure = steps.guard("weighing effects", lambda: kept(thin, found.best), Kept(found.best))
-        instead: tuple[FittedModel, Kept] | None = (found.base, sure)
+        instead: tuple[FittedModel, FittedModel, Kept] | None = (found.declared, found.base, sure)
         full = steps.take("fitting all samples", at_all_samples, instead, True)
         steps.progress("predicting all tests")
-        refit, final = full or (found.base, sure)
-        return DamperOutcome(found, settings, refit, final, campaign, problem if full is None else whole)
+        declared, refit, final = full or (found.declared, found.base, sure)
+        return DamperOutcome(found, settings, declared, refit, final, campaign, problem if full is None else whole)
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> Sequence[np.ndarray]:
         """Return the force (n_i,) N of every test."""
@@ -127,7 +127,17 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
     @cached_property
     def _floor(self) -> Floor:
+        if self.final is self.kept.model:
+            return self._floor_with_effects
         return Floor.under(self.whole, self.final, self.predicted["corrected"])
+
+    @cached_property
+    def _floor_with_effects(self) -> Floor:
+        return Floor.under(self.whole, self.kept.model, self.every_prediction["corrected"])
+
+    def floor_with_effects(self) -> Mapping[Use, float]:
+        """Return the NRMS of what no model can predict with the effects that were found, by use."""
+        return {use: self._floor_with_effects.nrms(use) for use in USES}
 
     @cached_property
     def series(self) -> tuple[Series, ...]:

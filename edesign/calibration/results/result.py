@@ -118,16 +118,21 @@ class ComparedModel:
 
     Attributes:
         effects: labels of its effects; () is the law alone.
+        refit: whether the parameters of the law are fitted; otherwise they are as declared.
         nrms: of the tests fitted to.
         behind, error: log density of tests left out by which the corrected model is ahead, and the error of that.
-        probability: among all models of the search.
+        probability: among all models of the search that may be adopted.
+        why_not: why it is not the corrected model although it is ahead, or may not be adopted, for people; "" if it is
+            behind.
     """
 
     effects: tuple[str, ...]
+    refit: bool
     nrms: float
     behind: float
     error: float
     probability: float
+    why_not: str = ""
 
 
 @dataclass(frozen=True)
@@ -288,7 +293,7 @@ class Calibration(Calibrated):
         models: of the search, the most probable first.
         depths: rounds of the search.
         forms: number of forms of effects that the tests may show.
-        effort: weighted evaluations that the search took, of at most `most_effort`.
+        effort: weighted evaluations that the search took, of at most `most_effort`; `effort_by_step`: what for.
         next_test: what would separate confounded effects; None: nothing is left to separate, or no test would.
         other_law: a law that does better; None: none does, or none was asked for.
         worst: test that leaves most over its noise, of those that leave more than noise; None: none does.
@@ -310,6 +315,7 @@ class Calibration(Calibrated):
     forms: int
     effort: float
     most_effort: float
+    effort_by_step: Mapping[str, float] = field(default_factory=dict)
     next_test: NextTest | None = None
     other_law: OtherLaw | None = None
     worst: Worst | None = None

@@ -5,7 +5,7 @@
                        of some size (`insignificant`), and is no error of the equations of others
     search, step 6     `Adoption.best_of`: of the candidates that are sure and identified, each with the best form and
                        pruned, the one that gains most; no set of effects twice
-    search, step 7     `Adoption.in_place`: another effect in the place of one
+    search, step 7     `Adoption.instead`: whatever is surely better in the place of the best model
     after the search   `kept`: no interval of a size holds zero; for tests of dampers `placed` and `validated` besides,
                        and for all campaigns `misleads`: what the validation tests say, which have chosen nothing so far
 
@@ -18,8 +18,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
-from edesign.calibration.search.models import FittedModel, Fitter
+import numpy as np
+
+from edesign.calibration.search.models import FittedModel, Fitter, Key
+from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.variants import Variants
 from edesign.estimation.left_out import LEAST, Difference
 from edesign.estimation.model import PredictionError
@@ -42,6 +46,16 @@ def sure(difference: Difference) -> bool:
     return difference.total > max(LEAST, 2.0 * difference.error)
 
 
+_NEAR = ("instrument", "rig", "damper", "structure")
+"""Kinds of effects: of those that predict alike a fault of an instrument comes before new physics."""
+
+
+def plainness(model: FittedModel) -> tuple[int, int, int]:
+    """Return by what models that predict alike are put in order: changes, their parameters, and what they belong to."""
+    parameters = sum(max(len(effect.parameters), 1) for effect in model.effects)
+    return len(model.changes), parameters, sum(_NEAR.index(effect.kind) for effect in model.effects)
+
+
 @dataclass(frozen=True)
 class Tried:
     """A model that was compared with the best one so far.
@@ -55,16 +69,36 @@ class Tried:
     difference: Difference
 
 
+Gate = Literal["no_size", "small", "motion_noise", "not_needed", "alike", "law", "given_up", "leaves_more"]
+"""Gates by name: a size that may be nothing or stands at a bound; less than instruments see; less than noise of the
+motion makes; not needed beside the others; no better than another effect, or an error of equations; the change of the
+base is not needed; a set of effects that was given up for another one; better only as far as equations may be wrong."""
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """Why a model is none to adopt.
+
+    Attributes:
+        gate: that it does not pass.
+        effect: of which; None: all of them.
+    """
+
+    gate: Gate
+    effect: Effect | None = None
+
+
 class Adoption:
     """The gates of a search.
 
-    Args:
-        base: the base model, fitted.
+    Attributes:
+        refused: why models are none to adopt, by their key.
     """
 
-    def __init__(self, fitter: Fitter, variants: Variants, base: FittedModel) -> None:
+    def __init__(self, fitter: Fitter, variants: Variants) -> None:
         self._fitter, self._variants = fitter, variants
-        self._taken = {base.names}
+        self._taken = set[frozenset[str]]()
+        self.refused = dict[Key, Refusal]()
 
     def take(self, model: FittedModel) -> FittedModel:
         """Note that a model is the best one now; no set of effects is that twice, so that the search comes to its end.
@@ -72,7 +106,7 @@ class Adoption:
         Args:
             model: that was adopted.
         """
-        self._taken.add(model.names)
+        self._taken.add(model.changes)
         return model
 
     def pruned(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
@@ -81,7 +115,8 @@ class Adoption:
         Noise of the motion makes force through the law. An effect that swallows it, as a clearance as large as the
         noise, is better and is none.
 
-        Each effect is needed beside the others, whatever equations these have, and although these may be wrong.
+        Each effect is needed beside the others, whatever equations these have, and although these may be wrong. The
+        change of the base is needed likewise.
 
         Returns:
             The effects that are not known are in the order of what they explain; None: there are none.
@@ -89,9 +124,10 @@ class Adoption:
         fitter, explained = self._fitter, list[float]()
         while model.effects:
             simpler, explained = [], []
-            for index in range(len(model.effects)):
+            for index, effect in enumerate(model.effects):
                 others, _ = model.without(index)
-                one = known if others == known.effects else self._variants.omitting(model, index)
+                alike = others == known.effects and model.fit.held == known.fit.held
+                one = known if alike else self._variants.omitting(model, index)
                 if one is None:
                     explained.append(math.inf)
                     continue
@@ -100,12 +136,13 @@ class Adoption:
                     one = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
                     noise = fitter.noise(model, one)
                 explained.append(one.nrms - model.nrms)
-                if (
-                    explained[-1] <= max(fitter.settings.least**2, fitter.problem.input_noise)
-                    or not sure(fitter.difference(model, one, noise, one))
-                    or self.insignificant(model, index)
-                    or not self._identified_in(model, index, one, noise)
-                ):
+                gate = self._gate(model, index, one, explained[-1], noise)
+                if gate is not None:
+                    self.refused.setdefault(model.key, Refusal(gate, effect))
+                    simpler.append(one)
+            if model.refits and (one := self._variants.as_declared(model)) is not None:
+                if not sure(fitter.difference(model, one, fitter.noise(model, one), one)):
+                    self.refused.setdefault(model.key, Refusal("law"))
                     simpler.append(one)
             if not simpler:
                 break
@@ -113,11 +150,31 @@ class Adoption:
             noise = fitter.noise(model, known)
             model = min(simpler, key=lambda one: (self._insignificant_effects(one), -fitter.score(one, noise).total))
         # less than is known already is no step: the next depth would take it back
-        if model.names <= known.names:
+        if not model.effects or model.changes <= known.changes:
             return None
         new = [i for i, effect in enumerate(model.effects) if effect.name not in known.names]
         old = [i for i in range(len(model.effects)) if i not in new]
+        explained += [math.inf] * (len(model.effects) - len(explained))
         return fitter.in_order(model, [*old, *sorted(new, key=lambda i: -explained[i])])
+
+    def _gate(self, model: FittedModel, index: int, rest: FittedModel, explained: float, noise: Noise) -> Gate | None:
+        """Return the gate that an effect does not pass; None: it passes all.
+
+        Args:
+            rest: model without it.
+            explained: share of the power of what was measured that it explains beside the others.
+            noise: by which the two are compared.
+        """
+        fitter = self._fitter
+        if explained <= fitter.settings.least**2:
+            return "small"
+        if explained <= fitter.problem.input_noise:
+            return "motion_noise"
+        if not sure(fitter.difference(model, rest, noise, rest)):
+            return "not_needed"
+        if self.insignificant(model, index):
+            return "no_size"
+        return None if self._identified_in(model, index, rest, noise) else "alike"
 
     def insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
@@ -155,14 +212,14 @@ class Adoption:
         """
         if known.nrms - model.nrms > self._errors(known, range(len(known.effects))):
             return True
-        others = [one for one in models if not (one.names <= model.names or one.names >= model.names)]
+        others = [one for one in models if not (one.changes <= model.changes or one.changes >= model.changes)]
         return all(sure(self._fitter.difference(model, one, noise, known)) for one in others)
 
     def _errors(self, model: FittedModel, effects: Sequence[int]) -> float:
         """Return the share of the power of what was measured by which equations of effects may be wrong."""
         return self._fitter.settings.own_discrepancy**2 * sum(model.size(i) ** 2 for i in effects)
 
-    def best_of(self, tried: Sequence[Tried], known: FittedModel, noise: Noise) -> FittedModel | None:
+    def best_of(self, tried: Sequence[Tried], known: FittedModel) -> FittedModel | None:
         """Return the best of models that pass the rule, by what is needed of it; None: none passes.
 
         Parts of a model may be less than the next one.
@@ -170,42 +227,58 @@ class Adoption:
         Args:
             tried: models, the best first.
             known: the model beside which they were found.
-            noise: by which they are compared.
         """
-        adopted, most = None, -math.inf
+        fitter, passed = self._fitter, list[tuple[float, FittedModel]]()
         for one in tried:
-            if not sure(one.difference) or one.difference.total <= most:
+            most = max((total for total, _ in passed), default=-math.inf)
+            if not sure(one.difference) or one.difference.total <= most - LEAST:
                 continue
+            noise = fitter.noise(one.model, known)
             if not self._identified_among([each.model for each in tried], one.model, known, noise):
+                self.refused[one.model.key] = Refusal("alike")
                 continue
             needed = self.pruned(self._variants.with_best_forms(one.model, noise), known)
-            if needed is not None and needed.names not in self._taken:
-                total = self._fitter.difference(needed, known, noise, known).total
-                if total > most:
-                    adopted, most = needed, total
-        return adopted
+            if needed is not None and needed.changes not in self._taken:
+                passed.append((fitter.compare(needed, known).total, needed))
+        most = max((total for total, _ in passed), default=-math.inf)
+        return min((one for total, one in passed if total > most - LEAST), key=plainness, default=None)
 
-    def in_place(self, tried: Sequence[Tried], best: FittedModel) -> FittedModel | None:
-        """Return the best of models that are surely better with another effect in the place of one; None: none is.
+    def instead(self, tried: Tried, best: FittedModel) -> FittedModel | None:
+        """Return what takes the place of the best model: one that is surely better, by what is needed of it.
 
-        What equations may be wrong by, of an effect that does much, must not hide that less is explained.
+        A plainer one that is as good takes it too. What equations may be wrong by, of an effect that does much, must
+        not hide that less is explained.
 
         Args:
-            tried: models, compared with the best one beside that without the effect.
-        """
-        better = [
-            one
-            for one in tried
-            if sure(one.difference)
-            and one.model.names not in self._taken
-            and self._predicts_better(one.model, best)
-            and not self._insignificant_effects(one.model)
-        ]
-        return max(better, key=lambda one: one.difference.total).model if better else None
+            tried: a model, compared with the best one.
 
-    def _predicts_better(self, one: FittedModel, other: FittedModel) -> bool:
-        """Return whether a model predicts better than another one beside what this one leaves alone."""
-        return self._fitter.score(one, other.noise).total > self._fitter.score(other, other.noise).total
+        Returns:
+            None: the model is neither surely better nor plainer and as good, or passes not all gates.
+        """
+        one, fitter = tried.model, self._fitter
+
+        def ahead(model: FittedModel, difference: Difference) -> bool:
+            return sure(difference) or (plainness(model) < plainness(best) and difference.total > -LEAST)
+
+        if not ahead(one, tried.difference) or one.key in self.refused:
+            return None
+        if one.changes in self._taken:
+            self.refused[one.key] = Refusal("given_up")
+        elif not self._predicts_as_well(one, best):
+            self.refused[one.key] = Refusal("leaves_more")
+        else:
+            base = self._variants.without_effects(one)
+            better = self._variants.with_best_forms(one, fitter.noise(one, base))
+            needed = self.pruned(better, base)
+            if needed is not None and needed.changes not in self._taken and ahead(needed, fitter.compare(needed, best)):
+                return needed
+            self.refused.setdefault(one.key, self.refused.get(better.key, Refusal("given_up")))
+        return None
+
+    def _predicts_as_well(self, one: FittedModel, other: FittedModel) -> bool:
+        """Return whether a model predicts as well as another one beside what this one leaves alone."""
+        scores = self._fitter.score(one, other.noise), self._fitter.score(other, other.noise)
+        return scores[0].total > scores[1].total - LEAST
 
 
 @dataclass(frozen=True, eq=False)
@@ -272,37 +345,42 @@ def placed(model: FittedModel, validate: Validate) -> FittedModel:
     return model
 
 
-def validated(fitter: Fitter, found: Kept, refit: float, validate: Validate) -> Kept:
-    """Return a model without the effects by which validation tests are predicted worse than by the refit.
+def validated(fitter: Fitter, found: Kept, plain: float, validate: Validate) -> Kept:
+    """Return a model without the changes by which validation tests are predicted worse than by the law alone.
 
-    Where all effects together do that, the one is dropped without which these tests are predicted best, and so on. No
-    effect comes in by the validation tests.
+    Where all changes together do that, the one is dropped without which these tests are predicted best, and so on: an
+    effect, or the change of the law. No effect comes in by the validation tests.
 
     Args:
         found: a model of which no effect may be nothing.
-        refit: error of the validation tests by the refitted law.
+        plain: error of the validation tests by the law alone, as declared or fitted again, the lesser one.
         validate: error of the validation tests by a model.
     """
     model, dropped = found.model, list(found.dropped)
     error = validate(model)
-    while len(model.effects) > 1 and misleads(error, refit):
-        fewer = [_without(fitter, model, i) for i in range(len(model.effects))]
+    while misleads(error, plain):
+        several = range(len(model.effects) if len(model.effects) > 1 else 0)
+        fewer = [_without(fitter, model, i) for i in several]
+        if model.refits:
+            fewer.append(_as_declared(fitter, model))
+        if not fewer:  # where one effect alone is worse than none, all of them are withheld
+            return found
         errors = [validate(one) for one in fewer]
         index = min(range(len(errors)), key=lambda i: (math.isnan(errors[i]), errors[i]))
-        dropped.append(Dropped(model, index, None, error, errors[index]))
+        if index in several:
+            dropped.append(Dropped(model, index, None, error, errors[index]))
         model, error = fewer[index], errors[index]
-    # where one effect alone is worse than none, all of them are withheld
-    return found if misleads(error, refit) else Kept(model, tuple(dropped))
+    return Kept(model, tuple(dropped))
 
 
-def misleads(corrected: float, refit: float) -> bool:
+def misleads(corrected: float, plain: float) -> bool:
     """Return whether effects make validation tests predicted worse, so that they are withheld: all are hypotheses.
 
     Args:
         corrected: NRMS of the validation tests with the effects; nan: they cannot be predicted.
-        refit: the same by the base model fitted again.
+        plain: the same by the base model alone, as declared or fitted again, the lesser one.
     """
-    return not corrected <= refit
+    return not corrected <= plain
 
 
 def _about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:
@@ -312,6 +390,21 @@ def _about_zero(model: FittedModel, index: int) -> tuple[float, float] | None:
     at = model.places(index)[0]
     low, high = uncertainty(model.fit, model.noise, free=at).interval(at)
     return (low, high) if low <= 0.0 <= high else None
+
+
+def _as_declared(fitter: Fitter, model: FittedModel) -> FittedModel:
+    """Return a model with its base as declared, the effects fitted again.
+
+    Raises:
+        PredictionError: it cannot be fitted.
+    """
+    held = model.places(0).start
+    declared = [one.centre for one in model.fit.model.parameters[:held]]
+    values = np.append(declared, model.fit.values[held:])
+    found = fitter.fit(model.effects, values, model.noise, STEPS, held)
+    if found is None:
+        raise PredictionError("the model cannot be fitted beside the law as declared")
+    return fitter.reweighted(found)
 
 
 def _width(one: Dropped) -> tuple[float, int]:
@@ -326,7 +419,8 @@ def _without(fitter: Fitter, model: FittedModel, index: int) -> FittedModel:
         PredictionError: it cannot be fitted.
     """
     others, values = model.without(index)
-    fewer = fitter.fit(others, values, model.noise, STEPS)
+    held = model.fit.held
+    fewer = fitter.fit(others, values, model.noise, STEPS, held)
     if fewer is None:
         raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
-    return fitter.reweighted(fitter.fit(others, fewer.fit.values, fewer.noise) or fewer)
+    return fitter.reweighted(fitter.fit(others, fewer.fit.values, fewer.noise, held=held) or fewer)

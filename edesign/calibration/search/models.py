@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -37,6 +38,12 @@ class Start:
     values: np.ndarray
 
 
+LAW = "law"
+"""Stands among the changes of a model of which the base is fitted: a change of it is judged as an effect is."""
+Key = frozenset[str]
+"""By which models are told apart."""
+
+
 class EffortSpentError(Exception):
     """The search has made as many predictions as it may."""
 
@@ -46,10 +53,31 @@ class Effort:
 
     Args:
         most: after which it ends.
+
+    Attributes:
+        by_step: how many each step took, in their order.
     """
 
     def __init__(self, most: float) -> None:
-        self.most, self.spent = most, 0.0
+        self.most, self.by_step, self._step = most, dict[str, float](), ""
+
+    @property
+    def spent(self) -> float:
+        """How many there have been."""
+        return sum(self.by_step.values())
+
+    @contextmanager
+    def on(self, step: str) -> Iterator[None]:
+        """Count what is predicted meanwhile for a step, unless a step around it counts already.
+
+        Args:
+            step: for people.
+        """
+        before, self._step = self._step, self._step or step
+        try:
+            yield
+        finally:
+            self._step = before
 
     def spend(self, predictions: int, effects: Sequence[Effect]) -> None:
         """Count predictions of a model with effects.
@@ -57,7 +85,8 @@ class Effort:
         Raises:
             EffortSpentError: there have been too many.
         """
-        self.spent += predictions * max((effect.cost for effect in effects), default=1.0)
+        cost = predictions * max((effect.cost for effect in effects), default=1.0)
+        self.by_step[self._step] = self.by_step.get(self._step, 0.0) + cost
         if self.spent > self.most:
             raise EffortSpentError
 
@@ -85,6 +114,21 @@ class FittedModel:
     def names(self) -> frozenset[str]:
         """Names of its effects."""
         return frozenset(effect.name for effect in self.effects)
+
+    @property
+    def changes(self) -> frozenset[str]:
+        """Names of its effects, and `LAW` where the base is fitted."""
+        return self.names | ({LAW} if self.refits else set())
+
+    @property
+    def key(self) -> Key:
+        """Labels of its effects, and `LAW` where the base is fitted."""
+        return frozenset(effect.label for effect in self.effects) | ({LAW} if self.refits else set())
+
+    @property
+    def refits(self) -> bool:
+        """Whether the base is fitted: it has parameters, and they are not held as declared."""
+        return self.places(0).start > self.fit.held if self.effects else self.fit.z.size > self.fit.held
 
     @cached_property
     def left(self) -> tuple[np.ndarray, ...]:
@@ -151,6 +195,7 @@ class Fitter:
         self.fitted = 0
         self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
         self._discrepancies: dict[int, tuple[FittedModel, Columns | None]] = {}
+        self._commons: dict[tuple[int, tuple[Effect, ...]], tuple[FittedModel, FittedModel]] = {}
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> list[Sequence[np.ndarray] | PredictionError]:
         """Return predictions (n_i,) of each test for each row of values, SI."""
@@ -158,12 +203,16 @@ class Fitter:
         return list(self.problem.model(tuple(effects)).predict(values))
 
     def fit(
-        self, effects: Sequence[Effect], start: np.ndarray | Fit, noise: Noise, steps: int = _STEPS
+        self, effects: Sequence[Effect], start: np.ndarray | Fit, noise: Noise, steps: int = _STEPS, held: int = 0
     ) -> FittedModel | None:
-        """Fit a model from values, SI, or from a fit of it; None: it cannot predict there."""
+        """Fit a model from values, SI, or from a fit of it; None: it cannot predict there.
+
+        Args:
+            held: number of parameters of the base that are kept as declared.
+        """
         model = self.problem.model(tuple(effects))
         z = start if isinstance(start, Fit) else coordinates_of(model.parameters, start)
-        return self._fit(model, tuple(effects), noise, z, steps, SETTINGS, None)
+        return self._fit(model, tuple(effects), noise, z, steps, SETTINGS, None, held)
 
     def rough(self, grown: FittedModel, noise: Noise) -> FittedModel:
         """Fit a model that has grown by a few steps, by which models are put in order."""
@@ -180,9 +229,10 @@ class Fitter:
         steps: int,
         settings: Settings,
         slopes: Columns | None,
+        held: int = 0,
     ) -> FittedModel | None:
         try:
-            found = fit(model, noise, start, steps, settings, slopes)
+            found = fit(model, noise, start, steps, settings, slopes, held)
         except PredictionError:
             self.effort.spend(1, effects)
             return None
@@ -196,12 +246,11 @@ class Fitter:
         None: it cannot predict there.
         """
         effects = (*model.effects, *(start.effect for start in starts))
-        return self.linearised(
-            effects, [model.fit.values, *(start.values for start in starts)], model.fit.slopes, noise
-        )
+        values = [model.fit.values, *(start.values for start in starts)]
+        return self.linearised(effects, values, model.fit.slopes, noise, model.fit.held)
 
     def linearised(
-        self, effects: tuple[Effect, ...], values: Sequence[np.ndarray], slopes: Columns, noise: Noise
+        self, effects: tuple[Effect, ...], values: Sequence[np.ndarray], slopes: Columns, noise: Noise, held: int
     ) -> FittedModel | None:
         """Return a model at values (p,) SI; its slopes to the first parameters are known, those to others are found."""
         with_them = self.problem.model(effects)
@@ -221,14 +270,15 @@ class Fitter:
             if isinstance(of, PredictionError):
                 return None
             rates = [np.column_stack((j, (a - b) / steps[k])) for j, a, b in zip(rates, of, here, strict=True)]
-        found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0)
+        found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0, held=held)
         return FittedModel(self.problem, effects, found)
 
     def reweighted(self, model: FittedModel) -> FittedModel:
         """Fit again under the noise that the fit leaves, until that noise is known."""
         start, slopes = model.fit.z, model.fit.slopes
         of = model.fit.model
-        found = self._fit(of, model.effects, model.noise, start, _STEPS, SETTINGS, slopes) or model
+        held = model.fit.held
+        found = self._fit(of, model.effects, model.noise, start, _STEPS, SETTINGS, slopes, held) or model
         for _ in range(_FITS):
             before, model = model, found
             fall = float(np.mean(np.log(before.noise.long_run)) - np.mean(np.log(model.noise.long_run)))
@@ -252,6 +302,33 @@ class Fitter:
             self.effort.spend(found.evaluations, model.effects)
             self._scores[key] = model, wrong, found
         return self._scores[key][2]
+
+    def compare(self, one: FittedModel, other: FittedModel) -> Difference:
+        """Return by how much one model predicts tests better than another.
+
+        They are compared under the noise that the one of them leaves that leaves less, beside what both have: the
+        equations of their common effects, as the other model has them, may be wrong.
+        """
+        common = self._common(one, other)
+        leader = min((one, other), key=lambda each: float(np.mean(np.log(each.noise.long_run))))
+        return self.difference(one, other, self.noise(leader, common), common)
+
+    def _common(self, one: FittedModel, other: FittedModel) -> FittedModel:
+        """Return a model with the effects that two models share by name, as the second one has them; not fitted."""
+        shared = tuple(effect for effect in other.effects if effect.name in one.names)
+        if len(shared) == len(other.effects):
+            return other
+        key = id(other), shared
+        if key not in self._commons:
+            places = [i for k, effect in enumerate(other.effects) if effect in shared for i in other.places(k)]
+            index = [*range(other.places(0).start), *places]
+            (predicted,) = self.predict(shared, other.fit.values[np.newaxis, index])
+            if isinstance(predicted, PredictionError):
+                return other
+            nothing = tuple(np.zeros((f.size, len(index))) for f in predicted)
+            found = Fit(self.problem.model(shared), other.noise, other.fit.z[index], tuple(predicted), nothing, 0)
+            self._commons[key] = other, FittedModel(self.problem, shared, found)
+        return self._commons[key][1]
 
     def difference(self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel) -> Difference:
         """Return by how much one model predicts tests better than another.

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from edesign.calibration.search.adoption import Adoption, Tried, sure
-from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter, Start
+from edesign.calibration.search.adoption import Adoption, Refusal, Tried, sure
+from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter, Key, Start
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.screening import Screening, screen
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -30,7 +31,7 @@ class Depth:
         screening: of effects and pairs.
         fitted: models that were fitted.
         tried: models that were fitted to the end, best first.
-        adopted: the best model after it; None: nothing passes the rule.
+        adopted: the best model after it; None: nothing passes the gates.
     """
 
     best: FittedModel
@@ -45,20 +46,24 @@ class Found:
     """What a search found.
 
     Attributes:
-        base: the base model, fitted.
-        best: with the effects that were adopted.
+        declared: the base model as declared.
+        base: the same, fitted.
+        best: with the effects that were adopted; of the base as declared, if its change is not needed beside them.
+        models: all that were fitted to the end.
+        refused: why models that were looked at are none to adopt, by their `key`.
         depths: rounds of the search.
-        rivals: of each adopted effect, models with another one in its place.
         ending: how it ended.
-        effort: weighted predictions that it took.
+        effort: weighted predictions that each step took.
     """
 
+    declared: FittedModel
     base: FittedModel
     best: FittedModel
+    models: tuple[FittedModel, ...]
+    refused: Mapping[Key, Refusal]
     depths: tuple[Depth, ...]
-    rivals: tuple[tuple[Tried, ...], ...]
     ending: Ending
-    effort: float
+    effort: Mapping[str, float]
 
 
 class Search:
@@ -71,90 +76,132 @@ class Search:
         self._fitter = Fitter(problem, settings)
 
     def run(self) -> Found:
-        """Search until the next depth, fully searched, does not pass the rule, or until the effort is spent."""
-        base = self._base()
-        self._best, self._depths, self._rivals = base, list[Depth](), list[tuple[Tried, ...]]()
-        self._variants = Variants(self._fitter, base)
-        self._adoption = Adoption(self._fitter, self._variants, base)
+        """Search until the next depth, fully searched, passes no gate, or until the effort is spent."""
+        with self._fitter.effort.on("the model alone"):
+            declared, base = self._roots()
+        self._depths, self._models = list[Depth](), dict[Key, FittedModel]()
+        self._children, self._leaders = list[FittedModel](), list[FittedModel]()
+        self._variants = Variants(self._fitter, declared, base)
+        self._adoption = Adoption(self._fitter, self._variants)
+        for root in (declared, base):
+            self._note(root)
+        needed = base is declared or sure(self._fitter.compare(base, declared))
+        self._best = self._adoption.take(base if needed else declared)
         ending: Ending = "complete"
         try:
             self._grow()
-            while self._best.effects and self._swap():
+            while self._best.effects and self._challenged():
                 self._grow()
         except EffortSpentError:
             ending = "effort_spent"
+            self._close()
         except KeyboardInterrupt:
             ending = "interrupted"
-        spent = self._fitter.effort.spent
-        return Found(base, self._best, tuple(self._depths), tuple(self._rivals), ending, spent)
+        models, refused = tuple(self._models.values()), self._adoption.refused
+        spent = dict(self._fitter.effort.by_step)
+        return Found(declared, base, self._best, models, refused, tuple(self._depths), ending, spent)
+
+    def _note(self, model: FittedModel) -> FittedModel:
+        """Note a model that is fitted to the end."""
+        self._models[model.key] = model
+        return model
+
+    def _roots(self) -> tuple[FittedModel, FittedModel]:
+        """Return the base model as declared, and fitted; the same twice where the declared one is fixed."""
+        noise, none = Noise.of_first_fit(self._problem.deviations, self._problem.sizes), np.zeros(0)
+        start = np.array(self._problem.start)
+        found = self._fitter.fit((), start, noise)
+        if found is None:
+            raise ValueError("the base model cannot predict with its declared parameters")
+        base = self._fitter.reweighted(found)
+        declared = np.array([one.centre for one in base.fit.model.parameters])
+        as_declared = self._fitter.fit((), declared, noise, held=start.size) if base.refits else None
+        return as_declared or base, base
 
     def _grow(self) -> None:
-        """Adopt effects until no more than noise is left, or the next depth does not pass the rule."""
+        """Adopt effects until no more than noise is left, or the next depth passes no gate."""
         while len(self._best.effects) < self._settings.depth and not self._best.at_floor:
             self._progress(f"screening beside {self._best.label}: an NRMS of {100.0 * self._best.nrms:.3g} % is left")
-            self._depths.append(self._depth(self._best))
-            adopted = self._depths[-1].adopted
+            adopted = self._depth(self._best)
             if adopted is None:
                 break
             self._best = self._adoption.take(adopted)
 
-    def _swap(self) -> bool:
-        """Try other effects in the place of each one; return whether one of them is surely better, and was taken.
-
-        Those that the best model does not surely beat are its rivals: the tests cannot separate them.
-        """
-        best = self._best
-        self._rivals = []
+    def _challenged(self) -> bool:
+        """Fit other effects in the place of each one of the best model; return whether a model takes its place."""
+        best, fitter = self._best, self._fitter
         for index, effect in enumerate(best.effects):
             self._progress(f"trying others in the place of {effect.label}")
-            rest = self._variants.omitting(best, index)
-            if rest is None:
-                self._rivals.append(())
-                continue
-            noise = self._fitter.noise(best, rest)
-            others = self._variants.in_place(effect, rest)
-            tried = [Tried(one, self._fitter.difference(one, best, noise, rest)) for one in others]
-            leader = self._adoption.in_place(tried, best)
-            if leader is not None:
-                self._best = self._adoption.take(self._variants.with_best_forms(leader, noise))
+            with fitter.effort.on("others in the place of an effect"):
+                rest = self._variants.omitting(best, index)
+                for one in () if rest is None else self._variants.in_place(effect, rest):
+                    self._note(one)
+        with fitter.effort.on("gates of adoption"):
+            return self._overtaken()
+
+    def _overtaken(self) -> bool:
+        """Take a model that is surely better than the best one and passes all gates; return whether there is one."""
+        best = self._best
+        tried = [Tried(one, self._fitter.compare(one, best)) for one in self._models.values() if one is not best]
+        for one in sorted(tried, key=lambda each: -each.difference.total):
+            taken = self._adoption.instead(one, best)
+            if taken is not None:
+                self._best = self._note(self._adoption.take(taken))
                 return True
-            indistinguishable = [
-                one for one in tried if not sure(self._fitter.difference(best, one.model, noise, rest))
-            ]
-            self._rivals.append(tuple(indistinguishable))
         return False
 
-    def _base(self) -> FittedModel:
-        """Return the base model, fitted."""
-        noise = Noise.of_first_fit(self._problem.deviations, self._problem.sizes)
-        found = self._fitter.fit((), np.array(self._problem.start), noise)
-        if found is None:
-            raise ValueError("the base model cannot predict with its declared parameters")
-        return self._fitter.reweighted(found)
-
-    def _depth(self, best: FittedModel) -> Depth:
+    def _depth(self, best: FittedModel) -> FittedModel | None:
+        """Return the best model with more effects that passes all gates; None: none does."""
         fitter = self._fitter
-        before, screening = fitter.fitted, screen(fitter, best, best)
+        before = fitter.fitted
+        with fitter.effort.on("screening"):
+            screening = screen(fitter, best, best)
         noise = screening.noise
-        children = self._children(best, screening, noise)
-        leaders = [
-            fitter.reweighted(self._variants.with_best_forms(one, noise, True)) for one in self._beam(children, noise)
-        ]
-        if not leaders:
-            return Depth(best, screening, fitter.fitted - before, (), None)
-        leader = max(leaders, key=lambda one: fitter.score(one, noise, best, sure=False).total)
-        noise = fitter.noise(leader, best)
-        tried = [Tried(one, self._fitter.difference(one, best, noise, best)) for one in leaders]
+        with fitter.effort.on("rough fits"):
+            self._try(best, screening, noise)
+            for other in self._variants.otherwise_based(best):
+                if other.refits:
+                    self._children.append(other)
+                if not best.effects:
+                    self._try(other, screen(fitter, other, other), noise)
+        with fitter.effort.on("fits to the end"):
+            for one in self._beam(self._children, noise):
+                fitted = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
+                self._leaders.append(self._note(fitted))
+        with fitter.effort.on("gates of adoption"):
+            tried, adopted = self._judged(best)
+        self._children, self._leaders = [], []
+        self._depths.append(Depth(best, screening, fitter.fitted - before, tried, adopted))
+        return adopted
+
+    def _judged(self, best: FittedModel) -> tuple[tuple[Tried, ...], FittedModel | None]:
+        """Return the leaders of a depth compared with the best model, and what is adopted of them."""
+        fitter = self._fitter
+        tried = [Tried(one, fitter.compare(one, best)) for one in self._leaders]
         tried.sort(key=lambda one: -one.difference.total)
         for one in tried:
             d = one.difference
             left = f"NRMS {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}"
             self._progress(f"  {one.model.label}: {left}")
-        adopted = self._adoption.best_of(tried, best, noise)
-        return Depth(best, screening, fitter.fitted - before, tuple(tried), adopted)
+        adopted = self._adoption.best_of(tried, best)
+        return tuple(tried), None if adopted is None else self._note(adopted)
 
-    def _children(self, model: FittedModel, screening: Screening, noise: Noise) -> list[FittedModel]:
-        """Return the model with each of the effects and pairs that the screening puts first, roughly fitted."""
+    def _close(self) -> None:
+        """Judge what is at hand when the effort is spent: the best model that passes all gates is the result."""
+        fitter = self._fitter
+        fitter.effort.most = math.inf
+        self._progress("the effort is spent: judging what is fitted so far")
+        with fitter.effort.on("after the effort was spent"):
+            if not self._leaders and self._children:
+                (first, *_) = self._beam(self._children, self._best.noise)
+                self._leaders.append(self._note(fitter.reweighted(first)))
+            _, adopted = self._judged(self._best)
+            if adopted is not None:
+                self._best = self._adoption.take(adopted)
+            self._overtaken()
+
+    def _try(self, model: FittedModel, screening: Screening, noise: Noise) -> None:
+        """Fit the model roughly with each of the effects and pairs that the screening puts first."""
         fitter, forms = self._fitter, dict[str, int]()
         tried: list[tuple[Start, ...]] = []
         for start, _ in screening.singles:
@@ -162,9 +209,10 @@ class Search:
             forms[start.effect.name] = forms.get(start.effect.name, 0) + (not start.effect.nuisance)
             if forms[start.effect.name] <= self._settings.forms:
                 tried.append((start,))
-        tried = [*tried[: self._settings.singles], *(pair for pair, _ in screening.pairs)]
-        grown = [fitter.extended(model, starts, noise) for starts in tried]
-        return [fitter.rough(one, noise) for one in grown if one is not None]
+        for starts in (*tried[: self._settings.singles], *(pair for pair, _ in screening.pairs)):
+            grown = fitter.extended(model, starts, noise)
+            if grown is not None:
+                self._children.append(fitter.rough(grown, noise))
 
     def _beam(self, models: Sequence[FittedModel], noise: Noise) -> list[FittedModel]:
         """Return the best models of different effects, none with an effect that it does not need."""
@@ -174,7 +222,7 @@ class Search:
 
         found: list[FittedModel] = []
         for model in sorted(models, key=lambda one: -total(one)):
-            simpler = [one for one in models if one.names < model.names]
+            simpler = [one for one in models if one.changes < model.changes]
             if any(one.names == model.names for one in found):
                 continue
             if not any(total(one) > total(model) - LEAST for one in simpler):

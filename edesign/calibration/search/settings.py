@@ -28,6 +28,8 @@ class SearchSettings:
             the median.
         least: root mean square of what an effect explains beside the others, of that of what was measured. Less is not
             separated from the instruments: a force transducer of class 1 reproduces no better (ISO 376:2011, table 2).
+        share: of what is above noise without effects, that they must explain: as much as they leave. Where more is left,
+            that is the main thing which the model lacks, and their numbers are its as much as theirs.
         effort: weighted predictions of all tests, after which the search ends unfinished: in those campaigns searches
             that were right ended within 8 000.
     """
@@ -42,6 +44,7 @@ class SearchSettings:
     shared_discrepancy: float = 0.3
     own_discrepancy: float = 0.1
     least: float = 0.002
+    share: float = 0.5
     effort: float = 10_000.0
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from edesign.calibration.search.models import FittedModel, Fitter, Start
+from edesign.calibration.search.models import FittedModel, Fitter, Key, Start
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.screening import screen
 from edesign.estimation.left_out import LEAST
@@ -17,20 +17,43 @@ class Variants:
     """Fits variants of models; what was fitted in the place of an effect is kept.
 
     Args:
-        base: the base model, fitted.
+        declared: the base model as it is declared.
+        base: the same, fitted; the declared one where that is fixed.
     """
 
-    def __init__(self, fitter: Fitter, base: FittedModel) -> None:
-        self._fitter, self._base = fitter, base
-        self._beside = dict[frozenset[str], dict[str, FittedModel]]()
+    def __init__(self, fitter: Fitter, declared: FittedModel, base: FittedModel) -> None:
+        self._fitter, self._declared, self._base = fitter, declared, base
+        self._beside = dict[Key, dict[str, FittedModel]]()
+
+    def as_declared(self, model: FittedModel) -> FittedModel | None:
+        """Return a model with the base as declared, its effects fitted again; None: it cannot predict so."""
+        if not model.effects:
+            return self._declared
+        held = self._declared.fit.held
+        values = np.append(self._declared.fit.values, model.fit.values[held:])
+        found = self._fitter.fit(model.effects, values, model.noise, held=held)
+        return None if found is None else self._fitter.reweighted(found)
+
+    def otherwise_based(self, model: FittedModel) -> list[FittedModel]:
+        """Return a model without effects with the other base, one as declared with the base fitted too, else none."""
+        if self._declared is self._base or (model.effects and model.refits):
+            return []
+        if not model.effects:
+            return [self._base if model is self._declared else self._declared]
+        found = self._fitter.fit(model.effects, model.fit.values, model.noise, self._fitter.settings.rough_steps)
+        return [] if found is None else [found]
+
+    def without_effects(self, model: FittedModel) -> FittedModel:
+        """Return the base of a model alone, as declared or fitted like its own."""
+        return self._base if model.refits else self._declared
 
     def omitting(self, model: FittedModel, index: int) -> FittedModel | None:
         """Return a model without one of its effects, fitted; None: it cannot predict then."""
         others, values = model.without(index)
         if not others:
-            return self._base
+            return self.without_effects(model)
         slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
-        rough = self._fitter.linearised(others, [values], slopes, model.noise)
+        rough = self._fitter.linearised(others, [values], slopes, model.noise, model.fit.held)
         return None if rough is None else self._fitter.reweighted(rough)
 
     def in_place(self, effect: Effect, rest: FittedModel) -> list[FittedModel]:
@@ -40,7 +63,7 @@ class Variants:
             effect: that is replaced.
             rest: model without it.
         """
-        key = frozenset(one.label for one in rest.effects)
+        key = rest.key
         if key not in self._beside:
             found: dict[str, FittedModel] = {}
             screening = screen(self._fitter, rest, rest)
@@ -82,7 +105,8 @@ class Variants:
             rough: list[FittedModel] = []
             number = settings.forms if roughly else settings.others
             for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
-                placed = fitter.linearised((*others, start.effect), [kept, start.values], slopes, noise)
+                at = [kept, start.values]
+                placed = fitter.linearised((*others, start.effect), at, slopes, noise, model.fit.held)
                 if placed is not None:
                     rough.append(fitter.rough(placed, noise))
             totals = [fitter.score(one, noise, sure=False).total for one in rough]

@@ -50,7 +50,7 @@ class StructureOutcome(Evidence[Sequence[np.ndarray]]):
         final = weighed(found, settings, steps)
         steps.progress("predicting all tests")
         thinned: StructureProblem = found.base.problem  # type: ignore[assignment]
-        return StructureOutcome(found, settings, found.base, final, campaign, thinned.full_rate)
+        return StructureOutcome(found, settings, found.declared, found.base, final, campaign, thinned.full_rate)
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> Sequence[np.ndarray]:
         """Return the channels (t, channels), SI, of every test."""
@@ -88,7 +88,11 @@ class StructureOutcome(Evidence[Sequence[np.ndarray]]):
             Part(one.name, errors.of(one), one.noise**2 / float(np.mean(one.measured**2)), one.measured.size)
             for one in self.series
         ]
-        return {use: self._floor(use) for use in USES}, worst_of(parts)
+        return self.floor_with_effects(), worst_of(parts)
+
+    def floor_with_effects(self) -> Mapping[Use, float]:
+        """Return the NRMS of noise over the tests of each use."""
+        return {use: self._floor(use) for use in USES}
 
     def shape(self) -> str:
         """Return in words what is left."""

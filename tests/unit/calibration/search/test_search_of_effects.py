@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from curve_problem import CUBIC, DRAG, DRY, EFFECTS, FIFTH, GAIN, OWN, SIGNED, CurveProblem, effect
 
+from edesign.calibration.search.adoption import sure
+from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.search import Found, Search
 from edesign.calibration.search.settings import SearchSettings
 
@@ -82,24 +84,29 @@ def test_an_effect_of_one_test_alone_is_found() -> None:
 def test_the_effort_is_counted_and_the_same_again() -> None:
     problem = CurveProblem(truth=((CUBIC, (0.3,)), (DRY, (0.1, 0.05))))
     first, second = found(problem), found(problem)
-    assert first.effort == second.effort > 0.0
+    assert first.effort == second.effort
+    assert sum(first.effort.values()) > 0.0
     assert [d.fitted for d in first.depths] == [d.fitted for d in second.depths]
     np.testing.assert_array_equal(first.best.fit.z, second.best.fit.z)
 
 
-def test_an_effort_that_is_spent_ends_the_search_with_what_it_has() -> None:
+def test_an_effort_that_is_spent_ends_the_search_with_the_best_that_is_fitted() -> None:
+    """It is judged as any model is; a second effect is not looked for."""
     problem = CurveProblem(truth=((CUBIC, (0.3,)), (DRY, (0.1, 0.05))))
-    result = found(problem, effort=40.0)
-    assert result.ending == "effort_spent"
-    assert result.best.effects == ()
-    assert result.effort <= 40.0 + 40.0  # one batch of predictions at most beyond it
+    spent = sum(found(problem).effort.values())
+    names = []
+    for effort in (30.0, 40.0, 0.7 * spent):
+        result = found(problem, effort=effort)
+        assert result.ending == "effort_spent"
+        names.append(result.best.names)
+        before = sum(of for step, of in result.effort.items() if step != "after the effort was spent")
+        assert before <= effort + 40.0  # one batch of predictions at most beyond it
+    assert names == [frozenset(), {"friction"}, {"hardening", "friction"}]
 
 
 def test_effects_that_tests_cannot_separate_are_rivals() -> None:
     like = effect("bulge", "cubic", lambda p, i, u, v: p[0] * (u**3 + 0.02 * u**5))
     result = found(CurveProblem(effects=(*EFFECTS, like), truth=((CUBIC, (0.2,)),)))
-    assert {result.best.effects[0].name, *(one.model.effects[0].name for one in result.rivals[0])} >= {
-        "hardening",
-        "bulge",
-    }
-    assert all(one.model.names != {"drag"} for one in result.rivals[0])
+    fitter = Fitter(result.base.problem, SearchSettings())
+    rivals = [one.names for one in result.models if one.effects and not sure(fitter.compare(result.best, one))]
+    assert {"hardening"} in rivals and {"bulge"} in rivals and {"drag"} not in rivals

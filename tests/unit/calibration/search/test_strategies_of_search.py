@@ -317,8 +317,7 @@ def test_a_delay_is_no_mass_that_comes_near_to_it() -> None:
     others = (effect("lag", "filter", beside(0.3, 1e-3)), effect("lag", "second_order", beside(0.28, 1e-3)))
     mass = effect("inertia", "mass", beside(0.6, 0.052))
     search = found(CurveProblem(effects=(mass, *others, delay), truth=((delay, (0.5, 0.05)),)))
-    reported = {search.best.label, *(one.model.label for rivals in search.rivals for one in rivals)}
-    assert "lag.delay" in reported
+    assert "lag.delay" in {model.label for model in search.models}
 
 
 def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
@@ -337,12 +336,14 @@ def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
 
 def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = better_than_all(monkeypatch)
-    monkeypatch.setattr(Adoption, "_predicts_better", lambda *_: True)
+    monkeypatch.setattr(Adoption, "_predicts_as_well", lambda *_: True)
     monkeypatch.setattr(Adoption, "insignificant", lambda *_: False)
     assert found(problem, depth=1, pairs=0).ending == "complete"
 
 
-def test_what_takes_the_place_of_an_effect_predicts_better_under_its_own_noise(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_takes_the_place_of_an_effect_predicts_as_well_under_its_own_noise(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     assert found(better_than_all(monkeypatch), depth=1, pairs=0).best.names == {"one"}
 
 
