@@ -108,7 +108,7 @@ class Search:
 
     def _roots(self) -> tuple[FittedModel, FittedModel]:
         """Return the base model as declared, and fitted; the same twice where the declared one is fixed."""
-        noise, none = Noise.of_first_fit(self._problem.deviations, self._problem.sizes), np.zeros(0)
+        noise = Noise.of_first_fit(self._problem.deviations, self._problem.sizes)
         start = np.array(self._problem.start)
         found = self._fitter.fit((), start, noise)
         if found is None:

@@ -28,8 +28,8 @@ class SearchSettings:
             the median.
         least: root mean square of what an effect explains beside the others, of that of what was measured. Less is not
             separated from the instruments: a force transducer of class 1 reproduces no better (ISO 376:2011, table 2).
-        share: of what is above noise without effects, that they must explain: as much as they leave. Where more is left,
-            that is the main thing which the model lacks, and their numbers are its as much as theirs.
+        share: of what is above noise without effects, that they must explain: as much as they leave. Where more is
+            left, that is the main thing which the model lacks, and their numbers are its as much as theirs.
         effort: weighted predictions of all tests, after which the search ends unfinished: in those campaigns searches
             that were right ended within 8 000.
     """

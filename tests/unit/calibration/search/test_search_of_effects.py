@@ -100,7 +100,7 @@ def test_an_effort_that_is_spent_ends_the_search_with_the_best_that_is_fitted() 
         assert result.ending == "effort_spent"
         names.append(result.best.names)
         before = sum(of for step, of in result.effort.items() if step != "after the effort was spent")
-        assert before <= effort + 40.0  # one batch of predictions at most beyond it
+        assert before <= effort + 60.0  # one batch of predictions at most beyond it
     assert names == [frozenset(), {"friction"}, {"hardening", "friction"}]
 
 

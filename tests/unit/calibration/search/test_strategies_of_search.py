@@ -341,7 +341,7 @@ def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None
     assert found(problem, depth=1, pairs=0).ending == "complete"
 
 
-def test_what_takes_the_place_of_an_effect_predicts_as_well_under_its_own_noise(
+def test_what_takes_the_place_of_an_effect_predicts_as_well_under_its_noise(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     assert found(better_than_all(monkeypatch), depth=1, pairs=0).best.names == {"one"}
