@@ -182,6 +182,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
             "largest_so_far": _finite(found.next_test.largest),
         },
         "law_held": found.law_fixed,
+        "law_as_declared": found.as_declared,
         **_of_a_damper(found),
         "law_file": _law_file(found.law_file),
         "parameters": {

@@ -21,17 +21,17 @@ from edesign.damper.testing.measured_histories import USES
 from edesign.estimation.model import PredictionError
 
 
-def table_law(problem: PropertyProblem, final: FittedModel, refit: FittedModel, withheld: str = "") -> LawFile:
-    """Return the corrected law as a law file carries it; the refit, where that predicts rows held out better.
+def table_law(problem: PropertyProblem, final: FittedModel, plain: FittedModel, withheld: str = "") -> LawFile:
+    """Return the corrected law as a law file carries it; the law alone, where that predicts rows held out better.
 
     Args:
         problem: with the cycles of measured tests.
-        refit: the law fitted again, without effects.
-        withheld: why the corrected model is the refit already, for people; "" if it is not.
+        plain: the law alone, as declared or fitted again.
+        withheld: why the corrected model is the law alone already, for people; "" if it is not.
     """
     inner = problem.inner
     arranged, validate = partial(_arranged, inner), partial(_validate, problem)
-    return law_file(inner, final, refit, withheld, validate, arranged, "rows held out")
+    return law_file(inner, final, plain, withheld, validate, arranged, "rows held out")
 
 
 def _arranged(

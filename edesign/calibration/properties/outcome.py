@@ -115,7 +115,7 @@ class TableOutcome(Evidence[PropertyRows]):
             parameters=law_stages(inner, self.refit, self.final),
             law_fixed=not inner.base,
             fixed=reasons_fixed(inner.law, [one.name for one in inner.base]) if inner.refit else {},
-            law_file=table_law(self.problem, self.final, self.refit, self.withheld),
+            law_file=table_law(self.problem, self.final, self.alone, self.withheld),
         )
 
     def calibration(self, steps: Steps) -> PropertyCalibration:

@@ -163,8 +163,11 @@ class Evidence(ABC, Generic[T]):
     @property
     def final(self) -> FittedModel:
         """The corrected model."""
-        if self.kept.model.effects and not self.withheld:
-            return self.kept.model
+        return self.kept.model if self.kept.model.effects and not self.withheld else self.alone
+
+    @property
+    def alone(self) -> FittedModel:
+        """The model without effects that predicts the validation tests better, as declared or fitted again."""
         return self.declared if self.plain == "declared" else self.refit
 
     @property
@@ -198,7 +201,7 @@ class Evidence(ABC, Generic[T]):
         if steps.ending != "interrupted":
             compared = steps.guard(MODELS, lambda: self.standing.compared(), ())
         return Calibration(
-            **vars(calibrated),
+            **{**vars(calibrated), "as_declared": not calibrated.law_fixed and not self.final.refits},
             verdict=verdict,
             ending=steps.ending,
             errors=errors,

@@ -159,32 +159,33 @@ Arranged = Callable[[Effect, Mapping[str, float]], tuple[dict[str, float], list[
 def law_file(
     problem: DamperProblem,
     final: FittedModel,
-    refit: FittedModel,
+    plain: FittedModel,
     withheld: str = "",
     validate: Validate | None = None,
     arranged: Arranged | None = None,
     held_out: str = "the validation tests",
 ) -> LawFile:
-    """Return the corrected law as a law file carries it; the refit, where that predicts what was held out better.
+    """Return the corrected law as a law file carries it; the law alone, where that predicts what was held out better.
 
     Args:
         problem: at full rate.
-        refit: the law fitted again, without effects.
-        withheld: why the corrected model is the refit already, for people; "" if it is not.
+        plain: the law alone, as declared or fitted again.
+        withheld: why the corrected model is the law alone already, for people; "" if it is not.
         validate: error of what was held out; None: that of the validation tests of the problem.
         arranged: of effects that are another arrangement of the law.
         held_out: what was, for people.
     """
     validate = validate or partial(validation_error, problem)
-    found = _law_file(problem, final, "corrected" if final.effects else "refit", validate, arranged)
+    alone: Stage = "refit" if plain.refits else "declared"
+    found = _law_file(problem, final, "corrected" if final.effects else alone, validate, arranged)
     if found.lacking:
-        plain = _law_file(problem, refit, "refit", validate, arranged)
-        if found.validate > plain.validate:
+        without = _law_file(problem, plain, alone, validate, arranged)
+        if found.validate > without.validate:
             why = (
                 f"law files cannot carry {', '.join(found.lacking)}; without it {held_out} are predicted worse "
-                f"({100.0 * found.validate:.3g} %) than by the refitted law ({100.0 * plain.validate:.3g} %)"
+                f"({100.0 * found.validate:.3g} %) than by the law alone ({100.0 * without.validate:.3g} %)"
             )
-            return replace(plain, measurement_effects=found.measurement_effects, lacking=found.lacking, withheld=why)
+            return replace(without, measurement_effects=found.measurement_effects, lacking=found.lacking, withheld=why)
     return replace(found, withheld=withheld)
 
 

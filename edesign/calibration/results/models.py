@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from types import MappingProxyType
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class Posterior:
     """Models of a search, each compared with the one that stands by the rule of adoption.
 
     Models that a gate refuses have no share. Of the others the odds are those of the comparison, moderated by its
-    error, and every change more has the prior odds at which the rule begins to see a gain.
+    error, and every effect more has the prior odds at which the rule begins to see a gain.
 
     Source: moderated odds: MacKay (1992), Neural Computation 4, 720-736, Eq. 10.
 
@@ -46,7 +47,9 @@ class Posterior:
     refused: Mapping[Key, str] = field(default_factory=dict)
 
     @staticmethod
-    def of(fitter: Fitter, found: Found, best: FittedModel, refused: Mapping[Key, str]) -> Posterior:
+    def of(
+        fitter: Fitter, found: Found, best: FittedModel, refused: Mapping[Key, str] = MappingProxyType({})
+    ) -> Posterior:
         """Return the posterior over the models of a search.
 
         Args:
@@ -78,7 +81,7 @@ class Posterior:
         model, behind = self.models[i], self.behind(i)
         if model.key in self.refused or math.isnan(behind.total):
             return 0.0
-        more = len(model.changes) - len(self.best.changes)
+        more = len(model.effects) - len(self.best.effects)
         moderated = behind.total / math.sqrt(1.0 + math.pi / 8.0 * behind.error**2)
         return math.exp(min(-moderated - LEAST_GAIN * more, _FAR))
 
@@ -144,13 +147,12 @@ class Posterior:
 
 
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:
-    """Return the best model without one of its effects, the others fitted again, and how far that is behind."""
+    """Return the best model without one of its effects, all else fitted again, and how far that is behind."""
     best, fitter = posterior.best, posterior.fitter
     others, values = best.without(index)
-    held = best.fit.held
-    rough = fitter.fit(others, values, best.noise, held=held)
+    rough = fitter.fit(others, values, best.noise)
     # the noise of the best one is far below what is left without the effect
-    again = None if rough is None else fitter.fit(others, rough.fit.values, rough.noise, held=held)
+    again = None if rough is None else fitter.fit(others, rough.fit.values, rough.noise)
     if again is None:
         return None, None
     fewer = fitter.reweighted(again)

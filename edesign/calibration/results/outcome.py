@@ -118,7 +118,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
             parameters=law_stages(whole, self.refit, self.final),
             law_fixed=not whole.refit,
             fixed=reasons_fixed(whole.law, [one.name for one in whole.base]) if whole.refit else {},
-            law_file=law_file(whole, self.final, self.refit, self.withheld),
+            law_file=law_file(whole, self.final, self.alone, self.withheld),
             series=self.series,
             lasting=whole.lasting,
             gamma_of=whole.gamma_of,

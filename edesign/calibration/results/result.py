@@ -245,6 +245,7 @@ class Calibrated:
         law: name of the declared law; "" of a structure on a fixed base.
         parameters: of the law, by stage.
         law_fixed: whether the campaign keeps the declared parameters fixed.
+        as_declared: whether the corrected model has the declared parameters, although they might be fitted.
         fixed: parameters of the law that are not fitted, as others do what they do: with the reason.
         law_file: the law as the law file has it; of a structure that of its isolation layer, if it has one.
         series: of each test, or each channel of it; () of a table.
@@ -264,6 +265,7 @@ class Calibrated:
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
     fitted_first: bool = False
+    as_declared: bool = False
 
     @property
     def title(self) -> str:

@@ -133,7 +133,7 @@ class Search:
         for index, effect in enumerate(best.effects):
             self._progress(f"trying others in the place of {effect.label}")
             with fitter.effort.on("others in the place of an effect"):
-                rest = self._variants.omitting(best, index)
+                rest = self._variants.refitted_without(best, index)
                 for one in () if rest is None else self._variants.in_place(effect, rest):
                     self._note(one)
         with fitter.effort.on("gates of adoption"):

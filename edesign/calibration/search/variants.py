@@ -56,6 +56,14 @@ class Variants:
         rough = self._fitter.linearised(others, [values], slopes, model.noise, model.fit.held)
         return None if rough is None else self._fitter.reweighted(rough)
 
+    def refitted_without(self, model: FittedModel, index: int) -> FittedModel | None:
+        """Return a model without one of its effects, its base fitted too: what takes the place may ask for that."""
+        others, values = model.without(index)
+        if not others or model.refits or self._declared is self._base:
+            return self._base if not others else self.omitting(model, index)
+        found = self._fitter.fit(others, values, model.noise)
+        return None if found is None else self._fitter.reweighted(found)
+
     def in_place(self, effect: Effect, rest: FittedModel) -> list[FittedModel]:
         """Return models with another effect in the place of one, fitted: those that the screening puts first.
 

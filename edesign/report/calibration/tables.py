@@ -86,8 +86,10 @@ COMPARED = TableSpec[Row](
     (
         text("effects of the model"),
         col("fitted tests: NRMS", PERCENT, digits=3),
+        text("{model}"),
         col("behind", ONE),
         text("probability"),
+        text("why it does not stand"),
     ),
 )
 LAW = TableSpec[Row](
@@ -159,26 +161,25 @@ def hypotheses_table(calibration: Calibration) -> Table:
 
 
 def models_table(calibration: Calibration) -> Table:
-    """Return the models that the search compared, the most probable first."""
+    """Return the models that the search compared: the one that stands, and the others as they are behind or ahead."""
     model = MODELS[calibration.subject]
     alone = len(calibration.models) == 1 and not calibration.depths
     rows: list[Row] = []
     for one in () if alone else calibration.models:
         behind = None if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
         effects = " + ".join(one.effects) or f"the {model} alone"
-        rows.append((effects, finite(one.nrms), behind, probability_text(one.probability)))
+        based = "fitted" if one.refit else "as declared"
+        likely = None if one.probability == 0.0 and one.why_not else probability_text(one.probability)
+        rows.append((effects, finite(one.nrms), based, behind, likely, one.why_not or None))
     notes = []
     if rows:
         notes += [
             "behind: log density of tests left out by which the corrected model is ahead, with its standard error",
             searched(calibration),
         ]
-    if any(one.behind < 0.0 for one in calibration.models):
-        notes.append(
-            "a model that is ahead was not adopted where its lead in the search was not sure: more than 4, and than "
-            "twice its error"
-        )
-    return COMPARED.of(rows, notes=notes)
+    if any(one.why_not for one in calibration.models):
+        notes.append("a model that does not pass all gates of adoption has no share in the probabilities")
+    return COMPARED.of(rows, notes=notes, model=model)
 
 
 def law_table(calibration: Calibration) -> Table:

@@ -86,12 +86,13 @@ def ended(calibration: Calibration) -> list[str]:
 def _found(calibration: Calibration) -> str:
     effects = "; and ".join(effect_text(effect) + _or_others(effect) for effect in calibration.effects)
     tests = _TESTS[calibration.subject]
-    again = "" if calibration.law_fixed else " once its parameters are fitted again"
+    kept = calibration.law_fixed or calibration.as_declared
+    again = "" if kept else " once its parameters are fitted again"
     return {
         "none": f"None: no effect is missing from {_model(calibration)}{again}.",
         "explained": f"Explained: the {tests} show {effects}. Only noise is left.",
         "partly_explained": f"Partly explained: the {tests} show {effects}. More than noise is left.",
-        "nothing_found": "Nothing found: something is missing, and no effect known here passes the rule of adoption.",
+        "nothing_found": "Nothing found: something is missing, and no effect known here passes the gates of adoption.",
         "not_searched": "Not searched: something is missing, and the search ended before all effects were tried.",
     }[calibration.verdict]
 
@@ -112,6 +113,8 @@ def _errors(calibration: Calibration) -> str:
         if calibration.effects
         else f"the {name}"
         if calibration.law_fixed
+        else f"the {name} as declared"
+        if calibration.as_declared
         else f"the {name} fitted again"
     )
     texts = [
@@ -122,14 +125,29 @@ def _errors(calibration: Calibration) -> str:
     if calibration.effects and not calibration.law_fixed:
         texts.append(f", fitted again without effects {percent(refit)} %")
     texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %.")
-    if not calibration.effects and declared * _CHANGED < refit:
-        texts.append(" The declared parameters predict these tests better than fitted ones do.")
+    if calibration.as_declared:
+        texts.append(f" Its parameters are kept as declared: fitted ones leave {percent(refit)} %.")
+    texts.append(_weights(calibration))
     if calibration.more_is_left:
         share = percent(calibration.unexplained_share, 2)
         texts.append(
-            f" Of what the refitted {name} leaves beyond that, {share} % is left. {calibration.unexplained_shape}"
+            f" Of what the {name} alone leaves beyond that, {share} % is left. {calibration.unexplained_shape}"
         )
     return "".join(texts)
+
+
+def _weights(calibration: Calibration) -> str:
+    """Return why a fit may make the error of the tests fitted to larger; "" if it does not."""
+    declared, refit = calibration.errors["declared"], calibration.errors["refit"]
+    names = [one.name for one in calibration.tests if one.use == "fit" and one.name in declared.tests]
+    if refit.fit <= declared.fit or not names:
+        return ""
+    means = [sum(one.tests[name] for name in names) / len(names) for one in (declared, refit)]
+    return (
+        f" A fit weighs each test by its own size: the mean NRMS of the tests fitted to goes from {percent(means[0])} "
+        f"to {percent(means[1])} %, that of all their forces together from {percent(declared.fit)} to "
+        f"{percent(refit.fit)} %."
+    )
 
 
 def _worst(calibration: Calibration) -> list[str]:

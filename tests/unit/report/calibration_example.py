@@ -122,9 +122,9 @@ def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE)
         unexplained_shape="",
         next_test=None,
         models=(
-            ComparedModel(labels, 4.3e-5, 0.0, 0.0, 0.97),
-            ComparedModel(("inertia.mass",), 8.1e-5, 31.0, 4.0, 2e-14),
-            ComparedModel((), 1.3e-4, 120.0, 9.0, 0.0),
+            ComparedModel(labels, True, 4.3e-5, 0.0, 0.0, 0.97),
+            ComparedModel(("inertia.mass",), True, 8.1e-5, 31.0, 4.0, 2e-14),
+            ComparedModel((), True, 1.3e-4, 120.0, 9.0, 0.0),
         ),
         depths=(SearchDepth((), 90, 14, labels), SearchDepth(labels, 89, 12, ())),
         forms=93,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -228,20 +229,29 @@ def _at(problem: PropertyProblem, effects: tuple[Effect, ...], values: np.ndarra
     return FittedModel(problem, effects, Fit(model, Noise.white(problem.deviations), z, (), (), 0))
 
 
+@dataclass(frozen=True, eq=False, kw_only=True)
+class _Compared(Posterior):
+    """Two models of which the second one is behind by so much."""
+
+    behind_by: Difference
+
+    def behind(self, i: int) -> Difference:
+        return self.behind_by if i else Difference(0.0, 0.0)
+
+
 def test_the_next_test_is_where_models_differ_more_than_in_the_table(thesis: PropertyProblem) -> None:
     """Softening with the amplitude: moduli are means over a cycle, which its loop is not."""
     payne = (_effect(thesis, "payne.whole"),)
     centres = [one.centre for one in thesis.inner.base]
     plain, softer = _at(thesis, (), np.array(centres)), _at(thesis, payne, np.array([*centres, 0.3, 2e-4, 1.0, 5.0]))
     # what the search says of the two, in place of scores: that it cannot separate them
-    searched = {(): Difference(0.0, 0.0), ("payne.whole",): Difference(-1.0, 2.0)}
     fitter = unbounded(thesis, SETTINGS)
-    found = next_test(thesis, Posterior(fitter, plain, plain, (plain, softer), searched))
+    found = next_test(thesis, _Compared(fitter, plain, (plain, softer), behind_by=Difference(-3.0, 2.0)))
     assert found is not None and found.separates == ("none", "payne.whole")
     assert found.text.startswith("record the loop, force over displacement, of ")
     assert found.difference > 1.2 * found.largest
-    sure = {**searched, ("payne.whole",): Difference(-30.0, 2.0)}
-    assert next_test(thesis, Posterior(fitter, plain, plain, (plain, softer), sure)) is None
+    sure = _Compared(fitter, plain, (plain, softer), behind_by=Difference(30.0, 2.0))
+    assert next_test(thesis, sure) is None
 
 
 def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:

@@ -14,7 +14,7 @@ from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.models import Posterior
 from edesign.calibration.results.next_test import Reach, _tests, next_test
 from edesign.calibration.search.settings import SETTINGS
-from edesign.estimation.left_out import Score
+from edesign.estimation.left_out import Difference
 from edesign.estimation.noise import Noise
 
 
@@ -22,9 +22,8 @@ from edesign.estimation.noise import Noise
 class Even(Posterior):
     """All models are as good."""
 
-    @property
-    def scores(self):
-        return tuple(Score(np.zeros(3), np.zeros(3)) for _ in self.models)
+    def behind(self, i):
+        return Difference(0.0, 0.0)
 
 
 def posterior(tests, *labels: str, size: float = 0.3) -> Posterior:
@@ -36,7 +35,7 @@ def posterior(tests, *labels: str, size: float = 0.3) -> Posterior:
         effect = next(one for one in tests.effects if one.label == label)
         values = np.array([size * effect.starts[0][0], *effect.starts[0][1:]])
         models.append(fitter.fit((effect,), np.append(base, values), noise, 0))
-    return Even(fitter, models[0], models[0], tuple(models))
+    return Even(fitter, models[0], tuple(models))
 
 
 def test_tests_thought_of_are_no_larger_no_faster_and_no_warmer():
