@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-import pytest
 from damper_problems import problem
 
 from edesign.calibration.results.fit import unbounded
