@@ -20,7 +20,7 @@ Mallows (1973), Technometrics 15, 661-675.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
@@ -48,26 +48,35 @@ class Screening:
     Attributes:
         screened: forms that were predicted.
         noise: by which gains are measured.
+        alone: log evidence of the model.
         singles: start and gain of each form at its best start.
         pairs: starts and gains of pairs of different effects, one for each pair of names.
     """
 
     screened: int
     noise: Noise
+    alone: float
     singles: tuple[Single, ...]
     pairs: tuple[Pair, ...]
 
+    def better_than(self, alone: float) -> Screening:
+        """Return the effects and pairs with which the evidence is larger than another model's alone."""
+        least = alone - self.alone
+        singles = tuple(one for one in self.singles if one[1] > least)
+        return replace(self, singles=singles, pairs=tuple(one for one in self.pairs if one[1] > least))
 
-def screen(fitter: Fitter, model: FittedModel, known: FittedModel) -> Screening:
+
+def screen(fitter: Fitter, model: FittedModel, known: FittedModel, noise: Noise | None = None) -> Screening:
     """Screen all forms of effects that a model does not have.
 
     Args:
         known: a model whose equations may be wrong, which is allowed for.
+        noise: by which gains are measured; None: what all effects together leave.
     """
     tests, starts, nuisance, screened = _candidates(fitter, model, known)
     plain = model.fit.model.nuisance_columns(model.fit.values)
     every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in nuisance), strict=True)]
-    noise = fitter.noise_of(_left(tests, every, Noise.white(fitter.problem.deviations)), known)
+    noise = noise or fitter.noise_of(_left(tests, every, Noise.white(fitter.problem.deviations)), known)
     alone = _Evidence.of(tests, plain, noise, len(starts))
     nothing = float(alone.log_of(0.0, 0.0))
     singles = alone.singles(starts)
@@ -81,6 +90,7 @@ def screen(fitter: Fitter, model: FittedModel, known: FittedModel) -> Screening:
     return Screening(
         screened,
         noise,
+        nothing,
         tuple((start, log - nothing) for start, log in best),
         tuple((pair, log - nothing) for pair, log in both),
     )

@@ -79,13 +79,13 @@ class Search:
         """Search until the next depth, fully searched, passes no gate, or until the effort is spent."""
         with self._fitter.effort.on("the model alone"):
             declared, base = self._roots()
+            needed = base is declared or sure(self._fitter.compare(base, declared))
         self._depths, self._models = list[Depth](), dict[Key, FittedModel]()
         self._children, self._leaders = list[FittedModel](), list[FittedModel]()
         self._variants = Variants(self._fitter, declared, base)
         self._adoption = Adoption(self._fitter, self._variants)
         for root in (declared, base):
             self._note(root)
-        needed = base is declared or sure(self._fitter.compare(base, declared))
         self._best = self._adoption.take(base if needed else declared)
         ending: Ending = "complete"
         try:
@@ -163,7 +163,8 @@ class Search:
                 if other.refits:
                     self._children.append(other)
                 if not best.effects:
-                    self._try(other, screen(fitter, other, other), noise)
+                    beside = screen(fitter, other, other, noise).better_than(screening.alone)
+                    self._try(other, beside, noise)
         with fitter.effort.on("fits to the end"):
             for one in self._beam(self._children, noise):
                 fitted = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
