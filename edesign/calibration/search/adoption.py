@@ -237,9 +237,12 @@ class Adoption:
             if not self._identified_among([each.model for each in tried], one.model, known, noise):
                 self.refused[one.model.key] = Refusal("alike")
                 continue
-            needed = self.pruned(self._variants.with_best_forms(one.model, noise), known)
+            better = self._variants.with_best_forms(one.model, noise)
+            needed = self.pruned(better, known)
             if needed is not None and needed.changes not in self._taken:
                 passed.append((fitter.compare(needed, known).total, needed))
+            if needed is None or needed.key != one.model.key:
+                self.refused.setdefault(one.model.key, self.refused.get(better.key, Refusal("given_up")))
         most = max((total for total, _ in passed), default=-math.inf)
         return min((one for total, one in passed if total > most - LEAST), key=plainness, default=None)
 

@@ -306,12 +306,12 @@ class Fitter:
     def compare(self, one: FittedModel, other: FittedModel) -> Difference:
         """Return by how much one model predicts tests better than another.
 
-        They are compared under the noise that the one of them leaves that leaves less, beside what both have: the
-        equations of their common effects, as the other model has them, may be wrong.
+        They are compared under the noise of the one that leaves less, beside what both have: the equations of their
+        common effects, as the one that leaves more has them, may be wrong. So the difference is the same both ways.
         """
-        common = self._common(one, other)
-        leader = min((one, other), key=lambda each: float(np.mean(np.log(each.noise.long_run))))
-        return self.difference(one, other, self.noise(leader, common), common)
+        less, more = sorted((one, other), key=lambda each: float(np.mean(np.log(each.noise.long_run))))
+        common = self._common(less, more)
+        return self.difference(one, other, self.noise(less, common), common)
 
     def _common(self, one: FittedModel, other: FittedModel) -> FittedModel:
         """Return a model with the effects that two models share by name, as the second one has them; not fitted."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal
 
@@ -190,9 +190,9 @@ class Search:
     def _close(self) -> None:
         """Judge what is at hand when the effort is spent: the best model that passes all gates is the result."""
         fitter = self._fitter
-        fitter.effort.most = math.inf
+        fitter.effort.most += self._settings.closing * self._settings.effort
         self._progress("the effort is spent: judging what is fitted so far")
-        with fitter.effort.on("after the effort was spent"):
+        with suppress(EffortSpentError), fitter.effort.on("after the effort was spent"):
             if not self._leaders and self._children:
                 (first, *_) = self._beam(self._children, self._best.noise)
                 self._leaders.append(self._note(fitter.reweighted(first)))

@@ -32,6 +32,7 @@ class SearchSettings:
             left, that is the main thing which the model lacks, and their numbers are its as much as theirs.
         effort: weighted predictions of all tests, after which the search ends unfinished: in those campaigns searches
             that were right ended within 8 000.
+        closing: of the effort, within which the models that are fitted by then are judged.
     """
 
     beam: int = 4
@@ -46,6 +47,7 @@ class SearchSettings:
     least: float = 0.002
     share: float = 0.5
     effort: float = 10_000.0
+    closing: float = 0.2
 
 
 SETTINGS = SearchSettings()
