@@ -1,0 +1,431 @@
+"""One campaign: law, programme, what is hidden in it, noise, and what is true of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+from scipy.signal import butter, sosfilt
+
+from blind.laboratories.wharf import effects as hidden
+from blind.laboratories.wharf import laws, motions, programme
+from blind.laboratories.wharf.effects import KINDS, LISTED, UNLISTED, Effect, Run, Scale
+
+Array = NDArray[np.float64]
+
+RATIOS = (2.0, 50.0)  # of an effect to the noise, after a refit
+NOISES = (0.0012, 0.03)  # of the noise to the force, as roots of powers
+TRIES = 40
+LAST = ("bearing_play", "clamp_slip", "flexible_frame")  # beside these, no effect of the damper itself
+FAMILIES = (
+    ("mullins_softening", "path_degradation", "self_heating", "thixotropy", "first_movement_peak", "cyclic_hardening"),
+    ("seal_friction", "guide_friction", "stribeck_friction", "clamp_slip"),
+    ("channel_lag", "unequal_filters", "moving_mass", "lag_of_one_test", "flexible_frame", "viscous_branch"),
+    ("relief_valve", "power_of_velocity", "force_clipping", "square_damping"),
+    ("cubic_stiffening", "end_stop", "softening_spring", "gas_spring", "bearing_play", "pinching", "wedge_action"),
+    ("dead_weight", "gas_spring", "force_drift", "zero_of_one_test"),
+    ("one_sided_displacement", "one_sided_velocity", "cell_nonlinearity", "gas_spring", "dead_weight"),
+    ("drift_over_tests", "path_degradation", "condition_dependence", "temperature_softening", "viscosity_temperature"),
+    ("viscous_branch", "rate_dependence", "square_damping"),
+)
+"""Effects that look alike in part: two of one campaign are not of one family."""
+
+
+@dataclass
+class Reading:
+    """A test as its file has it, and the powers that nobody can explain."""
+
+    test: programme.Test
+    time: Array
+    displacement: Array
+    force: Array
+    temperature: Array | None
+    typed: float
+    noise: float  # kN^2, sum over samples
+    power: float  # kN^2, likewise
+
+
+@dataclass
+class Campaign:
+    """Everything of a campaign."""
+
+    category: str
+    law: str
+    true: Array
+    stated: Array
+    exact: bool
+    size: programme.Size
+    tests: list[programme.Test]
+    in_motion: bool
+    lasting: bool  # of extremes, from test to test
+    seeds: list[int]
+    motions: list[motions.Motion] = field(default_factory=list)
+    parts: list[Array] = field(default_factory=list)
+    scale: Scale | None = None
+    effects: list[Effect] = field(default_factory=list)
+    ratios: list[float] = field(default_factory=list)
+    noise: float = 0.0  # kN
+    slopes: Array | None = None
+    readings: list[Reading] = field(default_factory=list)
+    habits: dict[str, Any] = field(default_factory=dict)
+    conditions: tuple[str, list[float]] | None = None
+    order_unknown: bool = False
+    say_start: bool = False
+
+    @property
+    def group(self) -> str:
+        """F or H."""
+        return "F" if self.law in ("kelvin_voigt", "mgmm") else "H"
+
+    @property
+    def floor(self) -> float:
+        """Noise over force in the tests to validate, as roots of powers."""
+        of = [reading for reading in self.readings if reading.test.use == "validate"]
+        return float(np.sqrt(sum(r.noise for r in of) / sum(r.power for r in of)))
+
+
+def draw(category: str, rng: np.random.Generator) -> Campaign:
+    """A campaign of a category; drawn anew until its effects are within the range of sizes."""
+    for _ in range(TRIES):
+        made = _attempt(category, rng)
+        if made is not None:
+            return made
+    raise RuntimeError(f"no {category} campaign in {TRIES} draws")
+
+
+def _attempt(category: str, rng: np.random.Generator) -> Campaign | None:
+    kind, _, group = category.partition("_")
+    law = _law(kind, group, rng)
+    names = _names(kind, law, rng)
+    needs = {KINDS[name].needs for name in names} - {""}
+    size = programme.size(rng)
+    true = programme.parameters(law, size, rng)
+    stated, exact = programme.declared(law, true, rng)
+    tests, in_motion = programme.tests(size, rng, needs, warm=law != "mgmm")
+    lasting = law in laws.REMEMBER and bool(rng.random() < 0.5)
+    seeds = [int(seed) for seed in rng.integers(1 << 30, size=len(tests))]
+    of = Campaign(category, law, true, stated, exact, size, tests, in_motion, lasting, seeds)
+    _base(of)
+    if not _hide(of, names, rng):
+        return None
+    if "condition" in needs or (not needs and rng.random() < 0.08):
+        name = str(rng.choice(list(programme.CONDITIONS)))
+        low, high = programme.CONDITIONS[name]
+        middle = round(float(rng.uniform(low, high)), 2)
+        of.conditions = (name, [round(middle * test.condition, 4) for test in tests])
+    remembers = lasting or any(
+        effect.draws.get("lasting")
+        or effect.name in ("path_degradation", "cyclic_hardening", "drift_over_tests", "crack_in_one_test")
+        for effect in of.effects
+    )
+    of.order_unknown = not remembers and bool(rng.random() < 0.15)
+    of.say_start = bool(rng.random() < 0.5)
+    _read(of, rng)
+    return of
+
+
+def _law(kind: str, group: str, rng: np.random.Generator) -> str:
+    if kind == "unlisted":
+        group = str(rng.choice(["F", "H"], p=[0.3, 0.7]))
+    if group == "F":
+        return str(rng.choice(["kelvin_voigt", "mgmm"], p=[0.6, 0.4]))
+    return str(rng.choice([law for law in laws.LAWS if law not in ("kelvin_voigt", "mgmm")]))
+
+
+def _names(kind: str, law: str, rng: np.random.Generator) -> list[str]:
+    if kind == "clean":
+        return []
+    if kind == "unlisted":
+        return [str(rng.choice(list(UNLISTED)))]
+    fit = [name for name in LISTED if law in KINDS[name].laws and name != "temperature_of_one_test"]
+    names = [str(rng.choice(fit))]
+    while kind == "two" and len(names) < 2:
+        if names[0] == "temperature_softening" and rng.random() < 0.5:
+            return [*names, "temperature_of_one_test"]
+        other = str(rng.choice(fit))
+        pair = {names[0], other}
+        own = [name for name in pair if KINDS[name].stage in ("values", "parts", "total")]
+        alone = pair & set(LAST) and (own or pair <= set(LAST))
+        singles = all(KINDS[name].stage == "single" for name in pair)
+        if other != names[0] and not alone and not singles and not any(pair <= set(family) for family in FAMILIES):
+            names.append(other)
+    return names
+
+
+def _base(of: Campaign) -> None:
+    """The motions and the forces of the law alone; what sizes are measured in."""
+    repeated: dict[tuple[motions.Plan, float], motions.Motion] = {}
+    state = None
+    for test in of.tests:
+        rate = float(test.sampling * test.stride)
+        key = (test.plan, rate)
+        if key not in repeated:
+            repeated[key] = motions.make(test.plan, rate)
+        of.motions.append(repeated[key])
+        motion = repeated[key]
+        parts, end = laws.run(of.law, of.true, motion.dt, motion.x, motion.v, state)
+        state = laws.memory(of.law, end) if of.lasting else None
+        of.parts.append(parts)
+    forces = [parts.sum(axis=0) for parts in of.parts]
+
+    def root(values: Sequence[Array]) -> float:
+        return float(np.sqrt(np.mean([np.mean(value**2) for value in values])))
+
+    of.scale = Scale(
+        force=root(forces),
+        peak=max(float(np.abs(force).max()) for force in forces),
+        u=max(float(np.abs(m.x).max()) for m in of.motions),
+        v=root([m.v for m in of.motions]),
+        a=root([m.a for m in of.motions]),
+        path=sum(float(np.abs(np.diff(m.x)).sum()) for m in of.motions),
+        work=float(np.mean([np.sum(np.maximum(f * m.v, 0)) * m.dt for f, m in zip(forces, of.motions, strict=True)])),
+        frequency=of.size.frequency,
+        top=max(m.fastest for m in of.motions),
+    )
+
+
+def simulate(of: Campaign, effects: list[Effect]) -> list[Run]:
+    """The tests with effects, before noise and the logger."""
+    assert of.scale is not None
+    runs, path, extreme = [], 0.0, 0.0
+    for i, (test, motion, parts) in enumerate(zip(of.tests, of.motions, of.parts, strict=True)):
+        u, v, a, forces = motion.x, motion.v, motion.a, parts.copy()
+        for effect in effects:
+            if effect.kind.stage == "series":
+                connection = _connection(effect, of.scale)
+                force, u = laws.run_in_series(of.law, of.true, motion.dt, motion.x, *connection)
+                forces = np.zeros_like(parts)
+                forces[2] = force
+        run = Run(
+            index=i,
+            count=len(of.tests),
+            dt=motion.dt,
+            x=motion.x,
+            u=u,
+            v=v,
+            a=a,
+            parts=forces,
+            force=forces.sum(axis=0),
+            temperature=test.temperature,
+            condition=test.condition,
+            seed=of.seeds[i],
+            stride=test.stride,
+            before={"path": path, "extreme": extreme},
+        )
+        hidden.act(run, effects, of.scale)
+        path, extreme = path + run.path[-1], max(extreme, float(np.abs(u).max()))
+        runs.append(run)
+    return runs
+
+
+def _connection(effect: Effect, scale: Scale) -> tuple[float, float, float]:
+    """Stiffness, gap, force of slip."""
+    if effect.name == "flexible_frame":
+        return scale.peak / (effect.size * scale.u), 0.0, 1e3 * scale.peak
+    stiff = scale.peak / (0.004 * scale.u)
+    if effect.name == "bearing_play":
+        return stiff, effect.size * scale.u, 1e3 * scale.peak
+    return stiff, 0.0, (1 - effect.size) * scale.peak
+
+
+def answers(of: Campaign, values: Array, runs: list[Run] | None = None) -> list[Array]:
+    """Forces of the law along recorded displacements; None: along the motions."""
+    forces, state = [], None
+    for i, motion in enumerate(of.motions):
+        if not of.lasting and of.tests[i].use != "fit":
+            forces.append(np.empty(0))
+            continue
+        gain, stretch = (1.0, 1.0) if runs is None else (runs[i].gain, runs[i].stretch)
+        parts, end = laws.run(of.law, values, motion.dt * stretch, motion.x * gain, motion.v * gain / stretch, state)
+        state = laws.memory(of.law, end) if of.lasting else None
+        forces.append(parts.sum(axis=0))
+    return forces
+
+
+def _samples(test: programme.Test, length: int) -> NDArray[np.intp]:
+    """Points of the fine grid that are in the file."""
+    first = round(test.start * test.sampling) * test.stride
+    last = min(round(test.end * test.sampling) * test.stride, length - 1)
+    return np.arange(first, last + 1, test.stride)
+
+
+def _fitted(of: Campaign, forces: Sequence[Array]) -> Array:
+    """Samples of the tests to fit, one after the other."""
+    return np.concatenate(
+        [f[_samples(test, len(f))] for test, f in zip(of.tests, forces, strict=True) if test.use == "fit"]
+    )
+
+
+def refit(of: Campaign, runs: list[Run]) -> float:
+    """Root of the mean power that is left after a refit of the law alone, kN."""
+    free = np.array(laws.LAWS[of.law].free)
+    target = _fitted(of, [run.force for run in runs])
+
+    def values(x: Array) -> Array:
+        changed = of.true.copy()
+        changed[free] *= np.exp(x)
+        names = [laws.LAWS[of.law].names[i] for i in free]
+        for i, name in zip(free, names, strict=True):
+            if name in ("b", "alpha", "beta", "p", "alpha_d") and of.true[i] < 1:
+                changed[i] = min(changed[i], 0.99)
+            if name == "n":
+                changed[i] = max(changed[i], 1.0)
+        return changed
+
+    def error(x: Array) -> Array:
+        return (_fitted(of, answers(of, values(x), runs)) - target) / of.scale.force  # type: ignore[union-attr]
+
+    best = least_squares(error, np.zeros(len(free)), bounds=(-1.5, 1.5), max_nfev=7, diff_step=1e-4, ftol=1e-3)
+    return float(np.sqrt(np.mean(best.fun**2)) * of.scale.force)  # type: ignore[union-attr]
+
+
+def _hide(of: Campaign, names: list[str], rng: np.random.Generator) -> bool:
+    """Draw effects, their sizes and the noise; False: a size out of range."""
+    assert of.scale is not None
+    share = float(np.exp(rng.uniform(np.log(0.002), np.log(0.015))))
+    if not names:
+        of.noise = share * of.scale.force
+        return True
+    free = laws.LAWS[of.law].free
+    plain = _fitted(of, answers(of, of.true))
+    columns = []
+    for i in free:
+        moved = of.true.copy()
+        moved[i] *= 1 + 1e-3
+        columns.append((_fitted(of, answers(of, moved)) - plain) / 1e-3)
+    basis, triangle = np.linalg.qr(np.array(columns).T)
+    basis = basis[:, np.abs(np.diag(triangle)) > 1e-9 * np.abs(triangle).max()]
+    for name in names:
+        if name == "temperature_of_one_test":
+            effect = Effect(name, float(rng.uniform(8, 25)), KINDS[name].draws(rng), _one(of, rng))
+            of.effects.append(effect)
+            of.ratios.append(float("nan"))
+            continue
+        kind = KINDS[name]
+        effect = Effect(name, 0.0, kind.draws(rng), _one(of, rng) if kind.stage == "single" else None)
+        low, high = kind.sizes
+        effect.size = float(np.exp(rng.uniform(np.log(low), np.log(high))))
+        ratio = float(np.exp(rng.uniform(*np.log(RATIOS))))
+        left = 0.0
+        for _ in range(4):
+            runs = simulate(of, [effect])
+            error = _fitted(of, [run.force for run in runs]) - _fitted(of, answers(of, of.true, runs))
+            left = float(np.sqrt(np.mean((error - basis @ (basis.T @ error)) ** 2)))
+            wanted = ratio * (of.noise or share * of.scale.force)
+            if left == 0 or 0.8 < left / wanted < 1.25 or low == high:
+                break
+            effect.size = float(np.clip(effect.size * np.clip(wanted / left, 0.1, 10), low, high))
+        left = refit(of, simulate(of, [effect]))
+        if left <= 1e-4 * of.scale.force:
+            return False
+        if low == high and not of.noise:
+            of.noise = share * of.scale.force
+        if not of.noise:
+            of.noise = left / ratio
+        ratio = left / of.noise
+        if not NOISES[0] < of.noise / of.scale.force < NOISES[1]:
+            return False
+        if ratio < RATIOS[0] or (ratio > RATIOS[1] and low < high):
+            return False
+        of.effects.append(effect)
+        of.ratios.append(ratio)
+    return True
+
+
+def _one(of: Campaign, rng: np.random.Generator) -> int:
+    """A test to fit."""
+    return int(rng.choice([i for i, test in enumerate(of.tests) if test.use == "fit"]))
+
+
+def _read(of: Campaign, rng: np.random.Generator) -> None:
+    """What the logger makes of the tests: filters, noise, steps of the converters; the powers of these."""
+    assert of.scale is not None
+    runs = simulate(of, of.effects)
+    by_displacement = float(rng.uniform(0.05, 0.4)) if rng.random() < 0.7 else 0.0
+    by_steps = float(rng.uniform(0.02, 0.5)) if rng.random() < 0.6 else 0.005
+    memory = float(rng.uniform(0.2, 0.5)) if rng.random() < 0.3 else 0.0  # of the noise of the force, sample to sample
+    corner = float(rng.uniform(0.38, 0.47)) if rng.random() < 0.6 else 0.0  # of the logger, times the sampling rate
+    shakes = [_shake(of, i, rng) for i in range(len(of.tests))]
+    probe = 1e-4 * of.scale.u
+    moved = _along(of, shakes, probe)
+    power = np.mean([np.mean(change**2) for change in moved])
+    amplitude = probe * float(np.sqrt(by_displacement / power)) * of.noise
+    changes = _along(of, shakes, amplitude) if amplitude else [np.zeros_like(m.x) for m in of.motions]
+    left = [_left_by_filter(of, i, corner) for i in range(len(of.tests))] if corner else []
+    if corner and np.sqrt(np.mean([np.mean(change**2) for change in left])) > 0.5 * of.noise:
+        corner = 0.0
+    f_step = of.noise * float(np.sqrt(12 * by_steps * (1 - by_displacement)))
+    white = of.noise * float(np.sqrt((1 - by_steps) * (1 - by_displacement)))
+    x_step = 0.5 * amplitude
+    column = bool(rng.random() < 0.4) and not any(e.name == "temperature_of_one_test" for e in of.effects)
+    keeps_clock = bool(rng.random() < 0.4)  # time of a cut test goes on from the trigger
+    for i, (test, run, shake) in enumerate(zip(of.tests, runs, shakes, strict=True)):
+        at = _samples(test, len(run.x))
+        x, force = run.x, run.force
+        if corner:
+            sections = butter(4, corner * test.sampling, fs=1 / run.dt, output="sos")
+            x, force = sosfilt(sections, x), sosfilt(sections, force)
+        noise = rng.standard_normal(len(at))
+        for k in range(1, len(at)) if memory else ():
+            noise[k] = memory * noise[k - 1] + np.sqrt(1 - memory**2) * noise[k]
+        read = np.round((force[at] + white * noise) / f_step) * f_step
+        shown = x[at] + amplitude * shake[at]
+        shown = np.round(shown / x_step) * x_step if x_step else np.round(shown, 5)
+        lost = float(np.sum((read - force[at]) ** 2) + np.sum(changes[i][at] ** 2))
+        if corner:
+            lost += float(np.sum(left[i][at] ** 2))
+        time = (at - (0 if keeps_clock else at[0])) * run.dt * run.stretch
+        temperature = None
+        if column:
+            drift = rng.uniform(-0.3, 0.3) * np.linspace(-1, 1, len(at))
+            temperature = np.round(test.temperature + drift + 0.02 * rng.standard_normal(len(at)), 2)
+        reading = Reading(
+            test, time, shown, read, temperature, test.temperature + run.typed, lost, float(np.sum(read**2))
+        )
+        of.readings.append(reading)
+    of.habits = {
+        "noise_kN": of.noise,
+        "noise_share_of_displacement": by_displacement,
+        "noise_share_of_steps": by_steps,
+        "noise_memory": memory,
+        "displacement_noise_mm": amplitude,
+        "filter_over_sampling": corner,
+        "keeps_clock": keeps_clock,
+    }
+
+
+def _shake(of: Campaign, i: int, rng: np.random.Generator) -> Array:
+    """Noise of a displacement, of unit size, in the band of the motion: no filter parts it from the motion."""
+    motion, test = of.motions[i], of.tests[i]
+    band = min(1.5 * motion.fastest, 0.4 * test.sampling)
+    shake = sosfilt(butter(2, band, fs=1 / motion.dt, output="sos"), rng.standard_normal(len(motion.x)))
+    return np.asarray(shake / shake.std())
+
+
+def _along(of: Campaign, shakes: list[Array], amplitude: float) -> list[Array]:
+    """What the noise of the displacement does to the force, through the law's own loops."""
+    changes = []
+    for motion, shake, parts in zip(of.motions, shakes, of.parts, strict=True):
+        moved = amplitude * shake
+        v = motion.v + np.gradient(moved, motion.dt)
+        if of.lasting:  # beside its own memory, as the noise is small
+            straight = laws.run(of.law, of.true, motion.dt, motion.x, motion.v)[0].sum(axis=0)
+        else:
+            straight = parts.sum(axis=0)
+        changes.append(laws.run(of.law, of.true, motion.dt, motion.x + moved, v)[0].sum(axis=0) - straight)
+    return changes
+
+
+def _left_by_filter(of: Campaign, i: int, corner: float) -> Array:
+    """What equal filters of both channels leave between the filtered force and the law along the filtered motion."""
+    motion, test = of.motions[i], of.tests[i]
+    sections = butter(4, corner * test.sampling, fs=1 / motion.dt, output="sos")
+    filtered = laws.run(of.law, of.true, motion.dt, sosfilt(sections, motion.x), sosfilt(sections, motion.v))[0].sum(
+        axis=0
+    )
+    straight = laws.run(of.law, of.true, motion.dt, motion.x, motion.v)[0].sum(axis=0)
+    return np.asarray(sosfilt(sections, straight) - filtered)
