@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 from scipy.signal import butter, sosfilt
 
@@ -28,7 +29,14 @@ FAMILIES = (
     ("relief_valve", "power_of_velocity", "force_clipping", "square_damping"),
     ("cubic_stiffening", "end_stop", "softening_spring", "gas_spring", "bearing_play", "pinching", "wedge_action"),
     ("dead_weight", "gas_spring", "force_drift", "zero_of_one_test"),
-    ("one_sided_displacement", "one_sided_velocity", "cell_nonlinearity", "gas_spring", "dead_weight"),
+    (
+        "one_sided_displacement",
+        "one_sided_velocity",
+        "one_sided_force",
+        "cell_nonlinearity",
+        "gas_spring",
+        "dead_weight",
+    ),
     ("drift_over_tests", "path_degradation", "condition_dependence", "temperature_softening", "viscosity_temperature"),
     ("viscous_branch", "rate_dependence", "square_damping"),
 )
@@ -124,8 +132,7 @@ def _attempt(category: str, rng: np.random.Generator) -> Campaign | None:
     )
     of.order_unknown = not remembers and bool(rng.random() < 0.15)
     of.say_start = bool(rng.random() < 0.5)
-    _read(of, rng)
-    return of
+    return of if _read(of, rng) else None
 
 
 def _law(kind: str, group: str, rng: np.random.Generator) -> str:
@@ -260,8 +267,17 @@ def _fitted(of: Campaign, forces: Sequence[Array]) -> Array:
     )
 
 
-def refit(of: Campaign, runs: list[Run]) -> float:
-    """Root of the mean power that is left after a refit of the law alone, kN."""
+def refit(of: Campaign, runs: list[Run], start: Array | None = None) -> float:
+    """Root of the mean power that is left after a refit of the law alone, kN.
+
+    Args:
+        of: the campaign.
+        runs: its tests with effects.
+        start: logarithms of the parameters over the true ones.
+
+    Returns:
+        The root, over the samples of all tests to fit.
+    """
     free = np.array(laws.LAWS[of.law].free)
     target = _fitted(of, [run.force for run in runs])
 
@@ -279,7 +295,8 @@ def refit(of: Campaign, runs: list[Run]) -> float:
     def error(x: Array) -> Array:
         return (_fitted(of, answers(of, values(x), runs)) - target) / of.scale.force  # type: ignore[union-attr]
 
-    best = least_squares(error, np.zeros(len(free)), bounds=(-1.5, 1.5), max_nfev=7, diff_step=1e-4, ftol=1e-3)
+    first = np.zeros(len(free)) if start is None else np.clip(start, -0.7, 0.7)
+    best = least_squares(error, first, bounds=(-1.5, 1.5), max_nfev=5, x_scale=0.1, diff_step=1e-4, ftol=2e-3)
     return float(np.sqrt(np.mean(best.fun**2)) * of.scale.force)  # type: ignore[union-attr]
 
 
@@ -297,13 +314,16 @@ def _hide(of: Campaign, names: list[str], rng: np.random.Generator) -> bool:
         moved = of.true.copy()
         moved[i] *= 1 + 1e-3
         columns.append((_fitted(of, answers(of, moved)) - plain) / 1e-3)
-    basis, triangle = np.linalg.qr(np.array(columns).T)
-    basis = basis[:, np.abs(np.diag(triangle)) > 1e-9 * np.abs(triangle).max()]
+    basis, sizes, turn = np.linalg.svd(np.array(columns).T, full_matrices=False)
+    strong = sizes > 1e-6 * sizes[0]
+    basis, turn = basis[:, strong], turn[strong] / sizes[strong, None]
     for name in names:
         if name == "temperature_of_one_test":
-            effect = Effect(name, float(rng.uniform(8, 25)), KINDS[name].draws(rng), _one(of, rng))
+            effect, ratio = _mistype(of, of.effects[0], rng)
+            if not RATIOS[0] <= ratio <= RATIOS[1]:
+                return False
             of.effects.append(effect)
-            of.ratios.append(float("nan"))
+            of.ratios.append(ratio)
             continue
         kind = KINDS[name]
         effect = Effect(name, 0.0, kind.draws(rng), _one(of, rng) if kind.stage == "single" else None)
@@ -311,15 +331,19 @@ def _hide(of: Campaign, names: list[str], rng: np.random.Generator) -> bool:
         effect.size = float(np.exp(rng.uniform(np.log(low), np.log(high))))
         ratio = float(np.exp(rng.uniform(*np.log(RATIOS))))
         left = 0.0
-        for _ in range(4):
+        for again in range(5):
             runs = simulate(of, [effect])
             error = _fitted(of, [run.force for run in runs]) - _fitted(of, answers(of, of.true, runs))
-            left = float(np.sqrt(np.mean((error - basis @ (basis.T @ error)) ** 2)))
+            along = basis.T @ error
+            left = float(np.sqrt(np.mean((error - basis @ along) ** 2)))
             wanted = ratio * (of.noise or share * of.scale.force)
-            if left == 0 or 0.8 < left / wanted < 1.25 or low == high:
+            if again == 4 or left == 0 or 0.8 < left / wanted < 1.25 or low == high:
                 break
-            effect.size = float(np.clip(effect.size * np.clip(wanted / left, 0.1, 10), low, high))
-        left = refit(of, simulate(of, [effect]))
+            tried = effect.size
+            effect.size = float(np.clip(tried * np.clip(wanted / left, 0.1, 10), low, high))
+            if effect.size == tried:
+                break
+        left = refit(of, runs, turn.T @ along)
         if left <= 1e-4 * of.scale.force:
             return False
         if low == high and not of.noise:
@@ -336,13 +360,22 @@ def _hide(of: Campaign, names: list[str], rng: np.random.Generator) -> bool:
     return True
 
 
+def _mistype(of: Campaign, law: Effect, rng: np.random.Generator) -> tuple[Effect, float]:
+    """A mistyped temperature beside a law of temperature; what that law then gets wrong, over the noise."""
+    kind = KINDS["temperature_of_one_test"]
+    effect = Effect("temperature_of_one_test", float(rng.uniform(*kind.sizes)), kind.draws(rng), _one(of, rng))
+    forces = [run.force if run.index == effect.test else 0 * run.force for run in simulate(of, [law])]
+    wrong = np.expm1(-law.size * effect.draws["sign"] * effect.size / 20)
+    return effect, float(np.sqrt(np.mean((wrong * _fitted(of, forces)) ** 2))) / of.noise
+
+
 def _one(of: Campaign, rng: np.random.Generator) -> int:
     """A test to fit."""
     return int(rng.choice([i for i, test in enumerate(of.tests) if test.use == "fit"]))
 
 
-def _read(of: Campaign, rng: np.random.Generator) -> None:
-    """What the logger makes of the tests: filters, noise, steps of the converters; the powers of these."""
+def _read(of: Campaign, rng: np.random.Generator) -> bool:
+    """What the logger makes of the tests: filters, noise, steps; the powers of these. False: it is too coarse."""
     assert of.scale is not None
     runs = simulate(of, of.effects)
     by_displacement = float(rng.uniform(0.05, 0.4)) if rng.random() < 0.7 else 0.0
@@ -355,9 +388,9 @@ def _read(of: Campaign, rng: np.random.Generator) -> None:
     power = np.mean([np.mean(change**2) for change in moved])
     amplitude = probe * float(np.sqrt(by_displacement / power)) * of.noise
     changes = _along(of, shakes, amplitude) if amplitude else [np.zeros_like(m.x) for m in of.motions]
-    left = [_left_by_filter(of, i, corner) for i in range(len(of.tests))] if corner else []
-    if corner and np.sqrt(np.mean([np.mean(change**2) for change in left])) > 0.5 * of.noise:
-        corner = 0.0
+    corner, left = _logger(of, corner)
+    if left is None:
+        return False
     f_step = of.noise * float(np.sqrt(12 * by_steps * (1 - by_displacement)))
     white = of.noise * float(np.sqrt((1 - by_steps) * (1 - by_displacement)))
     x_step = 0.5 * amplitude
@@ -376,8 +409,7 @@ def _read(of: Campaign, rng: np.random.Generator) -> None:
         shown = x[at] + amplitude * shake[at]
         shown = np.round(shown / x_step) * x_step if x_step else np.round(shown, 5)
         lost = float(np.sum((read - force[at]) ** 2) + np.sum(changes[i][at] ** 2))
-        if corner:
-            lost += float(np.sum(left[i][at] ** 2))
+        lost += float(np.sum(left[i][at] ** 2))
         time = (at - (0 if keeps_clock else at[0])) * run.dt * run.stretch
         temperature = None
         if column:
@@ -396,6 +428,7 @@ def _read(of: Campaign, rng: np.random.Generator) -> None:
         "filter_over_sampling": corner,
         "keeps_clock": keeps_clock,
     }
+    return True
 
 
 def _shake(of: Campaign, i: int, rng: np.random.Generator) -> Array:
@@ -420,12 +453,26 @@ def _along(of: Campaign, shakes: list[Array], amplitude: float) -> list[Array]:
     return changes
 
 
-def _left_by_filter(of: Campaign, i: int, corner: float) -> Array:
-    """What equal filters of both channels leave between the filtered force and the law along the filtered motion."""
+def _logger(of: Campaign, corner: float) -> tuple[float, list[Array] | None]:
+    """The corner of the logger, none if it would bend the loops beyond half the noise; and what the logger leaves.
+
+    None is left where sampling alone takes more of the loops than the noise does.
+    """
+    for chosen, most in ((corner, 0.5), (0.0, 1.0)):
+        left = [_left(of, i, chosen) for i in range(len(of.tests))]
+        if np.sqrt(np.mean([np.mean(change**2) for change in left])) <= most * of.noise:
+            return chosen, left
+    return 0.0, None
+
+
+def _left(of: Campaign, i: int, corner: float) -> Array:
+    """What equal filters and sampling leave between the force and the law along a spline through the samples."""
     motion, test = of.motions[i], of.tests[i]
-    sections = butter(4, corner * test.sampling, fs=1 / motion.dt, output="sos")
-    filtered = laws.run(of.law, of.true, motion.dt, sosfilt(sections, motion.x), sosfilt(sections, motion.v))[0].sum(
-        axis=0
-    )
     straight = laws.run(of.law, of.true, motion.dt, motion.x, motion.v)[0].sum(axis=0)
-    return np.asarray(sosfilt(sections, straight) - filtered)
+    x = motion.x
+    if corner:
+        sections = butter(4, corner * test.sampling, fs=1 / motion.dt, output="sos")
+        x, straight = sosfilt(sections, x), sosfilt(sections, straight)
+    spline = CubicSpline(motion.time[:: test.stride], x[:: test.stride])
+    read = laws.run(of.law, of.true, motion.dt, spline(motion.time), spline(motion.time, 1))[0].sum(axis=0)
+    return np.asarray(straight - read)

@@ -183,7 +183,11 @@ def _valves(run: Run, s: float, q: Draws, at: Scale) -> None:
 
 
 def _sides(run: Run, s: float, q: Draws, at: Scale) -> None:
-    run.force = run.force * (1 + s * np.clip(0.5 + 0.5 * run.u / (0.02 * at.u), 0, 1))
+    run.parts[0] *= 1 + s * (run.u > 0)
+
+
+def _pushes(run: Run, s: float, q: Draws, at: Scale) -> None:
+    run.force = run.force * (1 + s * (run.force > 0))
 
 
 def _ages(run: Run, s: float, q: Draws, at: Scale) -> None:
@@ -537,8 +541,9 @@ KINDS: dict[str, Kind] = {
     ),
     "pinching": Kind("parts", _pinches, (0.05, 0.7), _uniform(at=(0.1, 0.4)), laws=SLIDERS[:5]),
     "one_sided_velocity": Kind("parts", _valves, (0.03, 0.5), laws=("kelvin_voigt", *FLUIDS[1:3], *FLUIDS[4:5])),
-    "one_sided_displacement": Kind(
-        "total", _sides, (0.03, 0.5), laws=(*SPRINGY, "bouc_wen", "elastic_plastic", "mgmm")
+    "one_sided_displacement": Kind("parts", _sides, (0.03, 0.6), laws=SPRINGY),
+    "one_sided_force": Kind(
+        "total", _pushes, (0.03, 0.5), laws=("bouc_wen", "elastic_plastic", "modified_bouc_wen", "friction", "mgmm")
     ),
     "drift_over_tests": Kind("total", _ages, (0.03, 0.4), _sign),
     "condition_dependence": Kind("total", _depends, (0.05, 1.0), needs="condition"),

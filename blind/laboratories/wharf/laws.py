@@ -229,7 +229,12 @@ def _step(kind: int, p: Array, f: Array, s: Array, u: float, v: float, du: float
         out[0], out[2] = p[1] * u, p[0] * s[0]
     elif kind == 12:
         mu = p[3] - (p[3] - p[2]) * np.exp(-p[4] * abs(v))
-        s[0] = _clip(s[0] + p[2] * p[0] / p[5] * du, mu * p[0])
+        stiffness, first = p[2] * p[0] / p[5], 0.0
+        if s[1] * v < 0:  # it turned within the step, at the friction of rest
+            first = 0.5 * dt * s[1] * s[1] / (s[1] - v)
+            s[0] = _clip(s[0] + stiffness * first, p[2] * p[0])
+        s[0] = _clip(s[0] + stiffness * (du - first), mu * p[0])
+        s[1] = v
         out[0], out[2] = p[0] / p[1] * u, s[0]
     elif kind == 13:
         side = 1.0 if u >= 0 else -1.0
