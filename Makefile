@@ -16,7 +16,7 @@ WORKERS ?= 2
 # make blind: how many campaigns, and of which draw
 CAMPAIGNS ?= 115
 SEED    ?= 1
-# make laboratories: whose campaigns: foundry, harbour, polytechnic or proving
+# make laboratories: whose campaigns: foundry, harbour, polytechnic, proving or wharf
 LABORATORY ?= harbour
 # make blind-rts: how many campaigns of substructure tests
 RTS_CAMPAIGNS ?= 100

@@ -1,1 +1,1 @@
-"""Campaigns of a fifth laboratory: the habits of rigs, faults of single tests, shapes that nobody has in a list."""
+"""A test house on a wharf: old rigs, their habits and faults, for devices of any law. See summary.md."""

@@ -72,8 +72,8 @@ LAWS = {
     ),
     "fractional_kelvin": Law(17, ("k0", "c", "alpha"), ("kN/mm", "s^alpha", "")),
 }
-REMEMBER = ("mgmm", "modified_bouc_wen")
-"""Laws that remember extremes; the memory may last from test to test."""
+REMEMBER = ("mgmm",)
+"""Laws whose memory of extremes may last from test to test: a campaign can say so of this one alone."""
 
 
 def run(name: str, values: Array, dt: float, u: Array, v: Array, before: Array | None = None) -> tuple[Array, Array]:
