@@ -92,7 +92,8 @@ def visible(truth: Mapping[str, Any]) -> bool:
 
 def match(true: Mapping[str, Any], found: Mapping[str, Any]) -> str:
     """How an effect of a result names one of the truth: right, confounded, equal or wrong."""
-    if found.get("name") == true["name"] and found.get("kind") == true["kind"]:
+    kinds = found.get("kind"), (found.get("may_be") or {}).get("kind")  # of either, as its own result says
+    if found.get("name") == true["name"] and true["kind"] in kinds:
         return "right"
     if true["name"] in (found.get("indistinguishable_from") or ()):
         return "confounded"

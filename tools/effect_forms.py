@@ -101,9 +101,10 @@ class Row:
     @property
     def law_file(self) -> str:
         """What a law file calls it; "" if none carries it."""
-        if not isinstance(self.form, EffectForm) or self.form.kind != "damper":
+        form = self.form.twin or self.form if isinstance(self.form, EffectForm) else None
+        if form is None or form.kind != "damper":
             return ""
-        kinds = [one.equation.split(".") for one in self.form.core_effects]
+        kinds = [one.equation.split(".") for one in form.core_effects]
         if any(isinstance(mechanism, LawParameters) for mechanism in self.form.mechanisms):
             return "key `temperature_law`" if self.form.name == "temperature_law" else ""
         if len(kinds) != 1:

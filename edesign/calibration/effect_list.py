@@ -85,7 +85,7 @@ class KnownEffect:
     Attributes:
         name: of it.
         tests: in what it may be found: tests of dampers, records of structures, property tables.
-        kind: whose it is: damper, rig, instrument, structure.
+        kind: whose it is: damper, rig, instrument, structure; "rig or damper" of what force and motion cannot tell.
         signature: what it leaves in the residual of a model without it.
         forms: equations for it.
         page: of the documentation.
@@ -157,7 +157,8 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
             listed[name] = replace(known, placements=(*known.placements, placement))
     first = forms[0]
     signatures = "; or ".join(dict.fromkeys(form.signature for form in forms))
-    return KnownEffect(first.name, tests, first.kind, signatures, tuple(listed.values()), page)
+    kind = first.kind if first.twin is None else f"{first.kind} or {first.twin.kind}"
+    return KnownEffect(first.name, tests, kind, signatures, tuple(listed.values()), page)
 
 
 def _by_layer(form: Any) -> bool:

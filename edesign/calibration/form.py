@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Generic, TypeVar
 
 from edesign.calibration.search.problem import Effect, Kind
@@ -38,6 +38,8 @@ class Form(Generic[A, S]):
         proportional: whether what it does is proportional to its size near zero.
         meanings: of parameters by name, for people, as far as no law file has them.
         confounded: forms that do the same in all tests that are fitted, and something else in others; (): none.
+        twin: the same equation as a part of something else, which no test can tell from it; None: there is none, or the
+            campaign says what it is a part of.
     """
 
     name: str
@@ -54,6 +56,7 @@ class Form(Generic[A, S]):
     proportional: bool = True
     meanings: Mapping[str, str] = field(default_factory=dict)
     confounded: tuple[Form[A, S], ...] = ()
+    twin: Form[A, S] | None = None
 
     @property
     def label(self) -> str:
@@ -107,6 +110,11 @@ class FormInCampaign:
     def signature(self) -> str:
         """What it leaves in the residual of a model without it, for people."""
         return str(self.form.signature)
+
+    @property
+    def twin(self) -> FormInCampaign | None:
+        """The same equation as a part of something else; None: there is none, or the campaign says which it is."""
+        return None if self.form.twin is None else replace(self, form=self.form.twin)
 
     @property
     def meanings(self) -> Mapping[str, str]:

@@ -24,6 +24,7 @@ from edesign.calibration.results.law_file import LAW, law_text
 from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, Tested
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.corrected import FILES, STRUCTURE, corrected_texts
+from edesign.damper.effects import LawEffect
 from edesign.input_files import spare_inputs
 from edesign.optional_stages import earlier, optional
 
@@ -206,6 +207,7 @@ def _effect(effect: Effect) -> dict[str, Any]:
         "gain_error": _finite(effect.gain_error),
         "probability": _finite(effect.probability),
         "indistinguishable_from": list(effect.indistinguishable_from),
+        "may_be": None if effect.other_kind is None else {"kind": effect.other_kind, "title": effect.other_title},
         "not_carried": effect.not_carried,
     }
 
@@ -214,11 +216,16 @@ def _law_file(law: LawFile) -> dict[str, Any]:
     return {
         "stage": law.stage,
         "validate": _finite(law.validate),
-        "effects": [{"name": one.name, "form": one.form, "placement": one.placement} for one in law.effects],
+        "effects": _effects(law.effects),
+        "if_of_the_damper": [one for own in law.otherwise.values() for one in _effects(own)],
         "measurement_effects": list(law.measurement_effects),
         "lacking": list(law.lacking),
         "withheld": law.withheld,
     }
+
+
+def _effects(effects: Sequence[LawEffect]) -> list[dict[str, str]]:
+    return [{"name": one.name, "form": one.form, "placement": one.placement} for one in effects]
 
 
 def _of_a_damper(found: Calibration) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement
@@ -26,20 +27,49 @@ class EffectForm(Form[Mechanism, Sizes]):
     Attributes:
         laws: names of the laws that it is made for; (): all.
         refined: times the samples of a fit at which it is predicted: more where motion or force bend between them.
+        usual_in: names of the laws in which it is rather this than its twin.
     """
 
     laws: tuple[str, ...] = ()
     refined: int = REFINED
+    usual_in: tuple[str, ...] = ()
+    twin: EffectForm | None = None
 
     @property
     def nuisance(self) -> bool:
         """Whether it acts through nuisance amplitudes of each test."""
         return any(isinstance(mechanism, NuisanceAmplitudes) for mechanism in self.mechanisms)
 
+    def read(self, law: str, belongs_to: str | None = None) -> EffectForm:
+        """Return the form as a part of what it belongs to; where nobody says it, of what is usual, beside its twin.
+
+        Args:
+            law: its name.
+            belongs_to: "damper", or "rig" with its instruments; None: not said.
+        """
+        if self.twin is None:
+            return self
+        if belongs_to is not None:
+            return self.twin if belongs_to == self.twin.kind else replace(self, twin=None)
+        return replace(self.twin, twin=replace(self, twin=None)) if law in self.twin.usual_in else self
+
     @property
     def core_effects(self) -> tuple[CoreEffect, ...]:
         """What of it is in the C core."""
         return tuple(mechanism for mechanism in self.mechanisms if isinstance(mechanism, CoreEffect))
+
+
+def either(form: EffectForm, title: str, usual_in: Sequence[str] = (), *mechanisms: Mechanism) -> EffectForm:
+    """Return a form of rig or instruments that may as well be a part of the damper.
+
+    Args:
+        form: of rig or instruments.
+        title: of it as a part of the damper, for people.
+        usual_in: names of the laws of dampers in which it is rather that.
+        mechanisms: of it as a part of the damper, as law files carry it; (): the same.
+    """
+    own = mechanisms or form.mechanisms
+    return replace(form, twin=replace(form, kind="damper", title=title, usual_in=tuple(usual_in), mechanisms=own))
 
 
 def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:

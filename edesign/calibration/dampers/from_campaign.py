@@ -70,6 +70,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
         campaign.law.extremes == "lasting",
         campaign.law.gamma_T_of or "parameters",
         threads,
+        belongs_to=campaign.belongs_to,
     )
     predicted = _declared_forces(problem, campaign)
     _check_forces(problem, campaign, predicted)

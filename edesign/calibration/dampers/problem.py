@@ -51,6 +51,7 @@ class DamperProblem(TestedProblem):
         threads: at most so many; None: as many as there are processors.
         within: standard deviation of the logarithm of a declared parameter, or of a zero one in its size, at least.
         alone: parameters of the law alone by the tests alone, SI; {}: not fitted.
+        belongs_to: what effects of the rig or the damper belong to, by name, as far as the campaign says it.
     """
 
     law: Law
@@ -63,6 +64,7 @@ class DamperProblem(TestedProblem):
     threads: int | None = None
     within: float = 0.3
     alone: Mapping[str, float] = field(default_factory=dict)
+    belongs_to: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def fitted(self) -> tuple[int, ...]:
@@ -125,7 +127,8 @@ class DamperProblem(TestedProblem):
         """Effects that the campaign can show and the core takes with this law."""
         values = self.law.all_parameters(self.declared)
         varied = [one.name for one in values if one.fitted and self.declared[one.name] and one.name not in self._fixed]
-        return tuple(form.effect(self.typical) for form in forms(self.typical, varied) if self._suits(form))
+        every = (form.read(self.law.name, self.belongs_to.get(form.name)) for form in forms(self.typical, varied))
+        return tuple(form.effect(self.typical) for form in every if self._suits(form))
 
     def _suits(self, form: EffectForm) -> bool:
         if form.laws and self.law.name not in form.laws:

@@ -283,6 +283,7 @@ class Evidence(ABC, Generic[T]):
         effect = model.effects[index]
         rise, gain, error, confounded, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
         titles: Mapping[str, str] = {}
+        twin = effect.data.twin
         if posterior is not None:
             probability = posterior.probability(effect.name)
         if posterior is not None and stands is not None:
@@ -307,6 +308,8 @@ class Evidence(ABC, Generic[T]):
             not_carried=self.not_carried(model, index),
             meanings=effect.data.meanings,
             titles=titles,
+            other_kind=None if twin is None else twin.form.kind,
+            other_title="" if twin is None else twin.title,
         )
 
 

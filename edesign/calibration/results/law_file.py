@@ -7,7 +7,7 @@ damper, as it has no such form, says so.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -23,6 +23,7 @@ from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.predictions import validation_error
 from edesign.calibration.results.result import Calibration, LawFile
+from edesign.calibration.results.result import Effect as FoundEffect
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.damper.effect_forms import LawEffectForm, form_if_known
@@ -59,7 +60,8 @@ class Carried:
 
 
 def form_in_law_files(form: EffectForm) -> bool:
-    """Return whether law files carry a form of an effect, of some law at least."""
+    """Return whether law files carry a form of an effect, of some law at least, if it is of the damper."""
+    form = form.twin or form
     mechanisms = [mechanism for mechanism in form.mechanisms if not isinstance(mechanism, Rest | LastingExtremes)]
     if form.kind != "damper" or not mechanisms:
         return False
@@ -198,13 +200,16 @@ def _law_file(
 ) -> LawFile:
     base, every = len(problem.base), list(model.fit.values)
     fitted = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
-    values, effects, numbers = fitted, list[LawEffect](), every[:base]
+    values, effects, otherwise, numbers = fitted, list[LawEffect](), dict[str, tuple[LawEffect, ...]](), every[:base]
     temperature: GammaT | FerryShift | None = own_temperature(problem)
     measured, lacking, known = list[str](), list[str](), list[Effect]()
     for index, effect in enumerate(model.effects):
         own = np.array([every[i] for i in model.places(index)])
         if effect.kind != "damper":
             measured.append(f"{effect.label} ({effect.kind}): {effect.data.title}")
+            twin = effect.data.twin
+            if twin is not None and (found := carried(problem, replace(effect, data=twin), own)) is not None:
+                otherwise[effect.label] = found.effects
         elif effect.name == ARRANGEMENT and arranged is not None:
             values, beside = arranged(effect, fitted)
             effects += beside
@@ -217,7 +222,8 @@ def _law_file(
         known.append(effect)
         numbers += own.tolist()
     error = validate(known, np.array(numbers))
-    return LawFile(stage, values, tuple(effects), temperature, tuple(measured), tuple(lacking), error)
+    parts = tuple(effects), temperature, tuple(measured), tuple(lacking), error
+    return LawFile(stage, values, *parts, otherwise=otherwise)
 
 
 def why_not_carried(problem: DamperProblem, model: FittedModel, index: int) -> str:
@@ -262,9 +268,10 @@ def law_file_text(
         head: comments at the top, before what the law lacks.
     """
     file = found.law_file
-    data: dict[str, object] = {"type": found.law, "parameters": parameters}
+    law: dict[str, object] = {"type": found.law, "parameters": parameters}
     if effects:
-        data["effects"] = effects
+        law["effects"] = effects
+    data: dict[str, object] = {}
     if file.temperature is not None:
         data["temperature_law"] = _temperature_block(file.temperature)
     if specimen is not None:
@@ -274,8 +281,24 @@ def law_file_text(
             "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
         }
     data["tested"] = tested
-    lines = "".join(f"# {line}\n" for line in head)
-    return lines + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
+    return _commented(head) + _yaml(law) + _otherwise(file, bool(effects)) + _yaml(data)
+
+
+def _otherwise(file: LawFile, effects: bool) -> str:
+    """Return effects that may be of the damper as comments, which stand where they go on from the lines before."""
+    if not file.otherwise:
+        return ""
+    every = [one for of_effect in file.otherwise.values() for one in of_effect]
+    lines = _yaml({"effects": write_effects(every)}).splitlines()
+    return _commented(lines[1:] if effects else lines)
+
+
+def _commented(lines: Iterable[str]) -> str:
+    return "".join(f"# {line}\n" for line in lines)
+
+
+def _yaml(data: Mapping[str, object]) -> str:
+    return str(yaml.safe_dump(dict(data), sort_keys=False, allow_unicode=True, width=1000))
 
 
 def _head(found: Calibration) -> list[str]:
@@ -324,9 +347,20 @@ def law_lines(found: Calibration) -> list[str]:
         for one in found.effects
         if one.indistinguishable_from
     ]
+    lines += [line for one in found.effects if (line := _by_whom(one, file))]
     lines += [f"hypothesis, not in this law: {one.effect.label}: {one.why}" for one in found.hypotheses]
     lines += [f"{name} is fixed: {why}" for name, why in found.fixed.items()]
     return lines
+
+
+def _by_whom(effect: FoundEffect, file: LawFile) -> str:
+    """Return what to change of a law file if an effect is a part of what it was not taken for; "" if that is known."""
+    question, then = effect.question, ""
+    if effect.label in file.otherwise:
+        then = "; if it is the latter, its entry of `effects` stands below as a comment, and nothing else changes"
+    elif effect.kind == "damper" and not effect.not_carried and not file.withheld:
+        then = "; if it is the latter, take its entry out of `effects`, and nothing else changes"
+    return question and f"{effect.label} ({effect.kind}): {question}{then}"
 
 
 def _temperature_block(law: GammaT | FerryShift) -> dict[str, object]:

@@ -75,6 +75,8 @@ class Effect:
         not_carried: why no law file carries it, for people; "" if one does.
         meanings: of its parameters by name, for people, as far as no law file has them.
         titles: of those that it is indistinguishable from, by name, for people.
+        other_kind, other_title: of the same equation as a part of something else, which no test can tell from it; None:
+            there is none, or the campaign says what it belongs to.
     """
 
     name: str
@@ -92,11 +94,23 @@ class Effect:
     not_carried: str = ""
     meanings: Mapping[str, str] = field(default_factory=dict)
     titles: Mapping[str, str] = field(default_factory=dict)
+    other_kind: Kind | None = None
+    other_title: str = ""
 
     @property
     def label(self) -> str:
         """Name and form."""
         return f"{self.name}.{self.form}"
+
+    @property
+    def question(self) -> str:
+        """What the campaign should say of it, as force and motion cannot, for people; "" if there is nothing to ask."""
+        if self.other_kind is None:
+            return ""
+        return (
+            f"{self.title}, or {self.other_title}: force and motion cannot tell. It is taken as the former; the key "
+            f"`belongs_to: {{{self.name}: damper}}` or `{{{self.name}: rig}}` of the campaign file says which it is"
+        )
 
 
 @dataclass(frozen=True)
@@ -182,6 +196,7 @@ class LawFile:
         lacking: labels of effects of the damper that it cannot carry.
         validate: NRMS of the validation tests with this law, and with what rig and instruments did.
         withheld: why it is not the corrected law, for people; "" if it is.
+        otherwise: by label of what is taken for rig or instruments and may be of the damper: effects that it has then.
     """
 
     stage: Stage
@@ -192,6 +207,7 @@ class LawFile:
     lacking: tuple[str, ...]
     validate: float
     withheld: str = ""
+    otherwise: Mapping[str, tuple[LawEffect, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -33,12 +33,16 @@ from edesign.input_files import spare_inputs
 from edesign.project.document import Document
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import PositiveTime
+from edesign.project.reading.base import Model
 from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import FileProblems, Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 Order = Literal["as_listed", "unknown"]
 """Whether tests were made in the order in which they are listed."""
+
+Owner = Literal["damper", "rig"]
+"""What an effect is a part of: `rig` is all that is not the damper."""
 
 ConditionName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$")]
 CAMPAIGN_FILE = "campaign.yaml"
@@ -81,6 +85,24 @@ class TestEntry(ReadingKeys):
         return self.temperature if self.temperature is not None else self.temperature_C
 
 
+class BelongsTo(Model):
+    """What effects belong to of which force and motion cannot tell it: the damper, or the rig with its instruments.
+
+    Attributes:
+        friction: of the damper's seals, or of the guides of the rig.
+        series_flexibility: of the damper's own parts, or of those of the rig.
+        play: of the damper's own pins, or of those of the rig.
+        inertia: of the damper's own moving mass, or of that between load cell and specimen.
+        offset: force of the damper, as of its gas, or zero of the load cell.
+    """
+
+    friction: Owner | None = None
+    series_flexibility: Owner | None = None
+    play: Owner | None = None
+    inertia: Owner | None = None
+    offset: Owner | None = None
+
+
 class CampaignFile(ReadingKeys):
     """A campaign file: tests of one damper, in the order in which they were made.
 
@@ -94,6 +116,7 @@ class CampaignFile(ReadingKeys):
         acceptance: what the device is accepted by; without the key as a viscoelastic one, by both standards.
         order: whether the tests are listed in the order in which they were made; `unknown` also where each has a
             specimen of its own.
+        belongs_to: whether effects are of the damper or of the rig where force and motion cannot tell.
         tests: tests in the order in which they were made, if it is known.
     """
 
@@ -105,6 +128,7 @@ class CampaignFile(ReadingKeys):
     start_ramp: PositiveTime | None = None
     acceptance: Acceptance = Acceptance()
     order: Order = "as_listed"
+    belongs_to: BelongsTo = BelongsTo()
     tests: Annotated[tuple[TestEntry, ...], Field(min_length=1)]
 
 
@@ -123,6 +147,7 @@ class Campaign:
         acceptance: what the device is accepted by.
         specimen_name: name of what was tested.
         ordered: whether the order of the file is that in which the tests were made.
+        belongs_to: what effects belong to, by name, as far as the file says it.
     """
 
     specimen: Specimen | None
@@ -135,6 +160,7 @@ class Campaign:
     acceptance: Acceptance = field(default_factory=Acceptance)
     specimen_name: str = "specimen"
     ordered: bool = True
+    belongs_to: Mapping[str, Owner] = field(default_factory=dict)
 
     @property
     def label(self) -> str:
@@ -272,6 +298,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
         file.acceptance,
         file.specimen.name,
         file.order == "as_listed",
+        {name: owner for name, owner in file.belongs_to if owner is not None},
     )
 
 

@@ -39,8 +39,10 @@ def _gain(one: _Found) -> str | None:
 
 
 def _confounded(one: _Found) -> str:
-    others = one.effect.indistinguishable_from.items()
-    return ", ".join(f"{name_of(name)} ({probability_text(p)})" for name, p in others) or _NOTHING
+    effect = one.effect
+    others = [f"{name_of(name)} ({probability_text(p)})" for name, p in effect.indistinguishable_from.items()]
+    own = [] if effect.other_kind is None else [f"{name_of(effect.name)} of the {effect.other_kind}"]
+    return ", ".join(own + others) or _NOTHING
 
 
 EFFECTS = TableSpec[_Found](
@@ -138,6 +140,7 @@ def effects_table(calibration: Calibration) -> Table:
         ]
     if any(one.indistinguishable_from for one in calibration.effects):
         notes.append("cannot be separated from: with the probability of the other one, if it is one of the two")
+    notes += [one.question for one in calibration.effects if one.question]
     return EFFECTS.of(found, notes=notes)
 
 

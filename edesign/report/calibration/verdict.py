@@ -208,6 +208,8 @@ def _file(calibration: Calibration) -> str:
         text += f", but lacks {', '.join(file.lacking)}, which law files cannot carry"
     if file.measurement_effects:
         text += "; what the rig and the instruments did is no part of it"
+    if file.otherwise:
+        text += f". It has {' and '.join(file.otherwise)} as a comment, in case that is of the damper"
     return f"{text}."
 
 
@@ -241,6 +243,7 @@ def _open(calibration: Calibration) -> list[str]:
                 f"These {_TESTS[calibration.subject]} cannot separate {name_of(effect.name)} from {confounded}."
             )
     with_it = calibration.errors["corrected"].validate
+    texts += [f"{asked[0].upper()}{asked[1:]}." for effect in calibration.effects if (asked := effect.question)]
     texts += [
         f"Without {name_of(effect.name)} the validation tests are predicted better "
         f"({percent(with_it + effect.delta_validate)} %): it holds in the tests fitted to."

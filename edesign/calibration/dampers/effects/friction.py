@@ -1,4 +1,4 @@
-"""Friction in the guides of the rig."""
+"""Friction: of the guides of the rig, or of the damper's seals."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effect import EffectForm, either
+from edesign.calibration.dampers.effects.gas_spring import FLUID
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import CoreEffect, ForceChannel
 from edesign.calibration.dampers.motion import Motion
@@ -53,7 +54,7 @@ _COULOMB = EffectForm(
 _PRESLIDING = replace(
     _COULOMB,
     form="presliding",
-    title="friction that builds up over a way, in the guides or of a part that yields",
+    title="friction that builds up over a way, in the guides",
     source="Dahl (1968), Aerospace Corp. TOR-0158(3107-18)-1; Dahl (1976), AIAA Journal 14, 1675-1682",
     mechanisms=(CoreEffect("friction.presliding"),),
     # where the way is as long as the largest motion there is no sliding left: a spring and a lossy one at that
@@ -84,4 +85,9 @@ _LOADED = replace(
     proportional=False,
 )
 
-FORMS = (_COULOMB, _PRESLIDING, _STRIBECK, _LOADED)
+FORMS = (
+    either(_COULOMB, "Coulomb friction in the damper, as of its seals", FLUID),
+    either(_PRESLIDING, "friction that builds up over a way in the damper, as of seals or a part that yields", FLUID),
+    either(_STRIBECK, "friction in the damper, as of its seals, that is larger near rest", FLUID),
+    either(_LOADED, "friction in the damper, as of its seals, that grows with the force", FLUID),
+)

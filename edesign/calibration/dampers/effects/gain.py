@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effect import EffectForm, either
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.filters import second_order
 from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel
@@ -126,4 +126,9 @@ _SPRUNG = replace(
     refined=4,  # it oscillates between samples of a fit
 )
 
-FORMS = (_FORCE, _DISPLACEMENT, _MASS, _SPRUNG)
+FORMS = (
+    _FORCE,
+    _DISPLACEMENT,
+    either(_MASS, "inertia of the damper's own moving mass"),
+    either(_SPRUNG, "inertia of the damper's own moving mass, on a part of it that gives"),
+)

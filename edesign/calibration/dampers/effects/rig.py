@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effect import EffectForm, either
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import MotionChannel, Rig, RigValues
 from edesign.calibration.dampers.motion import Motion
@@ -205,13 +205,10 @@ _CLOSING = replace(
 )
 
 FORMS = (
-    _GAP,
-    _SEATED,
-    _BACKLASH,
-    _CLOSING_PLAY,
-    _FLEXIBLE,
-    _DAMPED,
-    _STIFFENING,
-    _POWER,
-    _CLOSING,
+    *(either(form, form.title.replace("the pins", "the damper's own pins")) for form in (_GAP, _SEATED, _CLOSING_PLAY)),
+    either(_BACKLASH, "backlash in the damper's own joints"),
+    *(
+        either(form, form.title.replace("the rig", "the damper itself"))
+        for form in (_FLEXIBLE, _DAMPED, _STIFFENING, _POWER, _CLOSING)
+    ),
 )

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effect import EffectForm, either
+from edesign.calibration.dampers.effects.gas_spring import PRESSED
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel, NuisanceAmplitudes
 from edesign.calibration.dampers.motion import Motion
@@ -170,7 +171,7 @@ def _hum(form: str, title: str, signature: str, number: int, orders: tuple[int, 
 
 
 FORMS = (
-    _CONSTANT,
+    either(_CONSTANT, "constant force of the damper, as of its gas", (), PRESSED),
     _PER_TEST,
     _PER_TEST_LINE,
     _CAMPAIGN,

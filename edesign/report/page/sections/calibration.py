@@ -154,6 +154,7 @@ def open_questions(view: View) -> Section:
             for one in found.effects
             if one.indistinguishable_from
         ),
+        *((f"{name_of(one.name)}, of what?", one.question) for one in found.effects if one.question),
     ]
     further = found.next_test
     if further is not None:
