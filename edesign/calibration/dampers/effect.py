@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement
@@ -27,7 +26,7 @@ class EffectForm(Form[Mechanism, Sizes]):
     Attributes:
         laws: names of the laws that it is made for; (): all.
         refined: times the samples of a fit at which it is predicted: more where motion or force bend between them.
-        usual_in: names of the laws in which it is rather this than its twin.
+        usual_in: names of the laws in which it is taken for this rather than for its twin.
     """
 
     laws: tuple[str, ...] = ()
@@ -49,9 +48,12 @@ class EffectForm(Form[Mechanism, Sizes]):
         """
         if self.twin is None:
             return self
+        of_damper, alone = replace(self.twin, laws=self.laws), replace(self, twin=None)
         if belongs_to is not None:
-            return self.twin if belongs_to == self.twin.kind else replace(self, twin=None)
-        return replace(self.twin, twin=replace(self, twin=None)) if law in self.twin.usual_in else self
+            return of_damper if belongs_to == of_damper.kind else alone
+        if self.twin.laws and law not in self.twin.laws:
+            return alone
+        return replace(of_damper, twin=alone) if law in of_damper.usual_in else self
 
     @property
     def core_effects(self) -> tuple[CoreEffect, ...]:
@@ -59,17 +61,24 @@ class EffectForm(Form[Mechanism, Sizes]):
         return tuple(mechanism for mechanism in self.mechanisms if isinstance(mechanism, CoreEffect))
 
 
-def either(form: EffectForm, title: str, usual_in: Sequence[str] = (), *mechanisms: Mechanism) -> EffectForm:
+def either(
+    form: EffectForm,
+    title: str,
+    mechanisms: tuple[Mechanism, ...] = (),
+    laws: tuple[str, ...] = (),
+    usual_in: tuple[str, ...] = (),
+) -> EffectForm:
     """Return a form of rig or instruments that may as well be a part of the damper.
 
     Args:
         form: of rig or instruments.
         title: of it as a part of the damper, for people.
-        usual_in: names of the laws of dampers in which it is rather that.
         mechanisms: of it as a part of the damper, as law files carry it; (): the same.
+        laws: names of those of dampers that may have it; (): all.
+        usual_in: names of those of dampers in which it is rather that than a part of the rig.
     """
-    own = mechanisms or form.mechanisms
-    return replace(form, twin=replace(form, kind="damper", title=title, usual_in=tuple(usual_in), mechanisms=own))
+    own = replace(form, kind="damper", title=title, laws=laws, usual_in=usual_in)
+    return replace(form, twin=replace(own, mechanisms=mechanisms or form.mechanisms))
 
 
 def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:

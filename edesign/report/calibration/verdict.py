@@ -209,7 +209,7 @@ def _file(calibration: Calibration) -> str:
     if file.measurement_effects:
         text += "; what the rig and the instruments did is no part of it"
     if file.otherwise:
-        text += f". It has {' and '.join(file.otherwise)} as a comment, in case that is of the damper"
+        text += f". Comments in it have {' and '.join(file.otherwise)}, in case it is of the damper"
     return f"{text}."
 
 

@@ -15,6 +15,7 @@ from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, shape, share, size
 from edesign.estimation.parameters import Parameter
 
+_SEALED = (*FLUID, "fractional_maxwell")
 _JUMPS = "a force of one size against the motion: jumps at every reversal, the same at all amplitudes and frequencies"
 
 
@@ -86,8 +87,8 @@ _LOADED = replace(
 )
 
 FORMS = (
-    either(_COULOMB, "Coulomb friction in the damper, as of its seals", FLUID),
-    either(_PRESLIDING, "friction that builds up over a way in the damper, as of seals or a part that yields", FLUID),
-    either(_STRIBECK, "friction in the damper, as of its seals, that is larger near rest", FLUID),
-    either(_LOADED, "friction in the damper, as of its seals, that grows with the force", FLUID),
+    either(_COULOMB, "Coulomb friction in the damper, as of its seals", usual_in=_SEALED),
+    either(_PRESLIDING, "friction that builds up over a way in the damper, as of seals or a part that yields", usual_in=_SEALED),
+    either(_STRIBECK, "friction in the damper, as of its seals, that is larger near rest", usual_in=_SEALED),
+    either(_LOADED, "friction in the damper, as of its seals, that grows with the force", usual_in=_SEALED),
 )

@@ -11,7 +11,7 @@ from edesign.calibration.form import size
 _BETWEEN = 1.2  # exponent between that of slow motions, 1, and of fast ones, 1.4: their forces differ by a tenth
 
 FLUID = ("viscous", "viscous_power", "asymmetric_viscous", "bilinear_oil", "maxwell", "maxwell_power")
-"""Names of the laws of fluid dampers."""
+"""Names of the laws of fluid dampers, in which there may be gas."""
 
 _GAS = CoreEffect("gas_spring.polytropic")
 

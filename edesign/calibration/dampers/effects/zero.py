@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.calibration.dampers.effect import EffectForm, either
-from edesign.calibration.dampers.effects.gas_spring import PRESSED
+from edesign.calibration.dampers.effects.gas_spring import FLUID, PRESSED
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel, NuisanceAmplitudes
 from edesign.calibration.dampers.motion import Motion
@@ -171,7 +171,7 @@ def _hum(form: str, title: str, signature: str, number: int, orders: tuple[int, 
 
 
 FORMS = (
-    either(_CONSTANT, "constant force of the damper, as of its gas", (), PRESSED),
+    either(_CONSTANT, "constant force of the damper, as of its gas", (PRESSED,), laws=FLUID),
     _PER_TEST,
     _PER_TEST_LINE,
     _CAMPAIGN,
