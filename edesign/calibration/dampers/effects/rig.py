@@ -107,7 +107,7 @@ _SEATED = replace(
 _BACKLASH = replace(
     _GAP,
     form="backlash",
-    title="backlash between the measured motion and the specimen",
+    title="backlash of the pins between the measured motion and the specimen",
     signature="the force rests after every reversal of the motion, over one length at all amplitudes",
     source="Krasnosel'skii & Pokrovskii (1989), Systems with Hysteresis, section 2.1 (play operator)",
     mechanisms=(MotionChannel(_follow, of="specimen"),),
@@ -205,8 +205,10 @@ _CLOSING = replace(
 )
 
 FORMS = (
-    *(either(form, form.title.replace("the pins", "the damper's own pins")) for form in (_GAP, _SEATED, _CLOSING_PLAY)),
-    either(_BACKLASH, "backlash in the damper's own joints"),
+    *(
+        either(form, form.title.replace("the pins", "the damper's own pins"))
+        for form in (_GAP, _SEATED, _BACKLASH, _CLOSING_PLAY)
+    ),
     *(
         either(form, form.title.replace("the rig", "the damper itself"))
         for form in (_FLEXIBLE, _DAMPED, _STIFFENING, _POWER, _CLOSING)
