@@ -84,7 +84,8 @@ enum {
   ED_EFFECT_VELOCITY_EXPONENT_POSITION = 29, /* c alpha q r: c (|u|/r)^q |v|^alpha sgn v */
   ED_EFFECT_HYSTERESIS_STRETCH = 30,       /* F_y Y n r: F_y (|u|/r)^n z/Y, z' = v - |v| z/Y, exact over the way of the path */
   ED_EFFECT_HYSTERESIS_BOUC_WEN = 31,      /* k beta gamma: k z, z' = v - gamma |v| z - beta v |z|, exact over the way of the path */
-  ED_EFFECT_PINCHING_SLIP = 32             /* d w: phi = 1 - d exp(-(u/(w M))^2) */
+  ED_EFFECT_PINCHING_SLIP = 32,            /* d w: phi = 1 - d exp(-(u/(w M))^2) */
+  ED_EFFECT_FRICTION_LOADED = 33           /* mu F_c v0: (F_c + mu |F_law|) tanh(v/v0) */
 };
 /* Where an equation acts.
  * WHOLE: a factor on all of the law's force, a force beside it.

@@ -77,6 +77,7 @@ static const struct {
     [ED_EFFECT_FRICTION_COULOMB] = {2, {1e4, 1e-3}},
     [ED_EFFECT_FRICTION_PRESLIDING] = {2, {1e4, 1e-3}},
     [ED_EFFECT_FRICTION_STRIBECK] = {3, {1e4, 0.5, 1e-2}},
+    [ED_EFFECT_FRICTION_LOADED] = {3, {0.1, 1e4, 1e-3}},
 };
 enum { N_EFFECTS = sizeof EFFECTS / sizeof *EFFECTS };
 

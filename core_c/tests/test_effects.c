@@ -46,6 +46,7 @@ static const effect EACH[] = {
     {ED_EFFECT_HYSTERESIS_STRETCH, 4, {0.4, 0.2, 1.3, 0.7}},
     {ED_EFFECT_HYSTERESIS_BOUC_WEN, 3, {1.1, -1.8, 1.2}}, /* it stiffens on its way out */
     {ED_EFFECT_PINCHING_SLIP, 2, {0.4, 0.35}},
+    {ED_EFFECT_FRICTION_LOADED, 3, {0.2, 0.3, 0.5}},
 };
 enum { FORMS = sizeof EACH / sizeof *EACH };
 
@@ -195,6 +196,7 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       break;
     }
     case ED_EFFECT_FRICTION_COULOMB: beside += p[0] * (1.0 - 2.0 / (exp(2.0 * v / p[1]) + 1.0)); break;
+    case ED_EFFECT_FRICTION_LOADED: beside += (p[1] + p[0] * fabs(law)) * (1.0 - 2.0 / (exp(2.0 * v / p[2]) + 1.0)); break;
     case ED_EFFECT_FRICTION_PRESLIDING:
       m->friction = along(m, h, u, v, p, m->friction, dahl);
       beside += p[0] * m->friction;

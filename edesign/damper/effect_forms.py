@@ -496,6 +496,18 @@ def _forms() -> tuple[LawEffectForm, ...]:
             ),
             True,
         ),
+        form(
+            "friction.loaded",
+            "friction that grows with the force",
+            "(F_c + mu |F_law|) tanh(u'/v0)",
+            "Coulomb (1785), the load of seals or guides a share of the law's force",
+            (
+                Parameter("mu", "share of the law's force", "", lower_allowed=True),
+                Parameter("F_c", "friction force without a force of the law", "N", lower_allowed=True),
+                _positive("v0", "velocity over which it rises", "m/s"),
+            ),
+            True,
+        ),
     )
 
 

@@ -51,6 +51,7 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("friction", "coulomb"): {"F_c": 1.2e3, "v0": 2e-3},
     ("friction", "presliding"): {"F_c": 1.5e3, "x0": 8e-4},
     ("friction", "stribeck"): {"F_c": 1e3, "s": 0.7, "v_s": 2e-2},
+    ("friction", "loaded"): {"mu": 0.1, "F_c": 8e2, "v0": 2e-3},
 }
 PLACED: list[tuple[str, str, Placement]] = [
     (*of, place) for of, kind in LAW_EFFECTS.items() for place in kind.placements
@@ -111,6 +112,9 @@ def with_effects(
             value = _counted(one, count[k]) if values is None else float(values[i])
             if one.definition.name == "one_sided.force":
                 value = 1.0 + one.values["b"] * (one.values["side"] * law_force[i] > 0.0)
+            elif one.definition.name == "friction.loaded":
+                p = one.values
+                value = (p["F_c"] + p["mu"] * abs(law_force[i])) * np.tanh(v[i] / p["v0"])
             if one.placement == "inside" and one.definition.is_factor:
                 inside[k] = _relaxed(inside[k], value - 1.0, law_force[i], h, tau)
                 beside += inside[k].q
@@ -222,7 +226,7 @@ def _values(
             return p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u)
         case "one_sided.factor":
             return np.where(p["side"] * u > 0.0, 1.0 + p["b"], 1.0)
-        case "one_sided.force":
+        case "one_sided.force" | "friction.loaded":  # of the law's force
             return ones
         case "one_sided.valve":
             return 1.0 + p["b"] * np.maximum(np.tanh(p["side"] * v / p["v0"]), 0.0)

@@ -131,6 +131,7 @@ static void add(ed_effect_value *sum, const ed_effect_value *force)
   sum->by_v0 += force->by_v0;
   sum->by_v1 += force->by_v1;
   sum->chord += force->chord;
+  sum->by_law += force->by_law;
   for (int j = 0; j < 2; j++)
     sum->by_path[j] += force->by_path[j];
 }
@@ -187,7 +188,7 @@ int ed_effects_apply(const ed_damper *damper, const double *committed, const ed_
   after[BEGUN] = 1.0;
   after[FORCE] = force;
   after[LAW_FORCE] = out->force;
-  const double of_law = factor.value + by_law;
+  const double of_law = factor.value + by_law + beside.by_law;
   for (int j = 0; j < 2; j++) {
     const double u = ed_path_u(&direction[j], h), v0 = direction[j].c[1], v1 = ed_path_v(&direction[j], h);
     out->slope[j] = of_law * out->slope[j] + factor.value * sides.slope[j] + law * (factor.by_u1 * u + factor.by_v1 * v1) +

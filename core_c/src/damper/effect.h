@@ -15,9 +15,9 @@ typedef struct {
 } ed_ends;
 
 /* A factor or a force at the end of a step, with its derivatives; chord: what comes to by_v1 as in ed_damper_force. by_path: to the two
- * unknowns of the path, of a force that knows more of it than its ends. */
+ * unknowns of the path, of a force that knows more of it than its ends; by_law: to the law's force, of a force beside it. */
 typedef struct {
-  double value, by_u1, by_v0, by_v1, chord, by_path[2];
+  double value, by_u1, by_v0, by_v1, chord, by_path[2], by_law;
 } ed_effect_value;
 
 typedef struct {
@@ -54,7 +54,7 @@ extern const ed_effect_form ed_effect_payne_elastic, ed_effect_mullins_elastic, 
     ed_effect_velocity_exponent_flow, ed_effect_one_sided_contact, ed_effect_one_sided_even, ed_effect_hardening_exponential, ed_effect_gas_spring_polytropic,
     ed_effect_hardening_saturating, ed_effect_velocity_exponent_position;
 /* effect_friction.c */
-extern const ed_effect_form ed_effect_friction_coulomb, ed_effect_friction_presliding, ed_effect_friction_stribeck,
+extern const ed_effect_form ed_effect_friction_coulomb, ed_effect_friction_presliding, ed_effect_friction_stribeck, ed_effect_friction_loaded,
     ed_effect_hysteresis_stretch, ed_effect_hysteresis_bouc_wen;
 
 /* effect_table.c: the forms by their id in eddamper.h (ED_EFFECT_*). NULL: no such effect. */

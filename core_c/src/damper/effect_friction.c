@@ -42,6 +42,19 @@ static void stribeck(const double *p, double before, const ed_ends *ends, double
 
 const ed_effect_form ed_effect_friction_stribeck = {.name = "friction.stribeck", .on_speed = 1, .at_end = stribeck};
 
+/* Guides or seals that the law's force loads. */
+static void loaded(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
+{
+  enum { ED_EFFECT_FRICTION_LOADED_PARAMETERS };
+  (void)before, (void)after;
+  double slope;
+  const double v = ends->v1, size = rise(v / p[V0], &slope), most = p[F_C] + p[MU] * fabs(ends->law);
+  of_velocity(most * size, most * slope / p[V0], v, out);
+  out->by_law = p[MU] * ed_sign(ends->law) * size;
+}
+
+const ed_effect_form ed_effect_friction_loaded = {.name = "friction.loaded", .on_speed = 1, .at_end = loaded};
+
 /* A state at the end of a way that does not turn, with its derivatives to the state before it and to the way. */
 typedef struct {
   double z, by_before, by_way;

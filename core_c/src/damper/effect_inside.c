@@ -44,6 +44,7 @@ void ed_effect_relaxed_force(double tau, const ed_effect_value *found, double h,
   beside->by_v0 += share * found->by_v0;
   beside->by_v1 += share * found->by_v1;
   beside->chord += share * found->chord;
+  beside->by_law += share * found->by_law;
   for (int j = 0; j < 2; j++)
     beside->by_path[j] += share * found->by_path[j];
 }

@@ -166,4 +166,9 @@ const ed_parameters ed_effect_parameters[] = {
          .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"s", 0.0, INFINITY, 1, 1, 0, NULL},
                                              {"v_s", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_EFFECT_FRICTION_LOADED] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"mu", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"F_c", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"v0", 0.0, INFINITY, 0, 1, 0, NULL}}},
 };

@@ -31,6 +31,7 @@ const ed_effect_form *ed_effect_form_of(int id)
       [ED_EFFECT_FRICTION_COULOMB] = &ed_effect_friction_coulomb,
       [ED_EFFECT_FRICTION_PRESLIDING] = &ed_effect_friction_presliding,
       [ED_EFFECT_FRICTION_STRIBECK] = &ed_effect_friction_stribeck,
+      [ED_EFFECT_FRICTION_LOADED] = &ed_effect_friction_loaded,
       [ED_EFFECT_ONE_SIDED_VALVE] = &ed_effect_one_sided_valve,
       [ED_EFFECT_GAS_SPRING_POLYTROPIC] = &ed_effect_gas_spring_polytropic,
       [ED_EFFECT_ONE_SIDED_FORCE] = &ed_effect_one_sided_force,

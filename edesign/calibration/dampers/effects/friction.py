@@ -88,7 +88,16 @@ _LOADED = replace(
 
 FORMS = (
     either(_COULOMB, "Coulomb friction in the damper, as of its seals", usual_in=_SEALED),
-    either(_PRESLIDING, "friction that builds up over a way in the damper, as of seals or a part that yields", usual_in=_SEALED),
+    either(
+        _PRESLIDING,
+        "friction that builds up over a way in the damper, as of seals or a part that yields",
+        usual_in=_SEALED,
+    ),
     either(_STRIBECK, "friction in the damper, as of its seals, that is larger near rest", usual_in=_SEALED),
-    either(_LOADED, "friction in the damper, as of its seals, that grows with the force", usual_in=_SEALED),
+    either(
+        _LOADED,
+        "friction in the damper, as of its seals, that grows with the force",
+        (CoreEffect("friction.loaded"),),
+        usual_in=_SEALED,
+    ),
 )

@@ -20,7 +20,7 @@ BETWEEN_TESTS = ("mullins", "degradation", "self_heating", "pinching")
 """Effects that remember earlier tests: the first test alone begins as a law file has it."""
 
 
-EITHER = ("friction.coulomb", "friction.presliding", "friction.stribeck")
+EITHER = ("friction.coulomb", "friction.presliding", "friction.stribeck", "friction.loaded")
 """Forms of the rig that law files carry if they are of the damper."""
 
 
