@@ -217,6 +217,7 @@ def _law_file(law: LawFile) -> dict[str, Any]:
         "stage": law.stage,
         "validate": _finite(law.validate),
         "effects": _effects(law.effects),
+        "brace": law.brace,
         "if_of_the_damper": [one for own in law.otherwise.values() for one in _effects(own)],
         "measurement_effects": list(law.measurement_effects),
         "lacking": list(law.lacking),

@@ -17,7 +17,7 @@ import yaml
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects.condition import CONDITION
 from edesign.calibration.dampers.effects.temperature_law import lost
-from edesign.calibration.dampers.mechanisms import CoreEffect, LastingExtremes, LawParameters, Rest
+from edesign.calibration.dampers.mechanisms import CoreEffect, LastingExtremes, LawParameters, Rest, Rig, RigValues
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
@@ -53,10 +53,12 @@ class Carried:
     Attributes:
         effects: of the law.
         temperature: in the place of the law's own; None: that stays.
+        brace: what stands in series with all of it, which no law file has, but a project; None: nothing.
     """
 
     effects: tuple[LawEffect, ...] = ()
     temperature: GammaT | FerryShift | None = None
+    brace: RigValues | None = None
 
 
 def form_in_law_files(form: EffectForm) -> bool:
@@ -93,6 +95,8 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
         return Carried()
     if any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         return _in_temperature_law(problem, of, p)
+    for rig in (mechanism.values(p) for mechanism in mechanisms if isinstance(mechanism, Rig)):
+        return Carried(brace=rig) if rig == RigValues(rig.stiffness, rig.play) else None
     found = []
     for mechanism in mechanisms:
         if isinstance(mechanism, Rest | LastingExtremes):  # between tests alone
@@ -202,19 +206,20 @@ def _law_file(
     fitted = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
     values, effects, otherwise, numbers = fitted, list[LawEffect](), dict[str, tuple[LawEffect, ...]](), every[:base]
     temperature: GammaT | FerryShift | None = own_temperature(problem)
-    measured, lacking, known = list[str](), list[str](), list[Effect]()
+    measured, lacking, known, rigs = list[str](), list[str](), list[Effect](), list[RigValues]()
     for index, effect in enumerate(model.effects):
         own = np.array([every[i] for i in model.places(index)])
         if effect.kind != "damper":
             measured.append(f"{effect.label} ({effect.kind}): {effect.data.title}")
             twin = effect.data.twin
-            if twin is not None and (found := carried(problem, replace(effect, data=twin), own)) is not None:
+            if twin is not None and (found := carried(problem, replace(effect, data=twin), own)) and found.effects:
                 otherwise[effect.label] = found.effects
         elif effect.name == ARRANGEMENT and arranged is not None:
             values, beside = arranged(effect, fitted)
             effects += beside
         elif (found := carried(problem, effect, own)) is not None:
             effects += found.effects
+            rigs += [found.brace] if found.brace else []
             temperature = found.temperature or temperature
         else:
             lacking.append(effect.label)
@@ -223,7 +228,13 @@ def _law_file(
         numbers += own.tolist()
     error = validate(known, np.array(numbers))
     parts = tuple(effects), temperature, tuple(measured), tuple(lacking), error
-    return LawFile(stage, values, *parts, otherwise=otherwise)
+    return LawFile(stage, values, *parts, otherwise=otherwise, brace=_brace(RigValues.together(rigs)) if rigs else "")
+
+
+def _brace(rig: RigValues) -> str:
+    """Return what stands in series with a damper as a project has it."""
+    play = f", play: {1e3 * rig.play:.6g} mm" if rig.play else ""
+    return f"brace: {{stiffness: {1e-6 * rig.stiffness:.6g} kN/mm{play}}}"
 
 
 def why_not_carried(problem: DamperProblem, model: FittedModel, index: int) -> str:
@@ -232,8 +243,12 @@ def why_not_carried(problem: DamperProblem, model: FittedModel, index: int) -> s
     if effect.kind != "damper":
         return "it is no part of the damper"
     own = np.array([model.fit.values[i] for i in model.places(index)])
-    there = effect.name == ARRANGEMENT or carried(problem, effect, own) is not None
-    return "" if there else "law files have no such form"
+    if effect.name == ARRANGEMENT:
+        return ""
+    found = carried(problem, effect, own)
+    if found is None:
+        return "law files have no such form"
+    return f"a project has it in series with the law: `{_brace(found.brace)}`" if found.brace else ""
 
 
 def own_temperature(problem: DamperProblem) -> GammaT | None:
@@ -340,6 +355,7 @@ def law_lines(found: Calibration) -> list[str]:
             f"INCOMPLETE: law files cannot carry {', '.join(file.lacking)}; with it the validation NRMS is "
             f"{100 * found.errors['corrected'].validate:.3g} %"
         )
+    lines += [f"INCOMPLETE: a project has in series with this law `{file.brace}`"] if file.brace else []
     lines += [f"no part of the damper: {text}" for text in file.measurement_effects]
     lines += [
         f"the tests cannot separate {one.label} ({one.kind}) from {' or '.join(one.indistinguishable_from)}: "

@@ -196,6 +196,7 @@ class LawFile:
         lacking: labels of effects of the damper that it cannot carry.
         validate: NRMS of the validation tests with this law, and with what rig and instruments did.
         withheld: why it is not the corrected law, for people; "" if it is.
+        brace: of the damper too, which no law file has, as a project has it in series with the law; "": nothing.
         otherwise: by label of what is taken for rig or instruments and may be of the damper: effects that it has then.
     """
 
@@ -207,6 +208,7 @@ class LawFile:
     lacking: tuple[str, ...]
     validate: float
     withheld: str = ""
+    brace: str = ""
     otherwise: Mapping[str, tuple[LawEffect, ...]] = field(default_factory=dict)
 
 

@@ -206,6 +206,8 @@ def _file(calibration: Calibration) -> str:
         text += f": {file.withheld}"
     elif file.lacking:
         text += f", but lacks {', '.join(file.lacking)}, which law files cannot carry"
+    if file.brace:
+        text += f"; a project has in series with it `{file.brace}`"
     if file.measurement_effects:
         text += "; what the rig and the instruments did is no part of it"
     if file.otherwise:

@@ -16,14 +16,17 @@ from kelvin_voigt_campaign import campaign, lawful
 
 from edesign.calibration import calibrate
 from edesign.calibration.dampers.effects import TABLES
-from edesign.calibration.results.law_file import law_lines, law_text
+from edesign.calibration.results.fit import unbounded
+from edesign.calibration.results.law_file import law_file, law_lines, law_text, why_not_carried
 from edesign.calibration.results.result import Calibration, Effect
+from edesign.calibration.search.settings import SETTINGS
 from edesign.calibration.write import calibration_json
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.testing.campaign import BelongsTo, Campaign, load_campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.errors import InputError
+from edesign.estimation.noise import Noise
 from edesign.report.calibration.tables import effects_table
 from edesign.report.calibration.verdict import verdict_text
 
@@ -144,6 +147,24 @@ def test_a_zero_of_the_load_cell_is_asked_for_where_there_may_be_gas_alone():
     assert asked["kelvin_voigt"] == [None] and asked["viscous_power"] != [None]
     said = replace(problem("kelvin_voigt", threads=1), belongs_to={"offset": "damper"})
     assert [one.kind for one in said.effects if one.label == "offset.constant"] == ["damper"]
+
+
+def test_a_project_has_flexible_parts_of_the_damper_as_its_brace():
+    tests = replace(problem("kelvin_voigt", threads=1), belongs_to={"series_flexibility": "damper"})
+    flexible = next(one for one in tests.effects if one.label == "series_flexibility.linear")
+    values = np.array([*(one.centre for one in tests.base), 2e7])
+    (made,) = tests.model((flexible,), ("fit", "validate")).forces(values)
+    tests = tests.with_experiments([replace(e, force=f) for e, f in zip(tests.experiments, made, strict=True)])
+    fitter, noise = unbounded(tests, SETTINGS), Noise.white([100.0] * 3)
+    final, refit = fitter.fit((flexible,), values, noise), fitter.fit((), values[:-1], noise)
+    assert final is not None and refit is not None
+    found = law_file(tests, final, refit)
+    assert (found.stage, found.lacking, found.brace) == ("corrected", (), "brace: {stiffness: 20 kN/mm}")
+    assert why_not_carried(tests, final, 0).endswith("in series with the law: `brace: {stiffness: 20 kN/mm}`")
+    damper = Damper(tests.law, found.parameters, 2e7)
+    for one, force in zip(tests.experiments, made, strict=True):
+        own = damper.force(one.motion.time, one.motion.displacement, one.motion.velocity)
+        assert own == pytest.approx(force, abs=2e-5 * abs(force).max())  # by steps of other lengths
 
 
 def test_the_key_has_what_may_be_either():
