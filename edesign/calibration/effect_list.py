@@ -85,7 +85,8 @@ class KnownEffect:
     Attributes:
         name: of it.
         tests: in what it may be found: tests of dampers, records of structures, property tables.
-        kind: whose it is: damper, rig, instrument, structure; "rig or damper" of what force and motion cannot tell.
+        kind: whose it is: damper, rig, instrument, structure.
+        or_kind: whose else it may be by the same equation, which force and motion cannot tell; "": nobody's.
         signature: what it leaves in the residual of a model without it.
         forms: equations for it.
         page: of the documentation.
@@ -94,6 +95,7 @@ class KnownEffect:
     name: str
     tests: str
     kind: str
+    or_kind: str
     signature: str
     forms: tuple[KnownForm, ...]
     page: str
@@ -157,8 +159,8 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
             listed[name] = replace(known, placements=(*known.placements, placement))
     first = forms[0]
     signatures = "; or ".join(dict.fromkeys(form.signature for form in forms))
-    kind = first.kind if first.twin is None else f"{first.kind} or {first.twin.kind}"
-    return KnownEffect(first.name, tests, kind, signatures, tuple(listed.values()), page)
+    other = "" if first.twin is None else first.twin.kind
+    return KnownEffect(first.name, tests, first.kind, other, signatures, tuple(listed.values()), page)
 
 
 def _by_layer(form: Any) -> bool:

@@ -27,7 +27,7 @@ EFFECTS = TableSpec[KnownEffect](
     "Effects in {tests}",
     (
         text("effect", "name"),
-        text("of", "kind"),
+        text("of", lambda effect: " or ".join(filter(None, (effect.kind, effect.or_kind)))),
         text("what", lambda effect: effect.forms[0].title, broken=1),
         count("forms", lambda effect: len(effect.forms)),
     ),
@@ -82,6 +82,7 @@ def effects_data(effects: tuple[KnownEffect, ...]) -> list[dict[str, Any]]:
             "name": effect.name,
             "tests": effect.tests,
             "kind": effect.kind,
+            "or_kind": effect.or_kind,
             "signature": effect.signature,
             "page": effect.page,
             "forms": [_form(form) for form in effect.forms],

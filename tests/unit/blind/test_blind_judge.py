@@ -69,6 +69,8 @@ LAG = true_effect("lag", "instrument", "force_late", delay=(0.004, "s"))
     ("found", "expected"),
     [
         ([effect("friction", "rig")], "right"),
+        ([effect("friction", "damper") | {"may_be": {"kind": "rig"}}], "right"),
+        ([effect("friction", "damper") | {"may_be": None}], "wrong"),
         ([effect("friction", "damper")], "wrong"),
         ([effect("play", "rig", "friction")], "confounded"),
         ([effect("play", "rig"), effect("friction", "rig")], "late"),
