@@ -43,7 +43,6 @@ class EffectForm(Form[Mechanism, Sizes]):
         """Return the form as a part of what it belongs to; where nobody says it, of what is usual, beside its twin.
 
         Args:
-            law: its name.
             belongs_to: "damper", or "rig" with its instruments; None: not said.
         """
         if self.twin is None:
@@ -71,7 +70,6 @@ def either(
     """Return a form of rig or instruments that may as well be a part of the damper.
 
     Args:
-        form: of rig or instruments.
         title: of it as a part of the damper, for people.
         mechanisms: of it as a part of the damper, as law files carry it; (): the same.
         laws: names of those of dampers that may have it; (): all.
