@@ -44,7 +44,7 @@ FORMS = TableSpec[KnownForm](
         text("parameters", _parameters, broken=3),
         verdict("law file", lambda form: Verdict("yes", "good") if form.in_law_files else None),
     ),
-    notes=("law file: whether law files and projects carry it (`effects`); all can be found",),
+    notes=("law file: whether law files and projects carry it (`effects`) if it is of the damper; all can be found",),
     keys=5,
     named_by_title=True,
 )

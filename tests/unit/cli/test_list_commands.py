@@ -132,7 +132,8 @@ def test_every_effect_of_the_library_is_listed_once() -> None:
         ("ageing", "linear", True),  # a factor that does not change in a run
         ("temperature_law", "shift", True),  # as the key temperature_law
         ("extremes", "lasting", False),  # acts between tests alone
-        ("friction", "coulomb", False),
+        ("friction", "coulomb", True),  # if it is
+        ("inertia", "mass", False),
         ("hum", "tone", False),
         # of a building: what is part of the law of an isolation layer, or a law of its own beside it
         ("isolation_hardening", "power", True),
