@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement
+from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement, Rig
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
 
@@ -53,6 +53,11 @@ class EffectForm(Form[Mechanism, Sizes]):
         if self.twin.laws and law not in self.twin.laws:
             return alone
         return replace(of_damper, twin=alone) if law in of_damper.usual_in else self
+
+    @property
+    def remembers(self) -> bool:
+        """Whether its force depends on what the specimen did before: friction and play have a place of their own too."""
+        return any(isinstance(one, Rig) or (isinstance(one, CoreEffect) and one.remembers) for one in self.mechanisms)
 
     @property
     def core_effects(self) -> tuple[CoreEffect, ...]:

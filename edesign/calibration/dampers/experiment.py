@@ -40,6 +40,7 @@ class Experiment:
         full: the test at full rate, if this is not.
         conditions: that the test declares, by name, in units of the campaign.
         clipped: (n,) whether the force stands at the end of the load cell's range; None: it does nowhere.
+        way: which mirror image of the test the specimen made before it (`Motion.after`); 0.0: it was held for long.
     """
 
     name: str
@@ -57,6 +58,7 @@ class Experiment:
     full: Experiment | None = None
     conditions: Mapping[str, float] = field(default_factory=dict)
     clipped: np.ndarray | None = None
+    way: float = 0.0
     _finer: dict[int, Motion] = field(default_factory=dict, init=False, repr=False)
 
     @property

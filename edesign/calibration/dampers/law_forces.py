@@ -96,7 +96,7 @@ def _together(runs: Sequence[Run], threads: int, length: float) -> list[list[np.
     for k, (test, motion) in enumerate(runs[0]):
         whole = motion.with_onset if test.rig is None else None
         driven = motion if whole is None else whole[0]
-        own.append(slice(None) if whole is None else whole[1])
+        own.append(slice(motion.preceded, None) if whole is None else whole[1])
         rig = None if test.rig is None else SeriesRig(**test.rig._asdict())
         tests.append(
             CampaignTest(

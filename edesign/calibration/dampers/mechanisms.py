@@ -19,11 +19,19 @@ import numpy as np
 
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.dampers.nuisance import Told
 from edesign.calibration.form import Values
 from edesign.core.damper import EffectValues
 from edesign.damper.effect_forms import parameters_in_core
 from edesign.damper.law import Law
 from edesign.estimation.model import PredictionError
+
+
+_REMEMBER = (
+    *("mullins", "degradation", "pinching", "payne", "self_heating", "relaxation_branch", "hysteresis"),
+    "friction.presliding",
+)
+"""Equations of the core, or the first part of their names, whose force depends on what the specimen did before."""
 
 
 class Placement(Enum):
@@ -57,6 +65,11 @@ class CoreEffect:
     def carries(self) -> bool:
         """Whether the specimen remembers its state from test to test, however long it rests between."""
         return self.equation.partition(".")[0] in ("mullins", "degradation", "pinching")
+
+    @property
+    def remembers(self) -> bool:
+        """Whether its force depends on what the specimen did before."""
+        return self.equation.startswith(_REMEMBER)
 
     def in_test(self, p: Values, test: Experiment) -> EffectValues:
         """Return the effect as the core takes it in a test.
@@ -202,9 +215,11 @@ class NuisanceAmplitudes:
 
     Attributes:
         columns: (n, k) N at the samples of a test; an amplitude has the prior N(0, 1).
+        told: what is told of the amplitudes of a test.
     """
 
     columns: Callable[[Values, Experiment], np.ndarray]
+    told: Callable[[Values, Experiment], tuple[Told, ...]]
 
 
 Mechanism = (

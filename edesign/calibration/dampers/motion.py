@@ -28,6 +28,7 @@ class Motion:
         onset: time s and velocity m/s with which the motion sets out from rest between two samples; None: it does not.
             No cubic between these follows a jump of the velocity.
         cornered: whether samples are too few for a spline: cubics with the velocities at the samples stand between.
+        preceded: number of samples that were before the test.
     """
 
     time: np.ndarray
@@ -36,6 +37,7 @@ class Motion:
     acceleration: np.ndarray
     onset: tuple[float, float] | None = field(default=None, kw_only=True)
     cornered: bool = field(default=False, kw_only=True)
+    preceded: int = field(default=0, kw_only=True)
 
     @property
     def samples(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -83,6 +85,19 @@ class Motion:
             cubics = CubicHermiteSpline(known.time, known.displacement, known.velocity)
             return Motion(time, cubics(time), cubics(time, 1), cubics(time, 2), cornered=True)
         return Motion(time, *(known.spline.at(values, time) for values in known.samples[1:]))
+
+    def after(self, way: float) -> Motion:
+        """Return the motion after its own mirror image, which ends with the first sample.
+
+        Args:
+            way: 1.0: mirrored at the first point, so that it goes on with its velocity; -1.0: in time, so that it comes
+                back.
+        """
+        t, u, v, a = (values[:0:-1] for values in self.samples)
+        first, here = self.time[0], self.displacement[0]
+        before = 2.0 * first - t, here + way * (here - u), way * v, -way * a
+        whole = (np.concatenate(both) for both in zip(before, self.samples, strict=True))
+        return Motion(*whole, cornered=self.cornered, preceded=t.size)
 
     @cached_property
     def steps(self) -> np.ndarray:

@@ -84,7 +84,7 @@ class _Asked:
         index: of the test.
         key: of the law's force, by all tests that it goes on from; the same key has the same force.
         test: the law in it.
-        motion: of the specimen.
+        motion: of the specimen, with what it did before.
         actuator: motion of the actuator.
         parts: into which each step is cut.
     """
@@ -197,6 +197,10 @@ class Prediction:
             parts = test.parts(refined)
             with np.errstate(all="ignore"):
                 actuator, motion, key = self._moved(i, parts, effects)
+                moved = motion
+                if test.way:
+                    key = (*key, test.way)
+                    moved = self._motions.of(key, partial(motion.after, test.way))
             if changes or test.temperature not in at_temperature:
                 at_temperature[test.temperature] = self._law_values(values, test, changes)
             # what the force asked for was asked of a fresh specimen: where extremes last, it is what earlier tests did
@@ -216,7 +220,7 @@ class Prediction:
             if lasting:
                 prior = widest(own_extremes, motion.extremes)
             if carries or i in wanted:
-                found.append(_Asked(i, before, law_test, motion, actuator, parts))
+                found.append(_Asked(i, before, law_test, moved, actuator, parts))
         return found
 
     def _moved(self, i: int, parts: int, effects: Effects) -> tuple[Motion, Motion, Hashable]:

@@ -15,6 +15,7 @@ from edesign.calibration.dampers.effects import forms
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.law_forces import accepted, length_of
 from edesign.calibration.dampers.mechanisms import LastingExtremes, NuisanceAmplitudes
+from edesign.calibration.dampers.nuisance import Nuisance, Told, joined
 from edesign.calibration.dampers.prediction import Kept, Prediction
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncertain_inputs
@@ -33,6 +34,7 @@ from edesign.estimation.parameters import Parameter
 _CHANGES = 64  # sets of parameters of which changes by uncertain inputs are kept
 _COLUMNS = 64  # sets of columns of all tests that are kept
 _FARTHEST = 1e3  # times a declared value, or a part of it: laws without a scale are none that anybody declares
+_NOTHING = 1e-2  # of the noise of a test, below which a nuisance changes nothing
 _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
 
 
@@ -154,10 +156,11 @@ class DamperProblem(TestedProblem):
         return Prediction(self.law, self.experiments, own, self.lasting, threads, length, self.typical.ordered)
 
     @cached_property
-    def uncertain_inputs(self) -> tuple[tuple[UncertainInput, DamperProblem], ...]:
-        """What is not known of the tests, each with the problem as it would be otherwise."""
+    def uncertain_inputs(self) -> tuple[tuple[UncertainInput, DamperProblem, DamperProblem], ...]:
+        """What is not known of the tests, each with the problem as it would be otherwise, and as it is thought of."""
         every = uncertain_inputs(self.experiments, self.law.name, self.prediction.depends_on_temperature)
-        return tuple((one, self.with_experiments(one.experiments)) for one in every)
+        problems = {one.thought: self.with_experiments(one.thought) for one in every}
+        return tuple((one, self.with_experiments(one.experiments), problems[one.thought]) for one in every)
 
     @cached_property
     def changes(self) -> Kept[list[np.ndarray] | None]:
@@ -242,78 +245,81 @@ class DamperModel(EffectModel[DamperProblem]):
     def nuisance_columns(self, values: np.ndarray) -> list[np.ndarray | None]:
         """Return weighted columns (n_i, k) N of the nuisance amplitudes, N(0, 1), of each test; None: there are none.
 
-        They are those of the effects, and what uncertain inputs of the tests make of the force of the declared law.
-
         Args:
             values: (p,) SI.
         """
-        inputs = {name for uncertain, _ in self.problem.uncertain_inputs for name in uncertain.effects}
         makers = [
             (of.form.label, *p.values())
             for of, p in self._of(values)[1]
-            if of.form.name in inputs
-            or any(isinstance(mechanism, NuisanceAmplitudes) for mechanism in of.form.mechanisms)
+            if of.form.nuisance or any(one.acts_through(of.form) for one, *_ in self.problem.uncertain_inputs)
         ]
         # a fit asks for them at each step, and mostly moves other parameters
-        return list(self.problem.columns.of((self.tests, *makers), lambda: self._nuisance(values)))
+        return list(self.problem.columns.of((self.tests, *makers), lambda: self._weighted_columns(values)))
 
-    def _nuisance(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
-        uncertain, effects = self.input_uncertainty(values), self.effect_columns(values)
-        found: list[np.ndarray | None] = []
-        for k, weight in enumerate(self.weights):
-            columns = [each for each in (effects[k], uncertain[k]) if each is not None]
-            found.append(weight[:, np.newaxis] * np.hstack(columns) if columns else None)
-        return tuple(found)
+    def _weighted_columns(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
+        every = map(joined, self.nuisances(values))
+        return tuple(None if one is None else w[:, np.newaxis] * one for w, one in zip(self.weights, every, strict=True))
 
-    def effect_columns(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return columns (n_i, k) N of each test whose nuisance amplitudes effects add, as hum; None: there are none.
+    def nuisances(self, values: np.ndarray) -> list[list[Nuisance]]:
+        """Return the nuisances of each test: those of the effects, and what uncertain inputs make of the force.
 
         Args:
             values: (p,) SI.
         """
-        mechanisms = [
-            (mechanism, p)
-            for of, p in self._of(values)[1]
-            for mechanism in of.form.mechanisms
-            if isinstance(mechanism, NuisanceAmplitudes)
+        experiments = [self.problem.experiments[i] for i in self.tests]
+        found: list[list[Nuisance]] = [
+            [
+                Nuisance(of.form.label, mechanism.columns(p, one), mechanism.told(p, one), True)
+                for of, p in self._of(values)[1]
+                for mechanism in of.form.mechanisms
+                if isinstance(mechanism, NuisanceAmplitudes)
+            ]
+            for one in experiments
         ]
-        if not mechanisms:
-            return [None] * len(self.tests)
-        return [
-            np.hstack([mechanism.columns(p, self.problem.experiments[i]) for mechanism, p in mechanisms])
-            for i in self.tests
-        ]
-
-    def input_uncertainty(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return columns (n_i, k) N of each test that uncertain inputs change of its force; None: there are none.
-
-        Args:
-            values: (p,) SI.
-        """
-        found = [
-            one
-            for number in range(len(self.problem.uncertain_inputs))
-            if (one := self._change(number, values)) is not None
-        ]
-        return [np.column_stack(of_test) for of_test in zip(*found, strict=True)] or [None] * len(self.tests)
+        changes: dict[UncertainInput, list[np.ndarray]] = {}
+        for number, (uncertain, *_) in enumerate(self.problem.uncertain_inputs):
+            change = self._change(number, values)
+            if change is not None:
+                changes[uncertain] = change
+        for k, one in enumerate(experiments):
+            ways = []
+            for uncertain, change in changes.items():
+                column = change[k][:, np.newaxis]
+                if float(np.max(np.abs(column))) <= _NOTHING * one.noise:
+                    continue
+                if not uncertain.state:
+                    told = Told(uncertain.name, uncertain.unit, np.array([uncertain.size]))
+                    found[k].append(Nuisance(uncertain.name, column, (told,), False))
+                elif one.prior_extremes_unknown:  # a test at rest shows what others left behind: that is known of it
+                    ways.append(column)
+            if ways:
+                columns = np.hstack(ways)
+                found[k].append(Nuisance("start", columns, (Told("force", "N", columns[0]),), True))
+        return found
 
     def _change(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
         """Return what an uncertain input changes (n_i,) N in each test; None: nothing.
 
-        The law is as declared, with the effects through which it acts alone, so that few sets of parameters are asked
-        for.
+        The law is as it is alone, with the effects through which it acts alone, so that few sets of parameters are
+        asked for.
         """
-        uncertain, other = self.problem.uncertain_inputs[number]
-        through = [(of, p) for of, p in self._of(values)[1] if of.form.name in uncertain.effects]
+        uncertain, other, thought = self.problem.uncertain_inputs[number]
+        through = [(of, p) for of, p in self._of(values)[1] if uncertain.acts_through(of.form)]
         if not (through or uncertain.through_law):
             return None
+        tests = self.tests
+        if uncertain.state:
+            tests = tuple(i for i in tests if self.problem.experiments[i].prior_extremes_unknown)
 
         def change() -> list[np.ndarray] | None:
-            asked = [(self.problem.declared, through)]
-            (there,), (here,) = (one.prediction.predict(asked, self.tests) for one in (other, self.problem))
+            if not tests:
+                return None
+            asked = [({**self.problem.declared, **self.problem.alone}, through)]
+            (there,), (here,) = (one.prediction.predict(asked, tests) for one in (other, thought))
             if isinstance(there, PredictionError) or isinstance(here, PredictionError):
                 return None
-            return [a - b for a, b in zip(there, here, strict=True)]
+            of = dict(zip(tests, (a - b for a, b in zip(there, here, strict=True)), strict=True))
+            return [of.get(i, np.zeros(1)) for i in self.tests]
 
         key = (number, self.tests, *((of.form.label, *p.values()) for of, p in through))
         return self.problem.changes.of(key, change)

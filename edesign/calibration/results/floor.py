@@ -12,6 +12,7 @@ from scipy.special import chdtri
 
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.noise_of_tests import with_noise
+from edesign.calibration.dampers.nuisance import joined
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.cycles import Cycles
@@ -66,7 +67,8 @@ class Floor:
         ]
         known = _through(problem, model, forces)
         noise = [max(one.noise, 0.0 if math.isnan(r) else r) for one, r in zip(known, repeats, strict=True)]
-        changes = problem.model(model.effects, USES).input_uncertainty(model.fit.values)
+        nuisances = problem.model(model.effects, USES).nuisances(model.fit.values)
+        changes = [joined(of_test, False) for of_test in nuisances]
         thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in changes]
         return Floor(problem, tuple(noise), tuple(thermal))
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.nuisance import joined
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import Errors
 from edesign.calibration.search.problem import Effect
@@ -29,11 +30,13 @@ def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndar
     if isinstance(forces, PredictionError):
         raise forces
     found = []
-    for one, force, columns in zip(problem.experiments, forces, model.effect_columns(values), strict=True):
+    for one, force, nuisances in zip(problem.experiments, forces, model.nuisances(values), strict=True):
+        columns = joined(nuisances, True)
         if columns is not None:
-            weights = one.weights
-            share = np.linalg.lstsq(weights[:, np.newaxis] * columns, weights * (one.force - force), rcond=None)[0]
-            force = force + columns @ share
+            weights, prior = one.weights / one.noise, np.eye(columns.shape[1])
+            rows = np.vstack((weights[:, np.newaxis] * columns, prior))
+            left = np.concatenate((weights * (one.force - force), np.zeros(len(prior))))
+            force = force + columns @ np.linalg.lstsq(rows, left, rcond=None)[0]
         found.append(force)
     return found
 

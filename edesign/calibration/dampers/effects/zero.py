@@ -11,6 +11,7 @@ from edesign.calibration.dampers.effects.gas_spring import FLUID, PRESSED
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import ForceChannel, MotionChannel, NuisanceAmplitudes
 from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.dampers.nuisance import Told
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, size
 
@@ -59,6 +60,24 @@ def _waves(p: Values, test: Experiment) -> np.ndarray:
     return p["size"] * np.column_stack([wave(angle) for angle in angles for wave in (np.sin, np.cos)])
 
 
+def _told_zero(p: Values, test: Experiment) -> tuple[Told, ...]:
+    return (Told("zero", "N", np.array([p["size"]])),)
+
+
+def _told_line(p: Values, test: Experiment) -> tuple[Told, ...]:
+    return (Told("drift over the test", "N", np.array([p["size"]])),)
+
+
+def _told_warming(p: Values, test: Experiment) -> tuple[Told, ...]:
+    return (Told("drift over the test", "N", p["size"] * np.array([1.0, -np.expm1(-1.0 / _WARM)])),)
+
+
+def _told_waves(p: Values, test: Experiment) -> tuple[Told, ...]:
+    tones = [f for name, f in p.items() if name != "size"]
+    each = p["size"] * np.eye(2 * len(tones))
+    return tuple(Told("hum", "N", each[2 * i : 2 * i + 2], f) for i, f in enumerate(tones))
+
+
 def _of_class(s: Sizes) -> dict[str, float]:
     return {"size": _CLASS * s.force}
 
@@ -80,7 +99,7 @@ _PER_TEST = replace(
     form="per_test",
     title="zero of the force channel, set anew for each test",
     signature="a constant force in each test, another one from test to test",
-    mechanisms=(NuisanceAmplitudes(_own_zero),),
+    mechanisms=(NuisanceAmplitudes(_own_zero, _told_zero),),
     parameters=lambda s: (),
     starts=lambda s: ((),),
     constants=_of_class,
@@ -133,14 +152,14 @@ _EACH_OWN = replace(
     title="drift of the force channel, another in each test",
     signature="a straight line over time in each test, from nothing at its first sample, another from test to test",
     source=_DOEBELIN,
-    mechanisms=(NuisanceAmplitudes(_own_line),),
+    mechanisms=(NuisanceAmplitudes(_own_line, _told_line),),
 )
 _WARMING = replace(
     _EACH_OWN,
     form="warming",
     title="drift of the force channel that slows down, another in each test",
     signature="a line over time in each test, steeper in its beginning, another from test to test",
-    mechanisms=(NuisanceAmplitudes(_own_warming),),
+    mechanisms=(NuisanceAmplitudes(_own_warming, _told_warming),),
 )
 
 
@@ -162,7 +181,7 @@ def _hum(form: str, title: str, signature: str, number: int, orders: tuple[int, 
         title,
         signature,
         "Lomb (1976), Astrophys. Space Sci. 39, 447-462 (least squares of sines); EN 50160 (mains)",
-        (NuisanceAmplitudes(_waves),),
+        (NuisanceAmplitudes(_waves, _told_waves),),
         lambda s: (),
         lambda s: ((),),
         frequencies,
