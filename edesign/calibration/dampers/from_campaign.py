@@ -15,6 +15,7 @@ from edesign.calibration.dampers.noise_of_tests import smoothed_motion, with_noi
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.tones import common_tones
+from edesign.calibration.search.settings import SearchSettings
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.history import Extremes
@@ -210,7 +211,7 @@ def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None
         return CoreDamper(problem.law.name, values, prior_extremes=prior).force(time, displacement, velocity)
 
     try:
-        start = find_start(record, test.start, test.ramp, force_of)
+        start = find_start(record, test.start, test.ramp, force_of, SearchSettings.own_discrepancy)
         if start is None or start.known or problem.law.name not in SOFTENED:
             return start
         weight = np.ones(motion.time.size) if one.weight is None else one.weight

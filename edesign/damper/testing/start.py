@@ -141,7 +141,9 @@ def one_way(deformation: float, velocity: float) -> Extremes:
     return max(deformation, 0.0), min(deformation, 0.0) + 0.0, max(velocity, 0.0), min(velocity, 0.0) + 0.0
 
 
-def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) -> Start | None:
+def find_start(
+    test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf, wrong: float | None = None
+) -> Start | None:
     """Find how a test starts; None: at rest as a law has it, in motion from there.
 
     Unless it is said, a test starts away from rest if its first sample is displaced, or if it moves and its force is
@@ -150,6 +152,8 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
 
     Args:
         ramp: duration of the way from rest to a first sample that is displaced, s.
+        wrong: share by which the law may be wrong, where what both mirror images of the test make of its force is
+            estimated with it: samples are not judged as long as that is not enough; None: it is not estimated.
     """
     if test.time.size < _FEWEST:
         return None
@@ -157,13 +161,15 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
     stepped = _difference(test, force_of, _from_rest(test, ramp)) if displaced else np.zeros(test.time.size)
     displaced = displaced and bool(np.any(np.abs(stepped) > test.noise))
     moves = kind == "in_motion" or (kind == "unknown" and (displaced or _jerked(test)))
-    moving = _difference(test, force_of, _mirrored(test)) if moves else np.zeros(test.time.size)
+    moving = _difference(test, force_of, _mirrored(test, 1.0)) if moves else np.zeros(test.time.size)
     if not (displaced or moves):
         return None
     left = test.force - force_of(test.time, test.displacement, test.velocity, NONE)
     if not (displaced or kind == "in_motion" or _moved(test, left, moving)):
         return None
     known, most = kind == "at_rest", np.maximum(np.abs(stepped), np.abs(moving))
+    if wrong is not None and not known:
+        most, left = _beside_ways(test, force_of, (moving, stepped), left, wrong)
     if not known:  # what is said to have been at rest has come from nowhere else, whatever the law leaves
         most = _as_much_as_is_left(most, left, test.noise)
     late = np.flatnonzero(most > test.noise)
@@ -316,10 +322,29 @@ def _from_rest(test: Recorded, duration: float) -> Before:
     return np.array([test.time[0] - duration]), np.zeros(1), np.zeros(1)
 
 
-def _mirrored(test: Recorded) -> Before:
-    """The test mirrored at its first sample: deformation and velocity go on through it."""
+def _mirrored(test: Recorded, way: float) -> Before:
+    """The test mirrored, and so many times as far: at its first point, if positive; negative: in time."""
     t, u = test.time, test.displacement
-    return 2.0 * t[0] - t[:0:-1], 2.0 * u[0] - u[:0:-1], test.velocity[:0:-1]
+    return 2.0 * t[0] - t[:0:-1], u[0] + way * (u[0] - u[:0:-1]), way * test.velocity[:0:-1]
+
+
+def _beside_ways(
+    test: Recorded, force_of: ForceOf, known: tuple[np.ndarray, np.ndarray], left: np.ndarray, wrong: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return what mirror images of the test leave of other ways (n,) N, of the largest, and of the force that is left.
+
+    It is at least the share of the mirror images by which the law may be wrong.
+
+    Args:
+        known: (n,) N, what the mirror image through the first point makes of the force, and a step from rest.
+    """
+    moving, stepped = known
+    ways = np.column_stack((moving, _difference(test, force_of, _mirrored(test, -1.0))))
+    halves = (_difference(test, force_of, _mirrored(test, way)) for way in (0.5, -0.5))
+    others = np.column_stack((*halves, stepped, left))
+    others -= ways @ np.linalg.lstsq(ways, others, rcond=None)[0]
+    most = np.maximum(np.max(np.abs(others[:, :-1]), axis=1), wrong * np.max(np.abs(ways), axis=1))
+    return most, others[:, -1]
 
 
 def _difference(test: Recorded, force_of: ForceOf, before: Before) -> np.ndarray:
