@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, astuple
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.properties.write import property_law_text, rows_json
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.law_file import LAW, law_text
-from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, Tested
+from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, OfTests, Tested
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.corrected import FILES, STRUCTURE, corrected_texts
 from edesign.damper.effects import LawEffect
@@ -237,9 +237,25 @@ def _of_a_damper(found: Calibration) -> dict[str, Any]:
         "extremes": "lasting" if found.lasting else "fresh",
         "gamma_T_of": found.gamma_of,
         "starts": _starts(found),
+        "nuisances": [_of_tests(one) for one in found.nuisances],
         "noise_assumed": [one.name for one in found.series if one.assumed],
         "clipped_samples": {
             one.name: int(np.count_nonzero(one.clipped)) for one in found.series if one.clipped is not None
+        },
+    }
+
+
+def _of_tests(one: OfTests) -> dict[str, Any]:
+    wave = {} if one.frequency is None else {"frequency": _estimate(one.frequency)}
+    names = ("value", "standard_error", "phase", "phase_error")[: 4 if wave else 2]
+    return {
+        "of": one.of,
+        "name": one.name,
+        "unit": one.unit,
+        **wave,
+        "tests": {
+            test: {name: _finite(value) for name, value in zip(names, astuple(number), strict=False)}
+            for test, number in one.tests.items()
         },
     }
 

@@ -26,7 +26,6 @@ from edesign.damper.effect_forms import parameters_in_core
 from edesign.damper.law import Law
 from edesign.estimation.model import PredictionError
 
-
 _REMEMBER = (
     *("mullins", "degradation", "pinching", "payne", "self_heating", "relaxation_branch", "hysteresis"),
     "friction.presliding",

@@ -258,7 +258,9 @@ class DamperModel(EffectModel[DamperProblem]):
 
     def _weighted_columns(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
         every = map(joined, self.nuisances(values))
-        return tuple(None if one is None else w[:, np.newaxis] * one for w, one in zip(self.weights, every, strict=True))
+        return tuple(
+            None if one is None else w[:, np.newaxis] * one for w, one in zip(self.weights, every, strict=True)
+        )
 
     def nuisances(self, values: np.ndarray) -> list[list[Nuisance]]:
         """Return the nuisances of each test: those of the effects, and what uncertain inputs make of the force.

@@ -16,9 +16,10 @@ from edesign.calibration.results.fit import at_full_rate, law_stages, unbounded
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
+from edesign.calibration.results.nuisances import nuisances_of
 from edesign.calibration.results.other_law import other_law
 from edesign.calibration.results.predictions import errors_of, predicted, validation_error
-from edesign.calibration.results.result import Calibrated, NextTest, OtherLaw
+from edesign.calibration.results.result import Calibrated, NextTest, OfTests, OtherLaw
 from edesign.calibration.results.steps import Steps
 from edesign.calibration.search.adoption import Kept, kept, placed, validated
 from edesign.calibration.search.models import FittedModel
@@ -30,6 +31,7 @@ from edesign.damper.fitting.identifiable import reasons_fixed
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
+from edesign.optional_stages import optional
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +125,15 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
             lasting=whole.lasting,
             gamma_of=whole.gamma_of,
             fitted_first=law.fitted,
+            nuisances=self.nuisances,
         )
+
+    @cached_property
+    def nuisances(self) -> tuple[OfTests, ...]:
+        """What belongs to single tests; () too where it cannot be computed."""
+        with optional("what belongs to single tests"):
+            return nuisances_of(self.whole, self.final, self.predicted["corrected"])
+        return ()
 
     @cached_property
     def _floor(self) -> Floor:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -233,6 +234,41 @@ class OtherLaw:
     own_validate: float
 
 
+@dataclass(frozen=True)
+class OfTest:
+    """A number of a test, with its standard error given the noise.
+
+    Attributes:
+        value, error: of the number; of a wave of its amplitude.
+        phase, phase_error: of a wave value sin(2 pi f t + phase), t from the first sample, rad; nan: it is none.
+    """
+
+    value: float
+    error: float
+    phase: float = math.nan
+    phase_error: float = math.nan
+
+
+@dataclass(frozen=True)
+class OfTests:
+    """What belongs to single tests, and is another number in each of them.
+
+    Attributes:
+        of: label of the effect; or `start`, what a specimen that moved before had inside it at the first sample; or
+            name of what is not known of the tests.
+        name: what the number is.
+        unit: SI.
+        tests: number of each test that has one, by its name.
+        frequency: of a wave; None: it is none.
+    """
+
+    of: str
+    name: str
+    unit: str
+    tests: Mapping[str, OfTest]
+    frequency: Estimate | None = None
+
+
 class Tested(Protocol):
     """A campaign, whatever its tests are of."""
 
@@ -270,6 +306,7 @@ class Calibrated:
         lasting: whether the law remembers extremes from test to test.
         gamma_of: what gamma_T of an MGMM multiplies.
         fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
+        nuisances: what belongs to single tests, as their zeros.
     """
 
     campaign: Tested
@@ -284,6 +321,7 @@ class Calibrated:
     gamma_of: GammaOf = "parameters"
     fitted_first: bool = False
     as_declared: bool = False
+    nuisances: tuple[OfTests, ...] = ()
 
     @property
     def title(self) -> str:

@@ -15,6 +15,7 @@ from edesign.calibration.results.result import Calibration, Effect, Estimate, Hy
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.error_tables import MODELS, each_test_table, errors_table, starts_table
+from edesign.report.calibration.nuisance_tables import nuisance_tables
 from edesign.report.calibration.properties import each_group_table, property_errors_table
 from edesign.report.calibration.units import UNKNOWN, interval_text, percent, value_cell
 from edesign.report.calibration.words import name_of, numbers_text, probability_text, searched
@@ -116,7 +117,7 @@ def tables_of(calibration: Calibration) -> list[Table]:
         first = [property_errors_table(calibration), each_group_table(calibration)]
     else:
         first = [errors_table(calibration), each_test_table(calibration), starts_table(calibration)]
-    tables = [*first, *effect_tables(calibration), law_table(calibration)]
+    tables = [*first, *effect_tables(calibration), *nuisance_tables(calibration), law_table(calibration)]
     return [table for table in tables if table.rows]
 
 

@@ -21,6 +21,7 @@ from edesign.report.calibration.error_tables import (
 )
 from edesign.report.calibration.figures import Figures
 from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
+from edesign.report.calibration.nuisance_tables import nuisance_tables
 from edesign.report.calibration.residual_figures import dependence_figures, map_figures
 from edesign.report.calibration.structure_figures import history_figures, peak_figures, spectrum_figures
 from edesign.report.calibration.tables import effect_tables, law_table
@@ -188,6 +189,7 @@ def campaign(view: View) -> Section:
         largest.of(view.calibration.series),
         each_test_table(view.calibration),
         starts_table(view.calibration),
+        *nuisance_tables(view.calibration),
     )
     return Section("tests", "Tests", (), tuple(table for table in tables if table.rows))
 
