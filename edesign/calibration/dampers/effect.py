@@ -56,7 +56,7 @@ class EffectForm(Form[Mechanism, Sizes]):
 
     @property
     def remembers(self) -> bool:
-        """Whether its force depends on what the specimen did before: friction and play have a place of their own too."""
+        """Whether its force depends on what the specimen did before; in series with a rig it always does."""
         return any(isinstance(one, Rig) or (isinstance(one, CoreEffect) and one.remembers) for one in self.mechanisms)
 
     @property

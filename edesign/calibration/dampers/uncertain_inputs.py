@@ -13,7 +13,7 @@ from edesign.damper.testing.start import SOFTENED, either_way, widest
 _THERMOMETER = 0.2
 """K: tolerance of a platinum resistor of class A near room temperature, IEC 60751."""
 _WAYS = (1.0, -1.0)
-"""Mirror images of a test, through its first point and in time: both ways to it, as far and as fast as the test goes."""
+"""Mirror images of a test, through its first point and in time: two ways to it, as far and as fast as the test."""
 
 
 @dataclass(frozen=True, eq=False)
