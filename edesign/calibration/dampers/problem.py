@@ -54,6 +54,7 @@ class DamperProblem(TestedProblem):
         within: standard deviation of the logarithm of a declared parameter, or of a zero one in its size, at least.
         alone: parameters of the law alone by the tests alone, SI; {}: not fitted.
         belongs_to: what effects of the rig or the damper belong to, by name, as far as the campaign says it.
+        near: parameters of the law near which nuisances are looked at, SI; {}: those of the law alone.
     """
 
     law: Law
@@ -67,6 +68,7 @@ class DamperProblem(TestedProblem):
     within: float = 0.3
     alone: Mapping[str, float] = field(default_factory=dict)
     belongs_to: Mapping[str, str] = field(default_factory=dict)
+    near: Mapping[str, float] = field(default_factory=dict)
 
     @cached_property
     def fitted(self) -> tuple[int, ...]:
@@ -302,8 +304,8 @@ class DamperModel(EffectModel[DamperProblem]):
     def _change(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
         """Return what an uncertain input changes (n_i,) N in each test; None: nothing.
 
-        The law is as it is alone, with the effects through which it acts alone, so that few sets of parameters are
-        asked for.
+        The law is one near by, with the effects through which it acts alone, so that few sets of parameters are asked
+        for.
         """
         uncertain, other, thought = self.problem.uncertain_inputs[number]
         through = [(of, p) for of, p in self._of(values)[1] if uncertain.acts_through(of.form)]
@@ -316,7 +318,7 @@ class DamperModel(EffectModel[DamperProblem]):
         def change() -> list[np.ndarray] | None:
             if not tests:
                 return None
-            asked = [({**self.problem.declared, **self.problem.alone}, through)]
+            asked = [({**self.problem.declared, **(self.problem.near or self.problem.alone)}, through)]
             (there,), (here,) = (one.prediction.predict(asked, tests) for one in (other, thought))
             if isinstance(there, PredictionError) or isinstance(here, PredictionError):
                 return None

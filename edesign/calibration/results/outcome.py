@@ -52,7 +52,9 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
     def of(campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps) -> DamperOutcome:
         """Return the outcome of a search, which is fitted to all samples, and compared with the validation tests."""
         problem: DamperProblem = found.base.problem  # type: ignore[assignment]
-        whole, thin = problem.full_rate, unbounded(problem, settings)
+        best = found.best.fit
+        near = {one.name: float(value) for one, value in zip(problem.base, best.values, strict=False)}
+        whole, thin = replace(problem.full_rate, near=near), unbounded(problem, settings)
         fitter = unbounded(whole, settings)
 
         def fitted() -> tuple[FittedModel, FittedModel, Kept]:
