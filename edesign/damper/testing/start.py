@@ -153,15 +153,20 @@ def find_start(
     Args:
         ramp: duration of the way from rest to a first sample that is displaced, s.
         wrong: share by which the law may be wrong, where what both mirror images of the test make of its force is
-            estimated with it: samples are not judged as long as that is not enough; None: it is not estimated.
+            estimated with it: samples are not judged as long as that is not enough, and the motion alone says how a
+            test starts of which the law remembers nothing; None: it is not estimated.
     """
     if test.time.size < _FEWEST:
         return None
-    displaced = abs(float(test.displacement[0])) > max(_SURE * test.displacement_noise, 1e-8 * test.largest[0])
-    stepped = _difference(test, force_of, _from_rest(test, ramp)) if displaced else np.zeros(test.time.size)
-    displaced = displaced and bool(np.any(np.abs(stepped) > test.noise))
-    moves = kind == "in_motion" or (kind == "unknown" and (displaced or _jerked(test)))
+    u, v = float(test.displacement[0]), float(test.velocity[0])
+    far, jerked = abs(u) > max(_SURE * test.displacement_noise, 1e-8 * test.largest[0]), _jerked(test)
+    stepped = _difference(test, force_of, _from_rest(test, ramp)) if far else np.zeros(test.time.size)
+    displaced = far and bool(np.any(np.abs(stepped) > test.noise))
+    moves = kind == "in_motion" or (kind == "unknown" and (displaced or jerked))
     moving = _difference(test, force_of, _mirrored(test, 1.0)) if moves else np.zeros(test.time.size)
+    remembers = bool(np.any(np.maximum(np.abs(stepped), np.abs(moving)) > test.noise))
+    if wrong is not None and kind == "unknown" and (far or jerked) and not remembers:
+        return Start(u, v, 0.0, True)  # the law says nothing of it, and effects that it lacks may remember
     if not (displaced or moves):
         return None
     left = test.force - force_of(test.time, test.displacement, test.velocity, NONE)
@@ -175,7 +180,6 @@ def find_start(
     late = np.flatnonzero(most > test.noise)
     first = min(int(late[-1]) + 1 if late.size else 0, int(_LONGEST * test.time.size))
     dies_away = not late.size or first == int(late[-1]) + 1
-    u, v = float(test.displacement[0]), float(test.velocity[0])
     prior = one_way(u, u / ramp) if known else NONE
     return Start(u, v, float(test.time[first] - test.time[0]), dies_away, prior, known)
 

@@ -115,7 +115,7 @@ def test_starts_zeros_and_hum_are_found_within_their_errors() -> None:
 
 
 def test_errors_cover_the_truth() -> None:
-    """Fifty initial forces and frequencies, a hundred of the others, drawn: about two thirds within a standard error."""
+    """Fifty initial forces, a hundred zeros and waves, 25 frequencies, drawn: two thirds within a standard error."""
     of = [distances(seed) for seed in range(25)]
     for name in of[0]:
         far = np.abs(np.concatenate([one[name] for one in of]))
