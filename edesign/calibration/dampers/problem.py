@@ -165,7 +165,7 @@ class DamperProblem(TestedProblem):
         return tuple((one, self.with_experiments(one.experiments), problems[one.thought]) for one in every)
 
     @cached_property
-    def changes(self) -> Kept[list[np.ndarray] | None]:
+    def changes(self) -> Kept[list[np.ndarray]]:
         """What uncertain inputs change (n_i,) N, by tests and effects through which they act."""
         return Kept(_CHANGES)
 
@@ -280,26 +280,31 @@ class DamperModel(EffectModel[DamperProblem]):
             ]
             for one in experiments
         ]
-        changes: dict[UncertainInput, list[np.ndarray]] = {}
-        for number, (uncertain, *_) in enumerate(self.problem.uncertain_inputs):
-            change = self._change(number, values)
-            if change is not None:
-                changes[uncertain] = change
+        changes = [
+            (uncertain, change, self._through(uncertain, values))
+            for number, (uncertain, *_) in enumerate(self.problem.uncertain_inputs)
+            if (change := self._change(number, values)) is not None
+        ]
         for k, one in enumerate(experiments):
             ways = []
-            for uncertain, change in changes.items():
+            for uncertain, change, through in changes:
                 column = change[k][:, np.newaxis]
-                if float(np.max(np.abs(column))) <= _NOTHING * one.noise:
+                # at all values of a model there are as many columns: what effects make may be nothing at some
+                if not through and float(np.max(np.abs(column))) <= _NOTHING * one.noise:
                     continue
                 if not uncertain.state:
                     told = Told(uncertain.name, uncertain.unit, np.array([uncertain.size]))
                     found[k].append(Nuisance(uncertain.name, column, (told,), False))
-                elif one.prior_extremes_unknown:  # a test at rest shows what others left behind: that is known of it
+                elif one.prior_extremes_unknown:
                     ways.append(column)
             if ways:
                 columns = np.hstack(ways)
                 found[k].append(Nuisance("start", columns, (Told("force", "N", columns[0]),), True))
         return found
+
+    def _through(self, uncertain: UncertainInput, values: np.ndarray) -> list[tuple[FormInCampaign, Values]]:
+        """Return the effects through which an uncertain input acts, with their parameters."""
+        return [(of, p) for of, p in self._of(values)[1] if uncertain.acts_through(of.form)]
 
     def _change(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
         """Return what an uncertain input changes (n_i,) N in each test; None: nothing.
@@ -308,22 +313,21 @@ class DamperModel(EffectModel[DamperProblem]):
         for.
         """
         uncertain, other, thought = self.problem.uncertain_inputs[number]
-        through = [(of, p) for of, p in self._of(values)[1] if uncertain.acts_through(of.form)]
-        if not (through or uncertain.through_law):
-            return None
+        through = self._through(uncertain, values)
         tests = self.tests
-        if uncertain.state:
+        if uncertain.state:  # a test from rest shows what others left behind: that is known of it
             tests = tuple(i for i in tests if self.problem.experiments[i].prior_extremes_unknown)
+        if not tests or not (through or uncertain.through_law):
+            return None
 
-        def change() -> list[np.ndarray] | None:
-            if not tests:
-                return None
+        def change() -> list[np.ndarray]:
+            nothing = [np.zeros_like(self.problem.experiments[i].force) for i in self.tests]
             asked = [({**self.problem.declared, **(self.problem.near or self.problem.alone)}, through)]
             (there,), (here,) = (one.prediction.predict(asked, tests) for one in (other, thought))
             if isinstance(there, PredictionError) or isinstance(here, PredictionError):
-                return None
+                return nothing
             of = dict(zip(tests, (a - b for a, b in zip(there, here, strict=True)), strict=True))
-            return [of.get(i, np.zeros(1)) for i in self.tests]
+            return [of.get(i, zero) for i, zero in zip(self.tests, nothing, strict=True)]
 
         key = (number, self.tests, *((of.form.label, *p.values()) for of, p in through))
         return self.problem.changes.of(key, change)
