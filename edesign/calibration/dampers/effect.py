@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement, Rig
+from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement, Rest, Rig
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
 
@@ -58,6 +58,11 @@ class EffectForm(Form[Mechanism, Sizes]):
     def remembers(self) -> bool:
         """Whether its force depends on what the specimen did before; in series with a rig it always does."""
         return any(isinstance(one, Rig) or (isinstance(one, CoreEffect) and one.remembers) for one in self.mechanisms)
+
+    @property
+    def carries(self) -> bool:
+        """Whether the specimen remembers what it does from test to test."""
+        return any(isinstance(one, Rest) for one in self.mechanisms) or any(one.carries for one in self.core_effects)
 
     @property
     def core_effects(self) -> tuple[CoreEffect, ...]:

@@ -295,7 +295,7 @@ class DamperModel(EffectModel[DamperProblem]):
                 if not uncertain.state:
                     told = Told(uncertain.name, uncertain.unit, np.array([uncertain.size]))
                     found[k].append(Nuisance(uncertain.name, column, (told,), False))
-                elif one.prior_extremes_unknown:
+                elif self.tests[k] in self._after_motion(through):
                     ways.append(column)
             if ways:
                 columns = np.hstack(ways)
@@ -306,6 +306,15 @@ class DamperModel(EffectModel[DamperProblem]):
         """Return the effects through which an uncertain input acts, with their parameters."""
         return [(of, p) for of, p in self._of(values)[1] if uncertain.acts_through(of.form)]
 
+    def _after_motion(self, through: Sequence[tuple[FormInCampaign, Values]]) -> tuple[int, ...]:
+        """Return the tests of which no record shows all that the specimen did before: those that begin in motion.
+
+        Where effects remember it from test to test, they are all tests after the first of these.
+        """
+        unknown = [i for i, one in enumerate(self.problem.experiments) if one.prior_extremes_unknown]
+        carried = self.problem.typical.ordered and any(of.form.carries for of, _ in through)
+        return tuple(i for i in self.tests if i in unknown or (carried and unknown and i > unknown[0]))
+
     def _change(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
         """Return what an uncertain input changes (n_i,) N in each test; None: nothing.
 
@@ -314,9 +323,7 @@ class DamperModel(EffectModel[DamperProblem]):
         """
         uncertain, other, thought = self.problem.uncertain_inputs[number]
         through = self._through(uncertain, values)
-        tests = self.tests
-        if uncertain.state:  # a test from rest shows what others left behind: that is known of it
-            tests = tuple(i for i in tests if self.problem.experiments[i].prior_extremes_unknown)
+        tests = self._after_motion(through) if uncertain.state else self.tests
         if not tests or not (through or uncertain.through_law):
             return None
 

@@ -13,13 +13,13 @@ from edesign.report.tables.table import Row, Table, TableSpec
 from edesign.report.tables.unit import ONE
 
 _NAMES = {
-    "start": "At the first sample, of tests that begin in motion",
+    "start": "Force at the first sample, by what no record shows",
     "temperature": "Error of the thermometer",
     "deformation before": "Softening by deformations before the tests",
     "velocity before": "Softening by velocities before the tests",
 }
 _NOTES = {
-    "start": "of what the specimen did before, beside having been held for long at the first displacement",
+    "start": "beside the force after long rest at the first displacement; damage lasts in the tests that follow",
     "temperature": "as the force of each test asks for, within 0.2 K (one standard deviation)",
     "deformation before": "beyond what was found; 1: as if it had gone as far as in the test",
     "velocity before": "beyond what was found; 1: as if it had been as fast as in the test",
