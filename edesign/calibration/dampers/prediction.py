@@ -199,7 +199,7 @@ class Prediction:
                 actuator, motion, key = self._moved(i, parts, effects)
                 moved = motion
                 if test.way:
-                    key = (*key, test.way)
+                    key = (key, test.way)
                     moved = self._motions.of(key, partial(motion.after, test.way))
             if changes or test.temperature not in at_temperature:
                 at_temperature[test.temperature] = self._law_values(values, test, changes)

@@ -63,7 +63,7 @@ class _Amplitudes:
             known: (p, p) covariance of the coordinates z.
             since: (n,) s.
         """
-        columns = weight[:, np.newaxis] * joined(list(every))  # type: ignore[operator]
+        columns = weight[:, np.newaxis] * joined(list(every))
         u, s, v = np.linalg.svd(columns, full_matrices=False)
         gain = v.T @ ((s / (1.0 + s**2))[:, np.newaxis] * u.T)
         moved = gain @ (weight[:, np.newaxis] * slopes)
@@ -106,7 +106,6 @@ def nuisances_of(whole: DamperProblem, model: FittedModel, forces: Sequence[np.n
 
     Args:
         whole: the problem, at full rate.
-        model: that was fitted.
         forces: (n_i,) N, predicted of every test, with what belongs to it.
 
     Raises:
@@ -151,8 +150,8 @@ def _of_tests(key: tuple[str, str, str, float], tests: dict[str, tuple[_Amplitud
     if not frequency:
         return OfTests(of, name, unit, {test: each[0].number(*each[1:], None) for test, each in tests.items()})
     pull = power = 0.0
-    for amplitudes, *place in tests.values():
-        slope = amplitudes.slope(*place)
+    for amplitudes, told_there, at in tests.values():
+        slope = amplitudes.slope(told_there, at)
         pull += float(slope @ amplitudes.left)
         power += float(slope @ (slope - amplitudes.columns @ (amplitudes.gain @ slope)))
     change, error = pull / max(power, 1e-300), 1.0 / math.sqrt(max(power, 1e-300))
