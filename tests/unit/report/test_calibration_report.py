@@ -18,10 +18,12 @@ from unit.report.calibration_example import estimate
 from edesign.calibration.residual.series import Worst
 from edesign.calibration.results.law_file import law_lines
 from edesign.calibration.results.practical_units import practical
-from edesign.calibration.results.result import Calibration, Estimate, Hypothesis, OtherLaw
+from edesign.calibration.results.result import Calibration, Estimate, Hypothesis, OfTest, OfTests, OtherLaw
+from edesign.calibration.write import calibration_json
 from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.error_tables import errors_table
 from edesign.report.calibration.figures import calibration_figures
+from edesign.report.calibration.nuisance_tables import nuisance_tables
 from edesign.report.calibration.residual_figures import telling_dependences
 from edesign.report.calibration.tables import (
     effect_parameters_table,
@@ -231,6 +233,29 @@ def test_parameters_that_others_make_needless_are_reported() -> None:
     found = replace(example.calibration(), fixed={"N": "only the slip force mu N acts on the damper"})
     notes = law_table(found).notes
     assert "N is fixed as declared: only the slip force mu N acts on the damper" in notes
+
+
+def test_what_belongs_to_single_tests_stands_by_their_names_with_errors() -> None:
+    zeros = OfTests("offset.per_test", "zero", "N", {"slow": OfTest(-310.0, 2.0), "fast": OfTest(42.0, 3.0)})
+    wave = {"fast": OfTest(1500.0, 20.0, math.pi / 3.0, math.radians(2.0))}
+    hum = OfTests("hum.tone", "hum", "N", wave, estimate(49.983, 0.002, "Hz"))
+    start = OfTests("start", "force", "N", {"fast": OfTest(-2500.0, 100.0)})
+    found = replace(example.calibration(), nuisances=(zeros, hum, start))
+    of_zeros, of_hum, of_start = nuisance_tables(found)
+    assert of_zeros.title == "offset.per_test: zero of each test"
+    assert [row(of_zeros, name) for name in ("slow", "fast")] == [
+        ["slow", "-0.3100", "0.0020", "kN"],
+        ["fast", "0.0420", "0.0030", "kN"],
+    ]
+    assert row(of_hum, "fast") == ["fast", "1.500", "0.020", "kN", "60.0", "2.0", "°"]
+    assert of_hum.notes[0].startswith("frequency 49.9830 ± 0.0020 Hz")
+    assert row(of_start, "fast") == ["fast", "-2.50", "0.10", "kN"]
+    page = text_of(page_text_of(found))
+    assert all(table.title in page for table in (of_zeros, of_hum, of_start))
+    of_programs = calibration_json(found)["nuisances"]
+    assert of_programs[0]["tests"]["slow"] == {"value": -310.0, "standard_error": 2.0}
+    assert of_programs[1]["frequency"]["value"] == 49.983 and of_programs[1]["unit"] == "N"
+    assert of_programs[1]["tests"]["fast"]["phase"] == pytest.approx(math.pi / 3.0)
 
 
 def test_law_parameters_stand_with_their_intervals_or_as_fixed() -> None:
