@@ -153,7 +153,7 @@ def _row(
         prior = f"{'ln ' if one.logarithmic else ''}N({centre}, {spread})"
         parameters.append((one, prior, f"{lower} to {upper}"))
     constants = form.constants
-    named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|first_test|q_mean|q_range", name)}
+    named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|q_mean|q_range", name)}
     fixed = {name: text(lambda s, name=name: constants(s)[name], "") for name in sorted(named)}  # type: ignore[misc]
     base, where = _placed(form)
     return Row(form, base, where, tuple(parameters), fixed)

@@ -42,17 +42,19 @@ class Score:
         left_out: (tests,) log predictive density of each test, left out; -inf where the others do not determine all
             flat parameters.
         within: (tests,) that of each test, in the fit.
+        log_prior: of the model, of which several differ in a place alone.
         evaluations: sets of parameters for which tests were predicted.
     """
 
     left_out: np.ndarray
     within: np.ndarray
     evaluations: int = 0
+    log_prior: float = 0.0
 
     @property
     def total(self) -> float:
-        """Sum over the tests left out."""
-        return float(self.left_out.sum())
+        """Sum over the tests left out, and the log prior."""
+        return float(self.left_out.sum()) + self.log_prior
 
 
 def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, refits: bool = False) -> Score:
@@ -190,4 +192,5 @@ def difference(better: Score, worse: Score) -> Difference:
     """Return by how much one model predicts better than another."""
     each = better.left_out - worse.left_out
     promised = better.within - worse.within
-    return Difference(float(each.sum()), float(np.sqrt(np.sum((each - promised) ** 2))))
+    total = float(each.sum()) + better.log_prior - worse.log_prior
+    return Difference(total, float(np.sqrt(np.sum((each - promised) ** 2))))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
+from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import CoreEffect, Mechanism, NuisanceAmplitudes, Placement, Rest, Rig
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Form
+from edesign.calibration.search.problem import Effect
 
 REFINED = 2
 """Times the samples of a fit at which tests are predicted: the MGMM exact to 3e-5, most effects to a few 1e-3."""
@@ -27,12 +30,26 @@ class EffectForm(Form[Mechanism, Sizes]):
         laws: names of the laws that it is made for; (): all.
         refined: times the samples of a fit at which it is predicted: more where motion or force bend between them.
         usual_in: names of the laws in which it is taken for this rather than for its twin.
+        numbers: of the tests in which it acts, from 1; None: in all.
+        places: how many forms there are that differ in `numbers` alone, of which one acts at most.
     """
 
     laws: tuple[str, ...] = ()
     refined: int = REFINED
     usual_in: tuple[str, ...] = ()
     twin: EffectForm | None = None
+    numbers: range | None = None
+    places: int = 1
+
+    def acts_in(self, test: Experiment) -> bool:
+        """Return whether it acts in a test."""
+        return self.numbers is None or test.order + 1 in self.numbers
+
+    def effect(self, sizes: Sizes) -> Effect:
+        """Return the form as the search takes it."""
+        fitted = [order + 1 for order, of in enumerate(sizes.fitted) if of]
+        tests = () if self.numbers is None else tuple(k for k, at in enumerate(fitted) if at in self.numbers)
+        return replace(super().effect(sizes), tests=tests, log_prior=-math.log(self.places))
 
     @property
     def nuisance(self) -> bool:

@@ -1,6 +1,7 @@
 """Where an effect acts in the way from the measured motion to the recorded force.
 
 measured motion -> MotionChannel  the motion that the rig made, then the one of the specimen
+                -> Thermometer    temperature of this test
                 -> LawParameters  parameters of the law in this test
                 -> CoreEffect, Rig law with its effects, in series with the rig: one history of the C core
                 -> ForceChannel   forces of what moves with the actuator, then what the channel makes of the sum
@@ -170,6 +171,17 @@ class LastingExtremes:
 
 
 @dataclass(frozen=True)
+class Thermometer:
+    """Another temperature than the one that was read.
+
+    Attributes:
+        error: name of the parameter by which the reading is too high, K.
+    """
+
+    error: str
+
+
+@dataclass(frozen=True)
 class LawParameters:
     """Other parameters of the law in a test.
 
@@ -222,5 +234,13 @@ class NuisanceAmplitudes:
 
 
 Mechanism = (
-    CoreEffect | Rig | Rest | LastingExtremes | LawParameters | MotionChannel | ForceChannel | NuisanceAmplitudes
+    CoreEffect
+    | Rig
+    | Rest
+    | LastingExtremes
+    | Thermometer
+    | LawParameters
+    | MotionChannel
+    | ForceChannel
+    | NuisanceAmplitudes
 )

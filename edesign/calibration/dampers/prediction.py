@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from threading import Lock
 from typing import Any, Generic, TypeVar
@@ -23,6 +23,7 @@ from edesign.calibration.dampers.mechanisms import (
     Rest,
     Rig,
     RigValues,
+    Thermometer,
 )
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.form import FormInCampaign, Values
@@ -188,7 +189,7 @@ class Prediction:
         carries = self._ordered and (bool(rests) or any(mechanism.carries for mechanism, _ in core_effects))
         rigs = [mechanism.values(p) for mechanism, p in _mechanisms(effects, Rig)]
         rig = RigValues.together(rigs) if rigs else None
-        changes = _mechanisms(effects, LawParameters)
+        changes, thermometers = _mechanisms(effects, LawParameters), bool(_mechanisms(effects, Thermometer))
         at_temperature: dict[float, tuple[float, ...]] = {}
         prior, found = NONE, []
         before: tuple[Hashable, ...] = ()
@@ -201,6 +202,9 @@ class Prediction:
                 if test.way:
                     key = (key, test.way)
                     moved = self._motions.of(key, partial(motion.after, test.way))
+            if thermometers:
+                wrong = sum(p[mechanism.error] for mechanism, p in _mechanisms(effects, Thermometer, test))
+                test = replace(test, temperature=test.temperature - wrong) if wrong else test
             if changes or test.temperature not in at_temperature:
                 at_temperature[test.temperature] = self._law_values(values, test, changes)
             # what the force asked for was asked of a fresh specimen: where extremes last, it is what earlier tests did
@@ -230,7 +234,7 @@ class Prediction:
         key: tuple[Hashable, ...] = (i, parts)
         actuator = motion
         for of in ("actuator", "specimen"):
-            for mechanism, p in _mechanisms(effects, MotionChannel):
+            for mechanism, p in _mechanisms(effects, MotionChannel, test):
                 if mechanism.of == of:
                     key = (*key, mechanism, tuple(p.values()))
                     motion = self._motions.of(key, partial(mechanism.change, p, test, motion))
@@ -257,18 +261,17 @@ class Prediction:
     ) -> list[np.ndarray] | PredictionError:
         """Return what the load cell records (n_i,) N, of the forces of the law."""
         found = []
-        channels = _mechanisms(effects, ForceChannel)
         for one in asked:
-            force = known[one.key]
+            force, test = known[one.key], self._experiments[one.index]
             if isinstance(force, PredictionError):
                 return force
             if one.index not in wanted:
                 continue
             try:
                 for of in ("carriage", "channel"):
-                    for mechanism, p in channels:
+                    for mechanism, p in _mechanisms(effects, ForceChannel, test):
                         if mechanism.of == of:
-                            force = mechanism.change(p, self._experiments[one.index], one.actuator, force)
+                            force = mechanism.change(p, test, one.actuator, force)
             except (OverflowError, ZeroDivisionError) as error:
                 return PredictionError(str(error))
             if not np.all(np.isfinite(force)):
@@ -284,6 +287,7 @@ def _runs(asked: Sequence[_Asked]) -> list[list[_Asked]]:
     return [[one] for one in asked]
 
 
-def _mechanisms(effects: Effects, kind: type[Any]) -> list[tuple[Any, Values]]:
-    """Return the mechanisms of a kind, with the values of their forms."""
-    return [(mechanism, p) for of, p in effects for mechanism in of.form.mechanisms if isinstance(mechanism, kind)]
+def _mechanisms(effects: Effects, kind: type[Any], test: Experiment | None = None) -> list[tuple[Any, Values]]:
+    """Return the mechanisms of a kind, in one test or in any, with the values of their forms."""
+    acting = [(of.form, p) for of, p in effects if test is None or of.form.acts_in(test)]
+    return [(mechanism, p) for form, p in acting for mechanism in form.mechanisms if isinstance(mechanism, kind)]

@@ -68,6 +68,7 @@ class Sizes:
         tones: frequencies of narrow peaks that the tests have in common, Hz, the strongest first.
         conditions: that the tests declare.
         ordered: whether it is known in which order the tests were made.
+        names: (tests,) of the tests; (): not known.
     """
 
     force: float
@@ -87,6 +88,7 @@ class Sizes:
     tones: tuple[float, ...] = ()
     conditions: tuple[Condition, ...] = ()
     ordered: bool = True
+    names: tuple[str, ...] = ()
 
     @property
     def stiffness(self) -> float:
@@ -147,6 +149,7 @@ class Sizes:
                 for name in experiments[0].conditions
             ),
             ordered=ordered,
+            names=tuple(one.name for one in experiments),
         )
 
 

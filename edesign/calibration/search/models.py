@@ -298,7 +298,8 @@ class Fitter:
         wrong = None if beside is None else self.discrepancy(beside)
         key = id(model), noise, id(wrong), sure
         if key not in self._scores:
-            found = score(model.fit, noise, wrong, refits=sure)
+            log_prior = sum(effect.log_prior for effect in model.effects)
+            found = replace(score(model.fit, noise, wrong, refits=sure), log_prior=log_prior)
             self.effort.spend(found.evaluations, model.effects)
             self._scores[key] = model, wrong, found
         return self._scores[key][2]
@@ -386,7 +387,8 @@ class Fitter:
         Their size is the share `shared_discrepancy` of what the effect does.
         """
         change = np.concatenate(model.contribution(index))
-        found = [one / np.linalg.norm(one) for _, _, one in self.alternatives(model, index, np.ones(len(model.left)))]
+        every = self.alternatives(model, index, np.ones(len(model.left)), here=True)
+        found = [one / np.linalg.norm(one) for _, _, one in every]
         size = self.settings.shared_discrepancy * float(np.linalg.norm(change))
         if not found or not size:
             return np.zeros((change.size, 0))
@@ -395,12 +397,13 @@ class Fitter:
         return np.asarray(size * u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2))))
 
     def alternatives(
-        self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray
+        self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray, here: bool = False
     ) -> list[tuple[Effect, np.ndarray, np.ndarray]]:
         """Return what other equations of an effect do in its place, at each of their starts.
 
         Args:
             weights: (tests,) by which changes are multiplied.
+            here: whether only those are asked for that act in the same tests.
 
         Returns:
             Form, start (p,) SI, and weighted change (n,) of all tests.
@@ -411,6 +414,8 @@ class Fitter:
         found = []
         for form in self.problem.effects:
             if form.name != effect.name or form.label == effect.label or form.nuisance or not form.parameters:
+                continue
+            if here and form.tests != effect.tests:
                 continue
             starts = np.array([[*values, *start] for start in form.starts])
             for start, there in zip(form.starts, self.predict((*others, form), starts), strict=True):

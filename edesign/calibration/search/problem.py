@@ -29,6 +29,8 @@ class Effect:
         data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
         cost: of a prediction, in those of the base model.
         confounded: what it may be by the tests that are fitted, which others separate; (): one thing alone.
+        tests: indices of those that are fitted in which it acts; (): in all.
+        log_prior: logarithm of the probability that it stands here, if it does in one of several places.
     """
 
     name: str
@@ -41,6 +43,8 @@ class Effect:
     data: Any = None
     cost: float = 1.0
     confounded: tuple[Effect, ...] = ()
+    tests: tuple[int, ...] = ()
+    log_prior: float = 0.0
 
     @property
     def label(self) -> str:

@@ -207,6 +207,7 @@ class _Evidence:
         """Return each start with the size that the tests ask for, and its log evidence."""
         own = np.diag(self.products) + 1.0
         logs = self.log_of(self.along**2 / own, np.log(own))
+        logs = logs + _log_priors(starts)
         return [(_sized(*of), float(log)) for *of, log in zip(starts, self.along / own, logs, strict=True)]
 
     def pairs(self, starts: Sequence[Start], number: int) -> list[Pair]:
@@ -216,7 +217,7 @@ class _Evidence:
         explained = (
             np.outer(along**2, own) + np.outer(own, along**2) - 2.0 * products * np.outer(along, along)
         ) / determinant
-        logs = self.log_of(explained, np.log(determinant))
+        logs = self.log_of(explained, np.log(determinant)) + np.add.outer(_log_priors(starts), _log_priors(starts))
         names = np.array([start.effect.name for start in starts])
         logs[(names[:, np.newaxis] == names) | np.tri(len(starts), dtype=bool)] = -np.inf
         found: list[Pair] = []
@@ -228,6 +229,10 @@ class _Evidence:
             sizes = np.linalg.solve(matrix, along[[i, k]])
             found.append(((_sized(starts[i], sizes[0]), _sized(starts[k], sizes[1])), float(logs[i, k])))
         return found
+
+
+def _log_priors(starts: Sequence[Start]) -> np.ndarray:
+    return np.array([start.effect.log_prior for start in starts])
 
 
 def _best(found: Sequence[tuple[T, float]], key: Callable[[T], Hashable]) -> list[tuple[T, float]]:

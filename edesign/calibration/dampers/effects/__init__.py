@@ -18,6 +18,7 @@ from edesign.calibration.dampers.effects import (
     mullins,
     one_sided,
     pinching,
+    places,
     rig,
     temperature_law,
     viscous,
@@ -40,5 +41,5 @@ def forms(sizes: Sizes, parameters: Sequence[str] = ("parameter",)) -> tuple[Eff
         parameters: names of those of the law that may depend on a condition of the tests; any one stands for all.
     """
     listed = (form for table in TABLES for form in table.FORMS)
-    every = (*listed, *condition.of_conditions(sizes, parameters), *gain.from_test(sizes))
+    every = (*listed, *condition.of_conditions(sizes, parameters), *places.one_test(sizes), *places.from_test(sizes))
     return tuple(form for form in every if form.shown(sizes))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -20,14 +19,14 @@ _CLASS = 0.05  # standard deviation of a gain
 
 
 def _amplified(p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np.ndarray:
-    return np.asarray((1.0 + p["g"]) * force) if test.order + 1 >= p["first_test"] else force
+    return np.asarray((1.0 + p["g"]) * force)
 
 
 def _reduced(p: Values, test: Experiment, motion: Motion) -> Motion:
-    return motion.scaled(1.0 / (1.0 + p["g"])) if test.order + 1 >= p["first_test"] else motion
+    return motion.scaled(1.0 / (1.0 + p["g"]))
 
 
-_FORCE = EffectForm(
+FORCE = EffectForm(
     "gain",
     "force",
     "instrument",
@@ -37,49 +36,15 @@ _FORCE = EffectForm(
     (ForceChannel(_amplified),),
     lambda s: (size("g", "", _CLASS, -0.5, 1.0),),
     lambda s: ((_CLASS,),),
-    lambda s: {"first_test": 1.0},
     meanings={"g": "share by which the channel reads too much"},
 )
-_DISPLACEMENT = replace(
-    _FORCE,
+DISPLACEMENT = replace(
+    FORCE,
     form="displacement",
     title="gain of the displacement channel",
     signature="that of a gain of the force where the law is linear; by its tangent where it is not",
     mechanisms=(MotionChannel(_reduced),),
 )
-
-
-def from_test(s: Sizes) -> tuple[EffectForm, ...]:
-    """Return gains that changed between two tests, one form for each place, which no search could move.
-
-    Where other tests stand between two that are fitted to, these two leave open before which test it was.
-    """
-    fitted = [order + 1 for order, of in enumerate(s.fitted) if of] if s.between else []
-    return tuple(
-        _changed(form, before + 1, after) for form in (_FORCE, _DISPLACEMENT) for before, after in pairwise(fitted)
-    )
-
-
-def _changed(form: EffectForm, earliest: int, latest: int) -> EffectForm:
-    """Return a gain that changed before one of some tests, of which the last one alone is fitted to."""
-
-    def at(first: int, place: str, title: str) -> EffectForm:
-        return replace(
-            form,
-            form=f"{form.form}_from_test_{place}",
-            title=f"{form.title} that changed before {title}",
-            signature="proportional to the force itself, by one share in all tests from one on",
-            constants=lambda _: {"first_test": float(first)},
-        )
-
-    if earliest == latest:
-        return at(latest, f"{latest}", f"test {latest}")
-    tests = f"one of tests {earliest} to {latest}"
-    ranges = [
-        at(k, f"{k}", f"test {k}, as validation tests show; the fitted ones say before {tests}")
-        for k in range(earliest, latest + 1)
-    ]
-    return replace(at(latest, f"{earliest}_to_{latest}", tests), confounded=tuple(ranges))
 
 
 def _mass(s: Sizes) -> Parameter:
@@ -127,8 +92,8 @@ _SPRUNG = replace(
 )
 
 FORMS = (
-    _FORCE,
-    _DISPLACEMENT,
+    FORCE,
+    DISPLACEMENT,
     either(_MASS, "inertia of the damper's own moving mass"),
     either(_SPRUNG, "inertia of the damper's own moving mass, on a part of it that gives"),
 )

@@ -97,7 +97,7 @@ def _second_order(s: Sizes) -> tuple[Parameter, ...]:
     return shape("f", "Hz", 10.0 * least, 0.2 * least, 1e4 * least), shape("zeta", "", 0.7, 0.2, 0.99, spread=0.4)
 
 
-_DELAY = EffectForm(
+DELAY = EffectForm(
     "lag",
     "delay",
     "instrument",
@@ -118,7 +118,7 @@ _DELAY = EffectForm(
     },
 )
 _FILTER = replace(
-    _DELAY,
+    DELAY,
     form="filter",
     title="analogue filter in the force channel alone",
     source="first-order low-pass; Doebelin, Measurement Systems, section 3.3",
@@ -127,7 +127,7 @@ _FILTER = replace(
     refined=4,  # the force bends between samples of a fit more than a filter is long
 )
 _GROWING = replace(
-    _DELAY,
+    DELAY,
     form="growing",
     title="lag between the channels that changes within tests and over the campaign",
     signature="proportional to the rate of the force, more and more so as time goes on",
@@ -148,7 +148,7 @@ _GROWING = replace(
 )
 
 FORMS = (
-    _DELAY,
+    DELAY,
     _FILTER,
     replace(
         _FILTER,
