@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from edesign.estimation.parameters import priors_of
 
 PRIOR_FREEDOM = 10.0
 """Degrees of freedom of the prior of the scale: the noise of a channel is known to a quarter or so."""
+_CHANCE = 0.01  # with which one of all tests may seem not to agree with the others
 _NEAR = 1.0  # change of a coordinate, in prior standard deviations, up to which one Gauss-Newton step is near enough
 _REFIT_STEPS = 3
 _ROUGH = Settings(rough=True)
@@ -42,6 +43,8 @@ class Score:
         left_out: (tests,) log predictive density of each test, left out; -inf where the others do not determine all
             flat parameters.
         within: (tests,) that of each test, in the fit.
+        squares: (tests, tests) mean squares of the residuals of all tests in units of the noise, with each test left
+            out in turn; those of that test itself are freed of what the others do not determine.
         log_prior: of the model, of which several differ in a place alone.
         evaluations: sets of parameters for which tests were predicted.
     """
@@ -49,6 +52,7 @@ class Score:
     left_out: np.ndarray
     within: np.ndarray
     evaluations: int = 0
+    squares: np.ndarray = field(default_factory=lambda: np.zeros((0, 0)))
     log_prior: float = 0.0
 
     @property
@@ -72,6 +76,7 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
     freedom = np.array([noise.independent(i, f.size) for i, f in enumerate(fitted.predicted)])
     whole = here.step(None)
     left_out, within, evaluations = [], [], 0
+    squares = np.full((freedom.size, freedom.size), math.nan)
     for i, n in enumerate(freedom):
         others = PRIOR_FREEDOM + float(np.delete(freedom, i).sum())
         step = here.step(i)
@@ -91,9 +96,10 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
             except PredictionError:
                 pass
         quadratic, determinant = at.predicted(i, step)
+        squares[i] = np.where(np.arange(freedom.size) == i, quadratic, at.power(step)) / freedom
         density = _student(quadratic, _scale(at.power(step), i, others), others, n)
         left_out.append(density - 0.5 * (at.determinants[i] + determinant))
-    return Score(np.array(left_out), np.array(within), evaluations)
+    return Score(np.array(left_out), np.array(within), evaluations, squares)
 
 
 def _scale(power: np.ndarray, test: int, others: float) -> float:
@@ -194,3 +200,49 @@ def difference(better: Score, worse: Score) -> Difference:
     promised = better.within - worse.within
     total = float(each.sum()) + better.log_prior - worse.log_prior
     return Difference(total, float(np.sqrt(np.sum((each - promised) ** 2))))
+
+
+@dataclass(frozen=True)
+class Outlier:
+    """The test that agrees least with the others.
+
+    Attributes:
+        test: index of it.
+        ratio: Student's t of the logarithm of the mean square that it leaves, left out, beside those of the others.
+        chance: of such a ratio in one of all tests, at most.
+    """
+
+    test: int
+    ratio: float
+    chance: float
+
+    @property
+    def sure(self) -> bool:
+        """Whether chance makes none like it in a hundred campaigns."""
+        return self.chance < _CHANCE
+
+
+def outlier(found: Score) -> Outlier | None:
+    """Return the test that agrees least with the others; None: there are less than three.
+
+    What a test leaves that is left out of the fit is compared with what the others leave without it. The scatter of the
+    logarithms has a prior like that of the scale of the noise, so that few tests are enough where these leave noise.
+
+    Args:
+        found: score of a model under the noise of the channels alone.
+
+    Source: Cook and Weisberg (1982), Residuals and influence in regression, section 2.2 (the largest of all externally
+    studentized residuals, with Bonferroni's bound).
+    """
+    from scipy.special import stdtr  # scipy takes time at the start of every command
+
+    tests = len(found.squares)
+    if tests < 3:
+        return None
+    freedom, each = PRIOR_FREEDOM + tests - 2.0, list[Outlier]()
+    for i, row in enumerate(np.log(np.maximum(found.squares, 1.0))):
+        others = np.delete(row, i)
+        spread = math.sqrt((2.0 + float(np.sum((others - others.mean()) ** 2))) / freedom)
+        ratio = float(row[i] - others.mean()) / (spread * math.sqrt(1.0 + 1.0 / others.size))
+        each.append(Outlier(i, ratio, min(1.0, tests * float(stdtr(freedom, -ratio)))))
+    return min((one for one in each if math.isfinite(one.ratio)), key=lambda one: one.chance, default=None)

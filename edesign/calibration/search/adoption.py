@@ -179,8 +179,11 @@ class Adoption:
     def insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
 
-        A share of a whole may be all of it.
+        A share of a whole may be all of it. A fault in one test is nothing if the test agrees with the others as well as
+        these with each other.
         """
+        if len(model.effects[index].tests) == 1 and not self._alone(model, index):
+            return True
         size = model.places(index)[:1]
         if not size:
             return False
@@ -189,6 +192,12 @@ class Adoption:
             return not (bound == "upper" and model.effects[index].parameters[0].whole)
         low, high = uncertainty(model.fit, model.noise).interval(size[0])
         return low <= 0.0 <= high
+
+    def _alone(self, model: FittedModel, index: int) -> bool:
+        """Return whether the test in which a fault acts does not agree with the others."""
+        rest = self._variants.omitting(model, index)
+        found = None if rest is None else self._fitter.outlier(rest)
+        return rest is None or (found is not None and found.sure and found.test in model.effects[index].tests)
 
     def _insignificant_effects(self, model: FittedModel) -> int:
         return sum(self.insignificant(model, i) for i in range(len(model.effects)))

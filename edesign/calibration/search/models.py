@@ -13,7 +13,7 @@ import numpy as np
 from edesign.calibration.search.problem import Columns, Effect, Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
-from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Score, difference, score
+from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Outlier, Score, difference, outlier, score
 from edesign.estimation.model import Model, PredictionError, predict_near
 from edesign.estimation.noise import Noise, correlation_length
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
@@ -339,6 +339,10 @@ class Fitter:
             known: model whose equations may be wrong, which is allowed for.
         """
         return difference(self.score(better, noise, known), self.score(worse, noise, known))
+
+    def outlier(self, model: FittedModel) -> Outlier | None:
+        """Return the test that agrees least with the others beside a model; None: there are too few."""
+        return outlier(self.score(model, Noise.white(self.problem.deviations)))
 
     def noise(self, leader: FittedModel, known: FittedModel) -> Noise:
         """Return the noise by which models are compared: what the leader leaves.

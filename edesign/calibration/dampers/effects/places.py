@@ -109,7 +109,7 @@ def _name(number: int, s: Sizes) -> str:
 
 
 def _in_one(form: EffectForm, number: int, fitted: list[int], s: Sizes) -> EffectForm:
-    """Return a fault in one test; that of a gain in the last one may have begun before it, and gone on."""
+    """Return a fault in one test; that of a gain in the first or last one may go as far as the next that is fitted."""
     ending = f"of_test_{number}"
     channel = "" if form.name in ("clock", "thermometer") else f"{form.form}_"
     alone = replace(
@@ -120,11 +120,14 @@ def _in_one(form: EffectForm, number: int, fitted: list[int], s: Sizes) -> Effec
         numbers=range(number, number + 1),
         places=len(fitted),
     )
-    earliest = fitted[-2] + 1
-    if number != fitted[-1] or earliest == s.tests or form.name != "gain" or not s.between:
+    if form.name != "gain" or not s.between:
         return alone
-    later = (_at(form, k, f"{k}", _name(k, s), s) for k in range(earliest, number + 1))
-    return replace(alone, confounded=(alone, *later))
+    wider = list[EffectForm]()
+    if number == fitted[0]:
+        wider += [_to(form, k, s) for k in range(number, fitted[1]) if k > 1]
+    if number == fitted[-1]:
+        wider += [_at(form, k, f"{k}", _name(k, s), s) for k in range(fitted[-2] + 1, number + 1) if k < s.tests]
+    return replace(alone, confounded=(alone, *wider)) if wider else alone
 
 
 def _changed(form: EffectForm, earliest: int, latest: int, s: Sizes) -> EffectForm:
@@ -139,7 +142,19 @@ def _changed(form: EffectForm, earliest: int, latest: int, s: Sizes) -> EffectFo
     return replace(_at(form, latest, f"{earliest}_to_{latest}", tests, s), confounded=tuple(ranges))
 
 
+def _to(form: EffectForm, last: int, s: Sizes) -> EffectForm:
+    """Return a gain in the first tests."""
+    return replace(
+        form,
+        form=f"{form.form}_to_test_{last}",
+        title=f"{form.title} that changed after {_name(last, s)}",
+        signature="proportional to the force itself, by one share in the first tests",
+        numbers=range(1, last + 1),
+    )
+
+
 def _at(form: EffectForm, first: int, place: str, title: str, s: Sizes) -> EffectForm:
+    """Return a gain from one test on."""
     return replace(
         form,
         form=f"{form.form}_from_test_{place}",
