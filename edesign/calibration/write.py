@@ -21,7 +21,7 @@ from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.properties.write import property_law_text, rows_json
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.law_file import LAW, law_text
-from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, OfTests, Tested
+from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, OfTests, OutlyingTest, Tested
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.corrected import FILES, STRUCTURE, corrected_texts
 from edesign.damper.effects import LawEffect
@@ -170,6 +170,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "noise_floor": found.noise_floor,
         "noise_floor_fit": found.noise_floor_fit,
         "worst_test": None if found.worst is None else asdict(found.worst),
+        "outlying_tests": [_outlying(one) for one in found.outlying],
         "effects": [_effect(one) for one in found.effects],
         "hypotheses": [{**_effect(one.effect), "why": one.why} for one in found.hypotheses],
         "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
@@ -209,6 +210,28 @@ def _effect(effect: Effect) -> dict[str, Any]:
         "indistinguishable_from": list(effect.indistinguishable_from),
         "may_be": None if effect.other_kind is None else {"kind": effect.other_kind, "title": effect.other_title},
         "not_carried": effect.not_carried,
+    }
+
+
+def _outlying(test: OutlyingTest) -> dict[str, Any]:
+    return {
+        "test": test.name,
+        "use": test.use,
+        "student_t": _finite(test.ratio),
+        "chance": test.chance,
+        "others_with": _finite(test.others_with),
+        "others_without": _finite(test.others_without),
+        "only_noise_without": test.only_noise,
+        "faults": [
+            {
+                "name": one.name,
+                "form": one.form,
+                "title": one.title,
+                "parameters": {key: _estimate(value) for key, value in one.parameters.items()},
+            }
+            for one in test.faults
+        ],
+        "beyond_others_in": list(test.beyond),
     }
 
 

@@ -98,7 +98,12 @@ def campaign(
         f = f + NOISE * np.max(np.abs(f)) * random.standard_normal(f.size)
         name = f"run_{number:02d}.csv"
         np.savetxt(
-            folder / name, np.column_stack((t, u, f)), "%.7g", ",", header="time_s,displacement_mm,force_kN", comments=""
+            folder / name,
+            np.column_stack((t, u, f)),
+            "%.7g",
+            ",",
+            header="time_s,displacement_mm,force_kN",
+            comments="",
         )
         use = "fit" if number <= tests - validation else "validate"
         rows.append(f"  - {{file: {name}, title: test {number}, temperature_C: 20, use: {use}}}\n")

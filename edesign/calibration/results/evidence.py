@@ -25,6 +25,7 @@ from edesign.calibration.results.result import (
     Hypothesis,
     NextTest,
     OtherLaw,
+    OutlyingTest,
     SearchDepth,
     Verdict,
 )
@@ -42,6 +43,7 @@ S = TypeVar("S")
 MODELS = "comparing the models of the search"
 NEXT_TEST = "asking which further test would separate the models"
 OTHER_LAW = "asking whether another law does better"
+OUTLYING = "asking whether a test does not agree with the others"
 """Steps of a calibration that it can do without."""
 NOT_DESCRIBED = "more than noise, which could not be described"
 
@@ -110,6 +112,10 @@ class Evidence(ABC, Generic[T]):
 
     def other_law(self) -> OtherLaw | None:
         """Return a law that does better. It is asked for where more than noise is left."""
+        raise NotImplementedError
+
+    def outlying(self) -> tuple[OutlyingTest, ...]:
+        """Return tests that do not agree with the others."""
         raise NotImplementedError
 
     @cached_property
@@ -196,6 +202,9 @@ class Evidence(ABC, Generic[T]):
             further = steps.take(NEXT_TEST, self.next_test, None)
         if OTHER_LAW in self.asked and not reached:
             better = steps.take(OTHER_LAW, self.other_law, None)
+        outlying: tuple[OutlyingTest, ...] = ()
+        if OUTLYING in self.asked:
+            outlying = steps.take(OUTLYING, self.outlying, ())
         left = "" if reached else steps.guard("describing what is left", self.shape, NOT_DESCRIBED)
         compared: tuple[ComparedModel, ...] = ()
         if steps.ending != "interrupted":
@@ -219,6 +228,7 @@ class Evidence(ABC, Generic[T]):
             most_effort=self.settings.effort,
             next_test=further,
             other_law=better,
+            outlying=outlying,
             worst=worst,
             failed=dict(steps.failed),
         )

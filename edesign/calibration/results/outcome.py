@@ -11,15 +11,16 @@ import numpy as np
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import FEWEST, Errors, Series, Worst
 from edesign.calibration.residual.shape import describe_residual
-from edesign.calibration.results.evidence import NEXT_TEST, OTHER_LAW, Evidence
+from edesign.calibration.results.evidence import NEXT_TEST, OTHER_LAW, OUTLYING, Evidence
 from edesign.calibration.results.fit import at_full_rate, law_stages, unbounded
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
 from edesign.calibration.results.nuisances import nuisances_of
 from edesign.calibration.results.other_law import other_law
+from edesign.calibration.results.outlying import outlying_tests
 from edesign.calibration.results.predictions import errors_of, predicted, validation_error
-from edesign.calibration.results.result import Calibrated, NextTest, OfTests, OtherLaw
+from edesign.calibration.results.result import Calibrated, NextTest, OfTests, OtherLaw, OutlyingTest
 from edesign.calibration.results.steps import Steps
 from edesign.calibration.search.adoption import Kept, kept, placed, validated
 from edesign.calibration.search.models import FittedModel
@@ -46,7 +47,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
     campaign: Campaign
     whole: DamperProblem
 
-    asked = (NEXT_TEST, OTHER_LAW)
+    asked = (NEXT_TEST, OTHER_LAW, OUTLYING)
 
     @staticmethod
     def of(campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps) -> DamperOutcome:
@@ -110,6 +111,11 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
     def other_law(self) -> OtherLaw | None:
         """Return a law that does better."""
         return other_law(self.campaign, self.found.base, self.found.best, self.settings)
+
+    def outlying(self) -> tuple[OutlyingTest, ...]:
+        """Return tests that do not agree with the others."""
+        problem, model = self.found.base.problem, self.final
+        return outlying_tests(problem, model.effects, model.fit.values, self.settings)  # type: ignore[arg-type]
 
     def calibrated(self) -> Calibrated:
         """Return the campaign, and its law at each stage."""

@@ -13,6 +13,7 @@ from edesign.calibration.search.problem import Kind
 from edesign.calibration.search.search import Ending
 from edesign.damper.effects import LawEffect
 from edesign.damper.temperature import FerryShift, GammaOf, GammaT
+from edesign.damper.testing.measured_histories import Use
 from edesign.notebook import facts_html
 from edesign.project.document import Document
 
@@ -125,6 +126,52 @@ class Hypothesis:
 
     effect: Effect
     why: str
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A fault of an instrument in one test, with which that test agrees with the others.
+
+    Attributes:
+        name, form: of the library.
+        title: what it is, for people.
+        parameters: by name, SI.
+    """
+
+    name: str
+    form: str
+    title: str
+    parameters: Mapping[str, Estimate]
+
+    @property
+    def label(self) -> str:
+        """Name and form."""
+        return f"{self.name}.{self.form}"
+
+
+@dataclass(frozen=True)
+class OutlyingTest:
+    """A test that does not agree with the others.
+
+    Attributes:
+        name, use: of the test.
+        ratio: Student's t of the logarithm of what it leaves, left out, beside what the others leave.
+        chance: probability of such a ratio in any one of the tests, at most.
+        others_with, others_without: NRMS of all other tests, with this one in the fit and without it.
+        only_noise: whether the others leave only noise without it.
+        faults: of instruments, each of which explains it alone, the likeliest first; (): none that is known does.
+        beyond: in what it goes beyond all others: displacement, velocity, temperature.
+    """
+
+    name: str
+    use: Use
+    ratio: float
+    chance: float
+    others_with: float
+    others_without: float
+    only_noise: bool
+    faults: tuple[Fault, ...]
+    beyond: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -354,6 +401,7 @@ class Calibration(Calibrated):
         effort: weighted evaluations that the search took, of at most `most_effort`; `effort_by_step`: what for.
         next_test: what would separate confounded effects; None: nothing is left to separate, or no test would.
         other_law: a law that does better; None: none does, or none was asked for.
+        outlying: tests that do not agree with the others.
         worst: test that leaves most over its noise, of those that leave more than noise; None: none does.
         seconds: that the calibration took.
         failed: steps after the search that failed, by what they do, with the reason, for people.
@@ -376,6 +424,7 @@ class Calibration(Calibrated):
     effort_by_step: Mapping[str, float] = field(default_factory=dict)
     next_test: NextTest | None = None
     other_law: OtherLaw | None = None
+    outlying: tuple[OutlyingTest, ...] = ()
     worst: Worst | None = None
     seconds: float = 0.0
     failed: Mapping[str, str] = field(default_factory=dict)
