@@ -105,7 +105,7 @@ class _Asked:
         ]
 
     def _faults(self, model: FittedModel, test: int) -> tuple[Fault, ...]:
-        """Return the faults with which a test agrees with the others, the likeliest first, as far as it is one alone."""
+        """Return the faults each of which makes a test agree with the others, the likeliest first."""
         by_others = self.fitter.fit(model.effects, model.fit, self.noise.without(test), STEPS) or model
         tried = list[FittedModel]()
         for fault in self.faults:

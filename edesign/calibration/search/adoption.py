@@ -179,8 +179,8 @@ class Adoption:
     def insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
 
-        A share of a whole may be all of it. A fault in one test is nothing if the test agrees with the others as well as
-        these with each other.
+        A share of a whole may be all of it. A fault in one test is nothing if the test agrees with the others as well
+        as these with each other.
         """
         if len(model.effects[index].tests) == 1 and not self._alone(model, index):
             return True

@@ -13,7 +13,7 @@ from edesign.calibration.results.result import Calibration, Effect, Subject
 from edesign.damper.testing.measured_histories import gaps
 from edesign.report.calibration.error_tables import LAW_FILES, MODELS
 from edesign.report.calibration.units import percent
-from edesign.report.calibration.words import effect_text, name_of, probability_text, searched
+from edesign.report.calibration.words import effect_text, name_of, outlying_text, probability_text, searched
 
 _NAMED = 2  # effects confounded with one, in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth a word
@@ -35,6 +35,7 @@ def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
         [other_law_text(calibration)],
         [_found(calibration), *ended(calibration)],
         [_errors(calibration), *_worst(calibration)],
+        [outlying_text(one) for one in calibration.outlying],
         _warnings(calibration),
         [_file(calibration)],
         [
