@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -28,7 +28,6 @@ from edesign.estimation.parameters import priors_of
 
 PRIOR_FREEDOM = 10.0
 """Degrees of freedom of the prior of the scale: the noise of a channel is known to a quarter or so."""
-_CHANCE = 0.01  # with which one of all tests may seem not to agree with the others
 _NEAR = 1.0  # change of a coordinate, in prior standard deviations, up to which one Gauss-Newton step is near enough
 _REFIT_STEPS = 3
 _ROUGH = Settings(rough=True)
@@ -43,8 +42,6 @@ class Score:
         left_out: (tests,) log predictive density of each test, left out; -inf where the others do not determine all
             flat parameters.
         within: (tests,) that of each test, in the fit.
-        squares: (tests, tests) mean squares of the residuals of all tests in units of the noise, with each test left
-            out in turn; those of that test itself are freed of what the others do not determine.
         log_prior: of the model, of which several differ in a place alone.
         evaluations: sets of parameters for which tests were predicted.
     """
@@ -52,7 +49,6 @@ class Score:
     left_out: np.ndarray
     within: np.ndarray
     evaluations: int = 0
-    squares: np.ndarray = field(default_factory=lambda: np.zeros((0, 0)))
     log_prior: float = 0.0
 
     @property
@@ -72,34 +68,45 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
             all tests, have the prior N(0, 1). None: there are none.
         refits: whether the model is fitted again without a test that moves it far.
     """
-    here = _Linear.of(fitted, noise, wrong)
+    here = Linear.of(fitted, noise, wrong)
     freedom = np.array([noise.independent(i, f.size) for i, f in enumerate(fitted.predicted)])
-    whole = here.step(None)
+    whole = here.step()
     left_out, within, evaluations = [], [], 0
-    squares = np.full((freedom.size, freedom.size), math.nan)
     for i, n in enumerate(freedom):
         others = PRIOR_FREEDOM + float(np.delete(freedom, i).sum())
-        step = here.step(i)
+        at, step, spent = without(here, fitted, noise, wrong, i) if refits else (here, here.step(i), 0)
+        evaluations += spent
         if step is None or whole is None:
             left_out.append(-math.inf)
             within.append(-math.inf)
             continue
         power = here.power(whole)
         within.append(_student(power[i], _scale(power, i, others), others, n) - 0.5 * here.determinants[i])
-        at = here
-        if refits and np.max(np.abs(step - whole), initial=0.0) > _NEAR:
-            try:
-                again = fit(fitted.model, noise.without(i), fitted, _REFIT_STEPS, _ROUGH)
-                evaluations += again.evaluations
-                there = _Linear.of(again, noise, wrong)
-                at, step = (here, step) if (found := there.step(i)) is None else (there, found)
-            except PredictionError:
-                pass
         quadratic, determinant = at.predicted(i, step)
-        squares[i] = np.where(np.arange(freedom.size) == i, quadratic, at.power(step)) / freedom
         density = _student(quadratic, _scale(at.power(step), i, others), others, n)
         left_out.append(density - 0.5 * (at.determinants[i] + determinant))
-    return Score(np.array(left_out), np.array(within), evaluations, squares)
+    return Score(np.array(left_out), np.array(within), evaluations)
+
+
+def without(
+    here: Linear, fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None, test: int
+) -> tuple[Linear, np.ndarray | None, int]:
+    """Return a model about its fit to the other tests, the step to that, and for how many sets they were predicted.
+
+    Args:
+        here: the model about its fit to all tests.
+        test: that is left out. Where it moves the model far, that is fitted again.
+    """
+    step, whole = here.step(test), here.step()
+    if step is None or whole is None or np.max(np.abs(step - whole), initial=0.0) <= _NEAR:
+        return here, step, 0
+    try:
+        again = fit(fitted.model, noise.without(test), fitted, _REFIT_STEPS, _ROUGH)
+        there = Linear.of(again, noise, wrong)
+    except PredictionError:
+        return here, step, 0
+    found = there.step(test)
+    return (here, step, again.evaluations) if found is None else (there, found, again.evaluations)
 
 
 def _scale(power: np.ndarray, test: int, others: float) -> float:
@@ -108,7 +115,7 @@ def _scale(power: np.ndarray, test: int, others: float) -> float:
 
 
 @dataclass(frozen=True)
-class _Linear:
+class Linear:
     """A model about its fit, linear in its q free parameters and in what its equations may be wrong by.
 
     Attributes:
@@ -128,11 +135,12 @@ class _Linear:
     determinants: tuple[float, ...]
 
     @staticmethod
-    def of(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None) -> _Linear:
+    def of(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None) -> Linear:
+        """Return a fitted model, with columns by which its equations may be wrong."""
         beside = wrong or [np.zeros((f.size, 0)) for f in fitted.predicted]
         slopes = [np.hstack((j[:, fitted.free], c)) for j, c in zip(fitted.slopes, beside, strict=True)]
         here, k = weighted(fitted.model, noise, fitted.values, fitted.predicted, slopes), beside[0].shape[1]
-        return _Linear(
+        return Linear(
             np.append(fitted.z[fitted.free], np.zeros(k)),
             np.append(priors_of(fitted.model.parameters)[fitted.free], np.ones(k)),
             np.array([float(r @ r) for r in here.residuals]),
@@ -141,26 +149,32 @@ class _Linear:
             here.determinants,
         )
 
-    def step(self, without: int | None) -> np.ndarray | None:
-        """Return the step (q,) to the best of all tests but one; None if they do not determine it."""
+    def step(self, *without: int) -> np.ndarray | None:
+        """Return the step (q,) to the best of all tests but some; None if they do not determine it."""
         root, _ = self._root(without)
-        rest = np.arange(len(self.pulls)) != without
+        rest = self._rest(without)
         return None if root is None else -root.T @ (root @ (self.prior * self.start + self.pulls[rest].sum(axis=0)))
 
     def power(self, step: np.ndarray) -> np.ndarray:
         """Return the squares (tests,) of residuals after a step."""
         return np.maximum(self.squares + self.pulls @ step * 2.0 + self.normals @ step @ step, 0.0)
 
-    def predicted(self, test: int, step: np.ndarray) -> tuple[float, float]:
-        """Return quadratic form and log determinant of the prediction of a test after the step by the others."""
-        (root, whole), (_, others) = self._root(None), self._root(test)
+    def predicted(self, test: int, step: np.ndarray, *without: int) -> tuple[float, float]:
+        """Return quadratic form and log determinant of the prediction of a test after the step by the others.
+
+        Args:
+            without: tests that are none of the others.
+        """
+        (root, whole), (_, others) = self._root(without), self._root((*without, test))
         along = root @ (self.pulls[test] + self.normals[test] @ step) if root is not None else step
         return max(float(self.power(step)[test] - along @ along), 0.0), whole - others
 
-    def _root(self, without: int | None) -> tuple[np.ndarray | None, float]:
-        """Return S, S'S the inverse of the normal matrix of all tests but one, or None, and its log determinant."""
-        rest = np.arange(len(self.pulls)) != without
-        matrix = np.diag(self.prior) + self.normals[rest].sum(axis=0)
+    def _rest(self, without: Sequence[int]) -> np.ndarray:
+        return np.isin(np.arange(len(self.pulls)), np.array(without, dtype=int), invert=True)
+
+    def _root(self, without: Sequence[int]) -> tuple[np.ndarray | None, float]:
+        """Return S, S'S the inverse of the normal matrix of all tests but some, or None, and its log determinant."""
+        matrix = np.diag(self.prior) + self.normals[self._rest(without)].sum(axis=0)
         length = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
         try:
             root = np.linalg.cholesky(matrix / np.outer(length, length))
@@ -200,49 +214,3 @@ def difference(better: Score, worse: Score) -> Difference:
     promised = better.within - worse.within
     total = float(each.sum()) + better.log_prior - worse.log_prior
     return Difference(total, float(np.sqrt(np.sum((each - promised) ** 2))))
-
-
-@dataclass(frozen=True)
-class Outlier:
-    """The test that agrees least with the others.
-
-    Attributes:
-        test: index of it.
-        ratio: Student's t of the logarithm of the mean square that it leaves, left out, beside those of the others.
-        chance: of such a ratio in one of all tests, at most.
-    """
-
-    test: int
-    ratio: float
-    chance: float
-
-    @property
-    def sure(self) -> bool:
-        """Whether chance makes none like it in a hundred campaigns."""
-        return self.chance < _CHANCE
-
-
-def outlier(found: Score) -> Outlier | None:
-    """Return the test that agrees least with the others; None: there are less than three.
-
-    What a test leaves that is left out of the fit is compared with what the others leave without it. The scatter of the
-    logarithms has a prior like that of the scale of the noise, so that few tests are enough where these leave noise.
-
-    Args:
-        found: score of a model under the noise of the channels alone.
-
-    Source: Cook and Weisberg (1982), Residuals and influence in regression, section 2.2 (the largest of all externally
-    studentized residuals, with Bonferroni's bound).
-    """
-    from scipy.special import stdtr  # scipy takes time at the start of every command
-
-    tests = len(found.squares)
-    if tests < 3:
-        return None
-    freedom, each = PRIOR_FREEDOM + tests - 2.0, list[Outlier]()
-    for i, row in enumerate(np.log(np.maximum(found.squares, 1.0))):
-        others = np.delete(row, i)
-        spread = math.sqrt((2.0 + float(np.sum((others - others.mean()) ** 2))) / freedom)
-        ratio = float(row[i] - others.mean()) / (spread * math.sqrt(1.0 + 1.0 / others.size))
-        each.append(Outlier(i, ratio, min(1.0, tests * float(stdtr(freedom, -ratio)))))
-    return min((one for one in each if math.isfinite(one.ratio)), key=lambda one: one.chance, default=None)

@@ -18,8 +18,9 @@ from edesign.calibration.search.adoption import STEPS
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.settings import SearchSettings
-from edesign.estimation.left_out import LEAST, Outlier
+from edesign.estimation.left_out import LEAST
 from edesign.estimation.noise import Noise
+from edesign.estimation.outlier import Outlier
 
 _BEYOND = 1.1  # times the largest of the other tests, from which on a law is extrapolated
 
@@ -84,33 +85,36 @@ class _Asked:
         found = self.fitter.outlier(model)
         if found is None or not wanted(found):
             return []
-        one, row = self.problem.experiments[found.test], self.fitter.score(model, self.noise).squares[found.test]
+        one, test = self.problem.experiments[found.test], found.test
+        by_others = self.fitter.fit(model.effects, model.fit, self.noise.without(test), STEPS) or model
+        deviations, sizes = np.square(self.fitter.problem.deviations), np.square(self.fitter.problem.sizes)
+        others = [i for i in range(deviations.size) if i != test]
         samples = np.array([f.size for f in model.fit.predicted])
-        others = np.delete(np.arange(samples.size), found.test)
-        parts = [Part(self.problem.experiments[i].name, float(row[i]), 1.0, int(samples[i])) for i in others]
-        power = float((samples * np.square(self.fitter.problem.sizes))[others].sum())
-        left = (row * samples * np.square(self.fitter.problem.deviations))[others]
+        power = float((samples * sizes)[others].sum())
+        squares = {of: np.array([float(r @ r) for r in of.left]) for of in (model, by_others)}
+        names = [each.name for each in self.problem.experiments]
+        ratios = squares[by_others] / samples / deviations
         return [
             OutlyingTest(
                 name=one.name,
                 use=one.use,
                 ratio=found.ratio,
                 chance=found.chance,
-                others_with=sum(float(model.left[i] @ model.left[i]) for i in others) / power,
-                others_without=float(left.sum()) / power,
-                only_noise=worst_of(parts) is None,
-                faults=self._faults(model, found.test),
-                beyond=self._beyond(found.test),
+                others_with=float(squares[model][others].sum()) / power,
+                others_without=float(squares[by_others][others].sum()) / power,
+                only_noise=worst_of([Part(names[i], float(ratios[i]), 1.0, int(samples[i])) for i in others]) is None,
+                faults=self._faults(by_others, test),
+                beyond=self._beyond(test),
             )
         ]
 
-    def _faults(self, model: FittedModel, test: int) -> tuple[Fault, ...]:
+    def _faults(self, by_others: FittedModel, test: int) -> tuple[Fault, ...]:
         """Return the faults each of which makes a test agree with the others, the likeliest first."""
-        by_others = self.fitter.fit(model.effects, model.fit, self.noise.without(test), STEPS) or model
+        effects = by_others.effects
         tried = list[FittedModel]()
         for fault in self.faults:
             starts = fault.starts if fault.tests == (test,) else ()
-            grown = [self.fitted((*model.effects, fault), np.append(by_others.fit.values, one)) for one in starts]
+            grown = [self.fitted((*effects, fault), np.append(by_others.fit.values, one)) for one in starts]
             if some := [one for one in grown if one is not None]:
                 tried.append(min(some, key=lambda one: one.nrms))
         if not tried:
@@ -119,7 +123,7 @@ class _Asked:
         totals = [self.fitter.score(one, noise).total for one in tried]
         likely = sorted(zip(totals, tried, strict=True), key=lambda one: -one[0])
         return tuple(
-            Fault(of.name, of.form, of.data.title, effect_estimates(one, estimates(one), len(model.effects)))
+            Fault(of.name, of.form, of.data.title, effect_estimates(one, estimates(one), len(effects)))
             for total, one in likely
             for of in [one.effects[-1]]
             if total > max(totals) - LEAST and self._agrees(one, test)

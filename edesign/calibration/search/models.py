@@ -13,9 +13,10 @@ import numpy as np
 from edesign.calibration.search.problem import Columns, Effect, Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
-from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Outlier, Score, difference, outlier, score
+from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Score, difference, score
 from edesign.estimation.model import Model, PredictionError, predict_near
 from edesign.estimation.noise import Noise, correlation_length
+from edesign.estimation.outlier import Outlier, outlier
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
 
 _REWEIGHTED = 0.2  # fall of the logarithm of the noise, below which a fit under the noise that it leaves has settled
@@ -194,6 +195,7 @@ class Fitter:
         self.effort = Effort(settings.effort)
         self.fitted = 0
         self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
+        self._outliers: dict[int, tuple[FittedModel, Outlier | None]] = {}
         self._discrepancies: dict[int, tuple[FittedModel, Columns | None]] = {}
         self._commons: dict[tuple[int, tuple[Effect, ...]], tuple[FittedModel, FittedModel]] = {}
 
@@ -342,7 +344,11 @@ class Fitter:
 
     def outlier(self, model: FittedModel) -> Outlier | None:
         """Return the test that agrees least with the others beside a model; None: there are too few."""
-        return outlier(self.score(model, Noise.white(self.problem.deviations)))
+        if id(model) not in self._outliers:
+            found = outlier(model.fit, Noise.white(self.problem.deviations))
+            self.effort.spend(0 if found is None else found.evaluations, model.effects)
+            self._outliers[id(model)] = model, found
+        return self._outliers[id(model)][1]
 
     def noise(self, leader: FittedModel, known: FittedModel) -> Noise:
         """Return the noise by which models are compared: what the leader leaves.
