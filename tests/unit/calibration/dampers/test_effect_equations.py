@@ -175,12 +175,12 @@ def follow(p: P) -> Forces:
     return each(own)
 
 
-def gained(p: P, first: int) -> Forces:
-    return whole(lambda m, i: 1.0 + p["g"] if i + 1 >= first else 1.0)
+def gained(p: P, first: int, last: int = 5) -> Forces:
+    return whole(lambda m, i: 1.0 + p["g"] if first <= i + 1 <= last else 1.0)
 
 
-def scaled(p: P, first: int) -> Forces:
-    return whole(lambda m, i: 1.0 / (1.0 + p["g"]) if i + 1 >= first else 1.0)
+def scaled(p: P, first: int, last: int = 5) -> Forces:
+    return whole(lambda m, i: 1.0 / (1.0 + p["g"]) if first <= i + 1 <= last else 1.0)
 
 
 def elapsed(p: P) -> Forces:
@@ -293,7 +293,12 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "gain.force": lambda p: gained(p, 1),
     "gain.displacement": lambda p: scaled(p, 1),
     "gain.force_from_test_3": lambda p: gained(p, 3),
-    "gain.displacement_from_test_2": lambda p: scaled(p, 2),
+    "gain.displacement_from_test_3": lambda p: scaled(p, 3),
+    "gain.force_of_test_2": lambda p: gained(p, 2, 2),
+    "gain.displacement_of_test_4": lambda p: scaled(p, 4, 4),
+    "clock.of_test_3": lambda p: each(
+        lambda m, i: K * m.displacement + C * m.velocity * (1.0 + p["g"] if i == 2 else 1.0)
+    ),
 }
 TOLERANCES = {
     "relaxation_branch.maxwell": 1e-6,  # midpoints of 40 steps
@@ -399,6 +404,27 @@ def test_a_delay_has_the_force_of_an_earlier_moment():
         early = np.interp(m.time - lag, m.time, law(m.displacement, m.velocity))
         # chords of the force between samples, from rest on
         assert np.max(np.abs(force - early)[10:]) < 2e-3 * S.force
+
+
+def test_a_lag_of_one_test_is_that_of_all_tests_in_it():
+    (_, late), (_, one), (_, none) = (
+        predicted(offered(label), (lag,))
+        for label, lag in (("lag.delay", 0.01), ("lag.delay_of_test_2", 0.01), ("lag.delay", 0.0))
+    )
+    for i, found in enumerate(one):
+        assert np.max(np.abs(found - (late if i == 1 else none)[i])) < 1e-9 * S.force
+
+
+def test_a_misread_temperature_of_one_test_is_another_temperature_there():
+    read, true = (problem("mgmm", degrees=(20.0, warm, 31.0, 24.0)) for warm in (26.0, 18.5))
+    (effect,) = (one for one in read.effects if one.label == "thermometer.of_test_2")
+    base = [one.centre for one in read.base]
+    (found,), (expected,) = (
+        of.model(effects, ("fit", "validate")).forces(np.array([[*base, *size]]))
+        for of, effects, size in ((read, (effect,), (7.5,)), (true, (), ()))
+    )
+    for one, other in zip(found, expected, strict=True):
+        assert np.array_equal(one, other)
 
 
 @pytest.mark.parametrize("label", ["lag.filter", "lag.second_order", "inertia.sprung"])
@@ -507,4 +533,5 @@ def test_every_form_is_checked_here_or_by_the_core():
         plain = form.label
         for ending in endings:
             plain = plain.removesuffix(ending)
-        assert plain in known or plain.startswith(("gain.", "temperature_law.gamma")), form.label
+        of_one = ("clock.of_test_", "lag.delay_of_test_", "thermometer.of_test_")
+        assert plain in known or plain.startswith(("gain.", "temperature_law.gamma", *of_one)), form.label

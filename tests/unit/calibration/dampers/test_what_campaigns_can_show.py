@@ -23,9 +23,24 @@ def test_a_gain_that_changes_has_a_form_for_each_place_that_fitted_tests_determi
     tests = problem(tests=7)
     uses: tuple[Use, ...] = ("fit", "validate", "validate", "fit", "fit", "validate", "fit")
     tests = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
-    reported = ("2_to_4", "5", "6_to_7")  # tests that are not fitted to may be before or after the change
-    places = {f"gain.{channel}_from_test_{first}" for channel in ("force", "displacement") for first in reported}
+    # a gain in the first test alone, or in the last one, is that of one test
+    reported = ("from_test_5", "of_test_1", "of_test_4", "of_test_5", "of_test_7")
+    places = {f"gain.{channel}_{place}" for channel in ("force", "displacement") for place in reported}
     assert labels(tests, "gain") == {"gain.force", "gain.displacement", *places}
+    by_label = {one.label: one for one in replace(tests, typical=Sizes.of(tests.experiments)).effects}
+    assert [one.form for one in by_label["gain.force_of_test_1"].confounded] == [
+        "force_of_test_1",  # tests that are not fitted to may be before or after the change
+        *(f"force_to_test_{last}" for last in (2, 3)),
+    ]
+    assert [one.form for one in by_label["gain.force_of_test_7"].confounded] == [
+        "force_of_test_7",
+        "force_from_test_6",
+    ]
+    assert by_label["gain.force_of_test_4"].confounded == ()
+    assert [by_label[f"gain.force_of_test_{k}"].tests for k in (1, 4, 5, 7)] == [(0,), (1,), (2,), (3,)]
+    assert by_label["gain.force_from_test_5"].tests == (2, 3)
+    assert by_label["gain.force_of_test_4"].log_prior == -np.log(4.0)
+    assert by_label["gain.force_from_test_5"].log_prior == by_label["gain.force"].log_prior == 0.0
 
 
 def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_separate() -> None:
@@ -34,7 +49,7 @@ def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_separa
     tests = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
     tests = replace(tests, typical=Sizes.of(tests.experiments))
     by_label = {one.label: one for one in tests.effects}
-    assert by_label["gain.force_from_test_2"].confounded == ()
+    assert by_label["gain.force_of_test_2"].confounded == ()
     reported = by_label["gain.force_from_test_3_to_5"].confounded
     assert [one.label for one in reported] == [f"gain.force_from_test_{first}" for first in (3, 4, 5)]
     values = np.array([[*tests.declared.values(), 0.1]])
@@ -45,13 +60,18 @@ def test_a_place_that_fitted_tests_leave_open_is_one_of_those_that_others_separa
 
 
 def test_three_tests_show_nothing_that_changes_between_them_alone() -> None:
-    """A line through three levels has one more to show how tests scatter; two that agree may do so by chance."""
+    """A line through three levels has one more to show how tests scatter. One of three may be wrong, one of two not."""
     tests = problem(tests=4)
     uses: tuple[Use, ...] = ("fit", "fit", "fit", "validate")
     three = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
-    assert labels(three, "ageing") == set() and labels(three, "gain") == {"gain.force", "gain.displacement"}
+    of_one = {f"gain.{channel}_of_test_{k}" for channel in ("force", "displacement") for k in (1, 2, 3)}
+    assert labels(three, "ageing") == set() and labels(three, "gain") == {"gain.force", "gain.displacement", *of_one}
+    two = tests.with_experiments(
+        [replace(one, use="fit" if i < 2 else "validate") for i, one in enumerate(tests.experiments)]
+    )
+    assert labels(two, "gain") == {"gain.force", "gain.displacement"} and labels(two, "clock") == set()
     four = tests.with_experiments([replace(one, use="fit") for one in tests.experiments])
-    assert "ageing.linear" in labels(four, "ageing") and "gain.force_from_test_4" in labels(four, "gain")
+    assert "ageing.linear" in labels(four, "ageing") and "gain.force_from_test_3" in labels(four, "gain")
 
 
 @pytest.mark.parametrize(
