@@ -21,6 +21,7 @@ from edesign.calibration.dampers.mechanisms import (
     NuisanceAmplitudes,
     Placement,
     Rig,
+    Thermometer,
 )
 from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.properties import arrangement, reading
@@ -218,7 +219,7 @@ def _power(symbol: str, power: int) -> str:
 
 def _placed(form: EffectForm | StructureForm | ReadingForm) -> tuple[str, tuple[str, ...]]:
     """Return the name of a form without its placement, side and number, and where it acts."""
-    base = re.sub(r"_from_test_\d+(_to_\d+)?$", "_from_test_k", re.sub(r"(storey|floor)_\d+$", r"\1_N", form.form))
+    base = re.sub(r"(from|of)_test_\d+(_to_\d+)?$", r"\1_test_k", re.sub(r"(storey|floor)_\d+$", r"\1_N", form.form))
     if isinstance(form, ReadingForm):
         return base, ("what was read",)
     if isinstance(form, StructureForm):
@@ -243,7 +244,8 @@ def _where(mechanism: object) -> str:
         return "displacement channel" if mechanism.of == "actuator" else "motion of the specimen"
     if isinstance(mechanism, ForceChannel):
         return "force channel" if mechanism.of == "channel" else "what moves with the actuator"
-    others = {Rig: "in series", LawParameters: "parameters of the law", NuisanceAmplitudes: "nuisance amplitudes"}
+    others: dict[type, str] = {Rig: "in series", LawParameters: "parameters of the law", Thermometer: "temperature"}
+    others[NuisanceAmplitudes] = "nuisance amplitudes"
     return "from test to test" if isinstance(mechanism, LastingExtremes) else others.get(type(mechanism), "")
 
 

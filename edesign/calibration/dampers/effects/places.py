@@ -41,6 +41,7 @@ def _stretched(p: Values, test: Experiment, motion: Motion) -> Motion:
 
 _FORCE = replace(
     gain.FORCE,
+    signature="proportional to the force itself",
     parameters=lambda s: (size("g", "", _FAULT, -3.0, 10.0),),
     starts=lambda s: ((_FAULT,),),
 )
