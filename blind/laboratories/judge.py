@@ -77,8 +77,8 @@ def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | 
     fitted = result["parameters"].get("corrected") or result["parameters"]["refit"]
     true, declared = (dict(truth[key].get("parameters", truth[key])) for key in ("law_true", "law_declared"))
     if truth["law"] == "bouc_wen":
-        # z has no unit of its own: the fit holds gamma, and with it the size of z
-        size = (declared["gamma"] / true["gamma"]) ** (1.0 / true["n"])
+        # z has no unit of its own: the fit holds beta + gamma = A, so that z comes to 1
+        size = (true.get("A", 1.0) / (true["beta"] + true["gamma"])) ** (1.0 / true["n"])
         true |= {"Fy": true["Fy"] * size, "Y": true["Y"] * size, "beta": true["beta"] * size ** true["n"]}
     if truth["law"] == "friction":  # the fit holds N
         true |= {"mu": true["mu"] * true["N"] / declared["N"]}

@@ -18,6 +18,7 @@ from edesign.calibration.dampers.tones import common_tones
 from edesign.calibration.search.settings import SearchSettings
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
+from edesign.damper.fitting.identifiable import as_held
 from edesign.damper.history import Extremes
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
@@ -61,6 +62,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
         _check_motion(test)
     law = law_of(campaign.law.type)
     declared = law.complete(read_parameters(law, campaign.law.parameters))
+    declared = as_held(law, declared) if campaign.law.refit else declared
     experiments = _experiments(campaign.tests)
     problem = DamperProblem(
         law,
@@ -85,7 +87,9 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     alone = _alone(found)
     if alone and any(one.start is not None for one in found.experiments):
         # how a test starts is read from its force beside a law: the declared one may be far off
-        found = replace(_started(replace(found, declared={**declared, **alone}), campaign), declared=declared)
+        found = replace(
+            _started(replace(found, declared=found.law_values(alone.values())), campaign), declared=declared
+        )
     return replace(found, alone=alone)
 
 

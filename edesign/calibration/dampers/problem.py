@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -22,7 +22,7 @@ from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncerta
 from edesign.calibration.form import FormInCampaign, Values
 from edesign.calibration.problems import EffectModel, Predicted, TestedProblem, changed
 from edesign.calibration.search.problem import Effect
-from edesign.damper.fitting.identifiable import FIXED, LIMITED_BY, beside
+from edesign.damper.fitting.identifiable import FIXED, LIMITED_BY, beside, held
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law
 from edesign.damper.law import Parameter as LawParameter
@@ -173,6 +173,15 @@ class DamperProblem(TestedProblem):
     def columns(self) -> Kept[tuple[np.ndarray | None, ...]]:
         """Weighted nuisance columns (n_i, k) N of each test, by tests and effects that make them."""
         return Kept(_COLUMNS)
+
+    def law_values(self, numbers: Iterable[float]) -> dict[str, float]:
+        """Return all parameters of the law by name, SI, with those that others hold.
+
+        Args:
+            numbers: those of the base and more, SI.
+        """
+        fitted = {one.name: float(number) for one, number in zip(self.base, numbers, strict=False)}
+        return held(self.law, {**self.declared, **fitted}) if fitted else dict(self.declared)
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> DamperModel:
         """Return the law with effects; its parameters are those of the law, and of the effects in their order."""
@@ -341,7 +350,7 @@ class DamperModel(EffectModel[DamperProblem]):
 
     def _of(self, values: np.ndarray) -> tuple[dict[str, float], list[tuple[FormInCampaign, Values]]]:
         """Return the law's parameters, and the effects with theirs."""
-        return {**self.problem.declared, **self.base_values(values)}, self.effect_values(values)
+        return self.problem.law_values(values), self.effect_values(values)
 
 
 def _about_declared(

@@ -90,7 +90,8 @@ def law_estimates(problem: DamperProblem, model: FittedModel | None) -> dict[str
         model: fitted; None: the declared law.
     """
     units = {one.name: one.unit for one in problem.law.all_parameters(problem.declared)}
-    found = {name: Estimate.fixed(value, units[name]) for name, value in problem.declared.items()}
+    values = problem.declared if model is None else problem.law_values(model.fit.values)
+    found = {name: Estimate.fixed(value, units[name]) for name, value in values.items()}
     if model is not None:
         found |= base_estimates(model)
     return found

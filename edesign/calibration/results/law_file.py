@@ -203,7 +203,7 @@ def _law_file(
     arranged: Arranged | None,
 ) -> LawFile:
     base, every = len(problem.base), list(model.fit.values)
-    fitted = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
+    fitted = problem.law_values(every)
     values, effects, otherwise, numbers = fitted, list[LawEffect](), dict[str, tuple[LawEffect, ...]](), every[:base]
     temperature: GammaT | FerryShift | None = own_temperature(problem)
     measured, lacking, known, rigs = list[str](), list[str](), list[Effect](), list[RigValues]()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -56,6 +56,7 @@ class Coordinates:
         scales: sizes in the tests.
         bounds: narrower than the law's own, SI, by name.
         above: parameters that must exceed another one, by name.
+        held: all parameters with those that others hold, of all of them.
 
     Raises:
         InputError: a bound is of no free parameter, is empty, or is outside the law's; a start is outside the bounds.
@@ -69,12 +70,14 @@ class Coordinates:
         scales: Scales,
         bounds: Bounds | None = None,
         above: Mapping[str, str] | None = None,
+        held: Callable[[Mapping[str, float]], dict[str, float]] = dict,
     ) -> None:
         given = dict(bounds or {})
         self.names = tuple(free)
         self.start = dict(start)
         self.bounded = bool(given)
         self.scales = scales
+        self._held = held
         self.above = {name: other for name, other in (above or {}).items() if name in self.names}
         known = {parameter.name: parameter for parameter in parameters}
         for name in given:
@@ -100,7 +103,7 @@ class Coordinates:
         found = dict(self.start)
         for axis, place in self._in_order(x):
             found[axis.parameter.name] = self._value(axis, place, found)
-        return found
+        return self._held(found)
 
     def at(self, values: Mapping[str, float]) -> np.ndarray:
         """Return the coordinates (n,) of parameters, moved inside the bounds.

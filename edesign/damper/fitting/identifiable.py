@@ -28,7 +28,7 @@ class FixedParameter:
 _BOUC_WEN = {
     "A": FixedParameter("A only scales z, as the yield force and yield deformation do", 1.0),
     "gamma": FixedParameter(
-        "gamma, beta and the yield deformation scale together; the yield deformation is fitted", 0.5
+        "it is held at A - beta: z is then 1 at most, and strength and Y are those of yielding", 0.5
     ),
 }
 
@@ -60,24 +60,67 @@ LIMITED_BY = {"mgmm": {"c1": "c_b", "k_b": "k0"}}
 """Parameters that shrink to nothing where data want less than what another one, fixed above zero, gives already."""
 
 
-_NOT_BELOW_MINUS = {"bouc_wen": {"beta": "gamma"}, "modified_bouc_wen": {"beta": "gamma"}}
-"""Parameters that are at least minus another one, which is fixed: z of Bouc-Wen laws has a bound then."""
+_STEEPEST = 10.0  # -beta/A: unloads more than twenty times as steeply as it loads, which no test tells from at once
 
 
-def beside(law: Law, parameter: Parameter, fixed: Mapping[str, float]) -> Parameter:
-    """Return a parameter with the bounds that it has beside others which are fixed.
+def is_bouc_wen(law: Law) -> bool:
+    """Return whether a law has the z of Bouc and Wen, whose unit three of its parameters share."""
+    return FIXED.get(law.name) is _BOUC_WEN
+
+
+def held(law: Law, values: Mapping[str, float]) -> dict[str, float]:
+    """Return parameters of a law with those that are held by others: gamma = A - beta of Bouc-Wen laws.
+
+    z comes to (A / (beta + gamma))^(1/n). That is 1, so that the strength of the law is none of its shape.
+
+    Args:
+        law: the law.
+        values: all of its parameters, SI.
+    """
+    return {**values, "gamma": values["A"] - values["beta"]} if is_bouc_wen(law) else dict(values)
+
+
+def as_held(law: Law, values: Mapping[str, float]) -> dict[str, float]:
+    """Return the parameters that `held` leaves as they are, with which a law has the same force.
+
+    With z = s z', Y and Fy are s times, and beta and gamma s^n times as large. Beyond the bounds of `beside` it is the
+    nearest law within them.
+
+    Args:
+        law: the law.
+        values: all of its parameters, SI.
+    """
+    found, whole = dict(values), values.get("beta", 0.0) + values.get("gamma", 0.0)
+    if not is_bouc_wen(law):
+        return found
+    size = max(whole / values["A"], (values["gamma"] / values["A"]) / (1.0 + _STEEPEST))
+    factor = size ** (-1.0 / values["n"])
+    found |= {name: factor * values[name] for name in ("Fy", "Y") if name in values}
+    return held(law, found | {"beta": max(values["beta"] / size, -_STEEPEST * values["A"])})
+
+
+def beside(law: Law, parameter: Parameter, values: Mapping[str, float], holds: bool = True) -> Parameter:
+    """Return a parameter with the bounds that it has beside others.
+
+    beta of Bouc-Wen laws leaves gamma above 0, or else loops make energy (Erlicher & Point 2004, C. R. Mecanique 332,
+    51-57; tests/verification/test_verify_passivity.py). Where gamma is fixed and not `held`, beta is at least -gamma:
+    z has a bound then.
 
     A search then stops there as at any bound. Where nothing but refused predictions shows it, all steps that lead
     beyond it are refused as a whole, and the search stands still in all its parameters.
 
     Args:
         parameter: of the law, or beside it.
-        fixed: values of parameters, SI; where those that it depends on are not among them, nothing is known of it.
+        values: of parameters, SI; where those that it depends on are not among them, nothing is known of it.
+        holds: whether parameters are held by others, see `held`.
     """
-    other = _NOT_BELOW_MINUS.get(law.name, {}).get(parameter.name)
-    if other is None or other not in fixed:
+    if not is_bouc_wen(law) or parameter.name != "beta":
         return parameter
-    return replace(parameter, lower=-fixed[other], lower_allowed=True)
+    if holds:
+        return replace(
+            parameter, lower=-_STEEPEST * values["A"], lower_allowed=True, upper=values["A"], upper_allowed=False
+        )
+    return replace(parameter, lower=-values["gamma"], lower_allowed=True) if "gamma" in values else parameter
 
 
 def fixed_by_default(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:

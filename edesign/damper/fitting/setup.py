@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import get_args
 
 import numpy as np
 
 from edesign.damper.fitting.coordinates import ABOVE, Bounds, Coordinates
-from edesign.damper.fitting.identifiable import FIXED, beside, fixed_by_default, why_fixed
+from edesign.damper.fitting.identifiable import FIXED, as_held, beside, fixed_by_default, held, is_bouc_wen, why_fixed
 from edesign.damper.fitting.observed import Observed
 from edesign.damper.fitting.solve import Loss
 from edesign.damper.fitting.start import branches_of, start_values
@@ -19,6 +20,7 @@ from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 
+_SAME = 1e-9  # relative difference of rounding
 _FRACTION = 0.1  # of a parameter that must exceed another, where the other one starts
 
 
@@ -124,6 +126,12 @@ def set_up(
         constants.pop(name, None)
     own = {name: value for name, value in begin.items() if name not in {p.name for p in heat.parameters}}
     values = start_values(law, observed, {**own, **constants}, branches)
+    holds = is_bouc_wen(law) and "gamma" in constants and "gamma" not in fixed
+    if holds:
+        scaled = as_held(law, values)
+        # what the user fixed is not scaled
+        holds = all(math.isclose(scaled[name], values[name], rel_tol=_SAME) for name in fixed if name in values)
+        values = scaled if holds else values
     values |= {p.name: begin.get(p.name, p.default or 1.0) for p in heat.parameters}
     reasons = {name: why_fixed(law, name) or "a choice" for name in constants}
     reasons |= {name: "fixed by the user" for name in fixed}
@@ -132,8 +140,13 @@ def set_up(
     free = [name for name in values if name not in reasons]
     if not free:
         raise InputError(f"all parameters of law {law.name} are fixed; nothing is left to fit [E-FIT-04]")
-    parameters = tuple(beside(law, one, constants) for one in parameters)
-    coordinates = Coordinates(parameters, free, values, observed.scales, bounds, ABOVE.get(law.name))
+    if is_bouc_wen(law) and not holds and "gamma" in reasons:
+        reasons["gamma"] = "fixed by the user" if "gamma" in fixed else "you fix others, and z has the unit of these"
+    parameters = tuple(beside(law, one, values if holds else constants, holds) for one in parameters)
+    above = ABOVE.get(law.name)
+    coordinates = Coordinates(
+        parameters, free, values, observed.scales, bounds, above, partial(held, law) if holds else dict
+    )
     return Setup(law, parameters, coordinates, reasons, heat)
 
 

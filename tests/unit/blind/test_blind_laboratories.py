@@ -89,8 +89,8 @@ def test_a_hidden_reading_counts() -> None:
 def test_intervals_count_where_the_effects_are_right() -> None:
     assert judged(truth("one_F", "lag"), result("lag"))["inside"] == [0, 1]
     assert judged(truth("one_F", "lag"), result("hum"))["inside"] is None
-    # z of Bouc-Wen is as large as the gamma that the fit holds: with half of the true one, sqrt(1/2) times
-    true = {"Fy": 10.0, "Y": 2.0, "beta": 0.4, "gamma": 0.6, "n": 2.0}
+    # z of Bouc-Wen comes to 1 as the fit holds it: with half of the true beta + gamma Fy is sqrt(1/2) times as large
+    true = {"Fy": 10.0, "Y": 2.0, "beta": 0.4, "gamma": 1.6, "n": 2.0}
     said = truth("clean_H", law="bouc_wen", law_true=true, law_declared={"gamma": 0.3})
     reported = result()
     reported["parameters"]["refit"] = {

@@ -10,6 +10,9 @@ import pytest
 from damper_problems import LAW_VALUES, problem
 
 from edesign.calibration.dampers.effect import REFINED
+from edesign.damper.damper import Damper
+from edesign.damper.fitting.identifiable import as_held
+from edesign.damper.laws import LAWS
 from edesign.estimation.least_squares import fit
 from edesign.estimation.model import PredictionError, predict_near
 from edesign.estimation.noise import Noise
@@ -42,19 +45,36 @@ def hardening_loops(displacement: np.ndarray, force: float, length: float) -> np
     return np.array(found)
 
 
-def test_a_fit_goes_along_the_bound_that_a_fixed_parameter_sets():
-    """beta is at least -gamma. Loops that harden ask for less: the other parameters are fitted at that bound."""
+def test_bouc_wen_that_data_make_harden_does_not_lose_its_strength():
+    """beta + gamma = A is held. Loops that harden want less than nothing of it: beta falls, from everywhere alike."""
     tests = problem("bouc_wen", values={"n": 1.0})
     hard = [replace(one, force=hardening_loops(one.motion.displacement, 2e4, 3e-3)) for one in tests.experiments]
-    model = tests.with_experiments(hard).model(())
+    tests = tests.with_experiments(hard)
+    model = tests.model(())
     beta = [one.name for one in model.parameters].index("beta")
-    assert model.parameters[beta].lower == -LAW_VALUES["bouc_wen"]["gamma"]
+    assert (model.parameters[beta].lower, model.parameters[beta].upper) == (-10.0, pytest.approx(1.0))
     noise = Noise.of_first_fit((10.0,) * 3, tests.sizes)
     found = [fit(model, noise, np.array(start), 60) for start in ([0.0] * 5, [1.0, 1.0, -1.0, -3.0, 1.0])]
-    assert all(one.values[beta] == -0.5 for one in found)
+    strengths = [tests.law_values(one.values)["Fy"] for one in found]
+    assert strengths[0] == pytest.approx(strengths[1], rel=1e-2)
+    assert strengths[0] > max(float(np.max(np.abs(one.force))) for one in hard)
     # a search ends where a step promises 0.05 of the objective
     one, other = (sum(float(r @ r) for r in one.weighted().residuals) + float(one.z @ one.z) for one in found)
     assert abs(one - other) < 1.0
+
+
+def test_bouc_wen_is_declared_in_any_unit_of_z_and_fitted_with_z_of_one():
+    """z = s z': Y and Fy s times, beta and gamma s^n times as large have the same force (Wen 1976)."""
+    law, own = LAWS["bouc_wen"], {**LAW_VALUES["bouc_wen"], "A": 2.0, "beta": 0.3, "gamma": 1.2, "n": 1.7}
+    other = as_held(law, own)
+    assert other["beta"] + other["gamma"] == pytest.approx(2.0) and other["beta"] / other["gamma"] == pytest.approx(
+        0.25
+    )
+    t = np.arange(0.0, 4.0, 0.005)
+    u, v = 5e-3 * np.sin(5.0 * t), 25e-3 * np.cos(5.0 * t)
+    one, two = (Damper(law, values).core.force(t, u, v) for values in (own, other))
+    np.testing.assert_allclose(one, two, rtol=0.0, atol=1e-9 * np.max(np.abs(one)))
+    assert np.max(np.abs(two - own["alpha"] * own["Fy"] / own["Y"] * u)) < (1.0 - own["alpha"]) * other["Fy"]
 
 
 def test_zeros_that_an_mgmm_declares_are_fixed_where_others_make_them_needless():
