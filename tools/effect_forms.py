@@ -91,8 +91,9 @@ class Row:
 
     @property
     def title(self) -> str:
-        """What it is, of whatever side or number."""
-        return re.sub(r"(storey|floor|test) \d+$", r"\1 N", self.form.title.replace("the positive side", "one side"))
+        """What it is, of whatever side or number; with a size below zero too, where that is another thing."""
+        both = (self.form.title, *(f"negative: {words.title}" for words in (self.form.negative,) if words))
+        return re.sub(r"(storey|floor|test) \d+$", r"\1 N", "; ".join(both).replace("the positive side", "one side"))
 
     @property
     def laws(self) -> tuple[str, ...]:

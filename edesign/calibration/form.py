@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from edesign.calibration.search.problem import Effect, Kind
 from edesign.estimation.parameters import Parameter
@@ -17,6 +17,18 @@ A = TypeVar("A")
 S = TypeVar("S")
 
 _ORDER_OF_MAGNITUDE = 1.5  # standard deviation of the natural logarithm: a factor of 4.5
+
+
+class Words(NamedTuple):
+    """What a form is, for people.
+
+    Attributes:
+        title: what it is.
+        signature: what it leaves in the residual of a model without it.
+    """
+
+    title: str
+    signature: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +52,7 @@ class Form(Generic[A, S]):
         confounded: forms that do the same in all tests that are fitted, and something else in others; (): none.
         twin: the same equation as a part of something else, which no test can tell from it; None: there is none, or the
             campaign says what it is a part of.
+        negative: title and signature where its size is below zero; None: they are the same, or it cannot be.
     """
 
     name: str
@@ -57,6 +70,7 @@ class Form(Generic[A, S]):
     meanings: Mapping[str, str] = field(default_factory=dict)
     confounded: tuple[Form[A, S], ...] = ()
     twin: Form[A, S] | None = None
+    negative: Words | None = None
 
     @property
     def label(self) -> str:
@@ -101,15 +115,14 @@ class FormInCampaign:
     constants: Values
     parameters: tuple[str, ...]
 
-    @property
-    def title(self) -> str:
-        """What the form is, for people."""
-        return str(self.form.title)
+    def words(self, numbers: Sequence[float]) -> Words:
+        """Return what the form is with parameters, the first of which is its size.
 
-    @property
-    def signature(self) -> str:
-        """What it leaves in the residual of a model without it, for people."""
-        return str(self.form.signature)
+        Args:
+            numbers: SI.
+        """
+        negative = self.form.negative if len(numbers) and numbers[0] < 0.0 else None
+        return negative or Words(self.form.title, self.form.signature)
 
     @property
     def twin(self) -> FormInCampaign | None:

@@ -52,7 +52,7 @@ def _any(name: str, meaning: str, unit: str) -> Parameter:
 
 
 def _share(name: str, meaning: str) -> Parameter:
-    return Parameter(name, meaning, "", lower=_ANY, upper=1.0)
+    return Parameter(name, f"{meaning}; negative: that comes", "", lower=_ANY, upper=1.0)
 
 
 _BROKEN = (
@@ -114,7 +114,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "softening with amplitude of the elastic force",
             "-k g(a) u",
             _PAYNE,
-            (_any("k", "stiffness that goes", "N/m"), *_BROKEN),
+            (_any("k", "stiffness that goes; negative: that comes", "N/m"), *_BROKEN),
             True,
         ),
         form(
@@ -147,7 +147,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "phi = 1 + m exp(-s/s0)",
             _MULLINS,
             (
-                Parameter("m", "share by which the virgin damper is stronger", "", lower=-1.0),
+                Parameter("m", "share by which the virgin damper is stronger; negative: weaker", "", lower=-1.0),
                 _positive("s0", "path after which 1/e of it is left", "m"),
                 _RECOVERY,
             ),
@@ -183,7 +183,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "k exp(-s/s0) u",
             _MULLINS,
             (
-                _any("k", "stiffness that the virgin damper has more", "N/m"),
+                _any("k", "stiffness that the virgin damper has more; negative: less", "N/m"),
                 _positive("s0", "path after which 1/e of it is left", "m"),
                 _RECOVERY,
             ),
@@ -259,7 +259,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "trend over the order of the tests",
             (),
             more=(
-                _any("rate", "change of the force from one test to the next", ""),
+                _any("rate", "change of the force from one test to the next; negative: it falls", ""),
                 Parameter("n", "tests before: the state that is used", "", lower_allowed=True, fitted=False),
             ),
             constant=True,
@@ -271,7 +271,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "Struik (1978), Physical Aging in Amorphous Polymers and Other Materials",
             (),
             more=(
-                _any("rate", "change of the force over e times as many tests", ""),
+                _any("rate", "change of the force over e times as many tests; negative: it falls", ""),
                 Parameter("n", "tests before: the state that is used", "", lower_allowed=True, fitted=False),
                 Parameter("n0", "tests after which it slows down", "", default=1.0),
             ),
@@ -323,7 +323,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "stronger to one side",
             "phi = 1 + b where side u > 0",
             "asymmetric loops",
-            (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE),
+            (Parameter("b", "share by which it is stronger; negative: weaker", "", lower=-1.0), _SIDE),
         ),
         form(
             "one_sided.valve",
@@ -331,7 +331,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "phi = 1 + b max(tanh(side u'/v0), 0)",
             "valves of rebound and compression: Dixon (2007), The Shock Absorber Handbook, Wiley, chapter 7",
             (
-                Parameter("b", "share by which it is stronger", "", lower=-1.0),
+                Parameter("b", "share by which it is stronger; negative: weaker", "", lower=-1.0),
                 _positive("v0", "velocity over which that rises", "m/s"),
                 _SIDE_OF_MOTION,
             ),
@@ -342,7 +342,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "stronger where it pulls, or pushes",
             "phi = 1 + b where side F_law > 0",
             "factors of tension and compression",
-            (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE_OF_FORCE),
+            (Parameter("b", "share by which it is stronger; negative: weaker", "", lower=-1.0), _SIDE_OF_FORCE),
         ),
         form(
             "one_sided.spring",
@@ -385,7 +385,7 @@ def _forms() -> tuple[LawEffectForm, ...]:
             "P (1 - c u)^-n",
             "polytropic change of a gas: Dixon (2007), The Shock Absorber Handbook, Wiley, section 5.11",
             (
-                _any("P", "force of the gas at u = 0", "N"),
+                _any("P", "force of the gas at u = 0; negative: to the other side", "N"),
                 _any("c", "1 over the deformation at which no room is left; negative: on the other side", "1/m"),
                 Parameter("n", "exponent: 1 isothermal, 1.4 adiabatic", "", fitted=False),
             ),

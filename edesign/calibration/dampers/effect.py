@@ -104,6 +104,16 @@ def either(
     """
     own = replace(form, kind="damper", title=title, laws=laws, usual_in=usual_in)
     return replace(form, twin=replace(own, mechanisms=mechanisms or form.mechanisms))
+def renamed(form: EffectForm, name: str, title: str) -> EffectForm:
+    """Return a form with another name and titles.
+
+    Args:
+        form: to be renamed.
+        name: of the form.
+        title: with {} in the place of the titles that it had.
+    """
+    negative = form.negative and form.negative._replace(title=title.format(form.negative.title))
+    return replace(form, form=name, title=title.format(form.title), negative=negative)
 
 
 def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:
@@ -120,6 +130,6 @@ def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:
             for mechanism in form.mechanisms
         )
         ending = "" if placement is Placement.WHOLE else f"_{placement.value}"
-        return replace(form, form=form.form + ending, title=form.title + _TITLES[placement], mechanisms=mechanisms)
+        return replace(renamed(form, form.form + ending, f"{{}}{_TITLES[placement]}"), mechanisms=mechanisms)
 
     return tuple(map(at, placements))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Form, Values, size
+from edesign.calibration.form import Form, Values, Words, size
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,10 @@ _PEAK = ReadingForm(
     lambda _: (size("share", "", 0.1, -0.5, 1.0),),
     lambda _: ((0.05,),),
     meanings={"share": "by which the largest stress is read too large"},
+    negative=Words(
+        "the largest stress read too small by a share",
+        "G_eq off by one factor beside G' and loss factor, whatever strain, frequency and temperature",
+    ),
 )
 
 FORMS = (
@@ -63,6 +67,7 @@ FORMS = (
         parameters=lambda s: (size("force", "N", 0.05 * s.force, 0.0, 0.5 * s.force),),
         starts=lambda s: ((0.02 * s.force,),),
         meanings={"force": "by which the largest force is read too large"},
+        negative=None,
     ),
     replace(
         _PEAK,
@@ -72,5 +77,9 @@ FORMS = (
         mechanisms=(Reading(factors=(-1.0, 0.0, 0.0)),),
         parameters=lambda _: (size("share", "", 0.1, -1.0, 0.5),),
         meanings={"share": "by which the stress at the largest strain is read too small"},
+        negative=Words(
+            "the stress at the largest strain read too large by a share",
+            "G' too large and the loss factor too small by one factor, G_eq right",
+        ),
     ),
 )

@@ -291,6 +291,7 @@ class Evidence(ABC, Generic[T]):
             corrected: NRMS of the validation tests with it.
         """
         effect = model.effects[index]
+        words = effect.data.words(model.fit.values[model.places(index)])
         rise, gain, error, confounded, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
         titles: Mapping[str, str] = {}
         twin = effect.data.twin
@@ -306,8 +307,8 @@ class Evidence(ABC, Generic[T]):
             name=effect.name,
             form=effect.form,
             kind=effect.kind,
-            title=effect.data.title,
-            signature=effect.data.signature,
+            title=words.title,
+            signature=words.signature,
             parameters=effect_estimates(model, estimates(model), index),
             fixed=dict(effect.data.constants),
             delta_validate=rise,

@@ -210,7 +210,7 @@ def _law_file(
     for index, effect in enumerate(model.effects):
         own = np.array([every[i] for i in model.places(index)])
         if effect.kind != "damper":
-            measured.append(f"{effect.label} ({effect.kind}): {effect.data.title}")
+            measured.append(f"{effect.label} ({effect.kind}): {effect.data.words(own).title}")
             twin = effect.data.twin
             if twin is not None and (found := carried(problem, replace(effect, data=twin), own)) and found.effects:
                 otherwise[effect.label] = found.effects

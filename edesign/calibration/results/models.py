@@ -117,7 +117,9 @@ class Posterior:
         """Return what those effects are, for people: of each its most probable equation, by name."""
         found: dict[str, tuple[float, str]] = {}
         for i, others in self._in_place_of(name):
-            title = " and ".join(f"{one.data.title} ({one.kind})" for one in others)
+            values, places = self.models[i].fit.values, self.models[i].places
+            own = {effect.name: values[places(k)] for k, effect in enumerate(self.models[i].effects)}
+            title = " and ".join(f"{one.data.words(own[one.name]).title} ({one.kind})" for one in others)
             other = " and ".join(one.name for one in others)
             found[other] = max(found.get(other, (-1.0, "")), (self.odds(i), title))
         return {other: title for other, (_, title) in found.items()}

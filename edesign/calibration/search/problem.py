@@ -26,7 +26,7 @@ class Effect:
         starts: (k, p) values, SI, to start from: a grid over what acts non-linearly, at a typical size.
         linear: whether what it does is proportional to its size, about no effect at zero.
         nuisance: whether it acts through nuisance amplitudes of each test.
-        data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
+        data: what the problem needs to predict with it, with its `words` and `constants`.
         cost: of a prediction, in those of the base model.
         confounded: what it may be by the tests that are fitted, which others separate; (): one thing alone.
         tests: indices of those that are fitted in which it acts; (): in all.

@@ -79,12 +79,12 @@ def law_file(campaign: StructureCampaign, problem: StructureProblem, final: Fitt
         parameters = {name: fitted.get(name, value) for name, value in campaign.isolation.values.items()}
     effects, measured, lacking = [], [], []
     for index, effect in enumerate(final.effects):
-        of: FormInCampaign = effect.data
+        of, own = effect.data, final.fit.values[final.places(index)]
         if effect.kind != "structure":
-            measured.append(f"{effect.label} ({effect.kind}): {of.title}")
+            measured.append(f"{effect.label} ({effect.kind}): {of.words(own).title}")
         elif effect.label in _LAW_EFFECTS:
             name, form = _LAW_EFFECTS[effect.label].split(".")
-            values = of.values(final.fit.values[i] for i in final.places(index))
+            values = of.values(own)
             effects.append(LawEffect(name, form, dict(values)))
         elif not where_carried(effect):
             lacking.append(effect.label)

@@ -10,7 +10,7 @@ from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import CoreEffect, ForceChannel, MotionChannel, Placement
 from edesign.calibration.dampers.motion import Motion
-from edesign.calibration.form import Values, size
+from edesign.calibration.form import Values, Words, size
 
 
 def _sheared(p: Values, test: Experiment, motion: Motion) -> Motion:
@@ -36,7 +36,7 @@ _PRE_SHEAR = EffectForm(
     lambda s: (size("offset", "m", 0.1 * s.displacement, -s.displacement, s.displacement),),
     lambda s: ((0.05 * s.displacement,),),
     meanings={
-        "offset": "shear of the specimen where the record says zero",
+        "offset": "shear of the specimen where the record says zero; negative: to the other side",
         "q": "square of the axial load over that at which the specimen buckles",
         "P_over_h": "axial load over the height of the specimen; negative: it pulls",
     },
@@ -72,6 +72,10 @@ _P_DELTA = replace(
     mechanisms=(ForceChannel(_pushed_over, of="carriage"),),
     parameters=lambda s: (size("P_over_h", "N/m", 0.1 * s.stiffness, -s.stiffness, s.stiffness),),
     starts=lambda s: ((0.05 * s.stiffness,),),
+    negative=Words(
+        "axial load on the specimen, which pulls it straight",
+        "a spring of positive stiffness, neither relaxing nor softening",
+    ),
 )
 
 FORMS = (_PRE_SHEAR, _TARED, _AXIAL, _P_DELTA)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, LastingExtremes, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, shape, size
+from edesign.calibration.form import Rows, Words, shape, size
 from edesign.damper.testing.start import SOFTENED
 from edesign.estimation.parameters import Parameter
 
 _SIGNATURE = "the secant stiffness falls with the amplitude of the cycle and comes back when the amplitude falls"
+_STIFFENS = "the secant stiffness grows with the amplitude of the cycle and falls back when the amplitude falls"
 _SOURCE = "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92"
 
 
@@ -40,6 +41,7 @@ _WHOLE = EffectForm(
     (CoreEffect("payne.whole"),),
     _share,
     lambda s: _envelope_starts(s, 0.1),
+    negative=Words("stiffening with amplitude of the whole force", _STIFFENS),
 )
 _EXPONENTIAL = EffectForm(
     "payne",
@@ -51,6 +53,7 @@ _EXPONENTIAL = EffectForm(
     (CoreEffect("payne.exponential"),),
     _share,
     lambda s: _envelope_starts(s, 0.1),
+    negative=Words("stiffening of the whole force that comes exponentially with amplitude", _STIFFENS),
 )
 _ELASTIC = EffectForm(
     "payne",
@@ -62,6 +65,7 @@ _ELASTIC = EffectForm(
     (CoreEffect("payne.elastic"),),
     lambda s: _of_envelope(s, size("k", "N/m", 0.6 * s.stiffness, -2.0 * s.stiffness, 2.0 * s.stiffness)),
     lambda s: _envelope_starts(s, 0.1 * s.stiffness),
+    negative=Words("stiffening with amplitude of the elastic force", _STIFFENS),
 )
 _NETWORK = EffectForm(
     "payne",
@@ -77,6 +81,10 @@ _NETWORK = EffectForm(
         shape("tau", "s", 1.5 * s.period, 0.1 * s.period, 30.0 * s.duration + s.period),
     ),
     lambda s: tuple((0.2, a * s.displacement, t * s.period) for a in (1.0, 5.0, 25.0) for t in (0.5, 5.0)),
+    negative=Words(
+        "stiffening with motion that fades in rest",
+        "the force grows within the first cycles, more in fast and large ones, and falls back at rest within seconds",
+    ),
 )
 _LASTING = EffectForm(
     "extremes",

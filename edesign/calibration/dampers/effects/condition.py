@@ -80,7 +80,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
             lambda s: (size("b", "", 1.0, -most, most),),
             lambda s: ((0.2,), (-0.2,)),
             lambda s: {"q_mean": one.mean, "q_range": one.span},
-            meanings={"b": "share that is gained from the smallest condition to the largest"},
+            meanings={"b": "share that is gained from the smallest condition to the largest; negative: lost"},
         )
 
     def of_parameter(parameter: str) -> EffectForm:
@@ -100,7 +100,7 @@ def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
         lambda s: (size("offset", "N", 0.2 * s.force, -2.0 * s.force, 2.0 * s.force),),
         lambda s: ((0.1 * s.force,),),
         lambda s: {"q_mean": one.mean, "q_range": one.span},
-        meanings={"offset": "force that is gained from the smallest condition to the largest"},
+        meanings={"offset": "force that is gained from the smallest condition to the largest; negative: lost"},
     )
     factor = form(
         "factor",

@@ -36,7 +36,7 @@ FORCE = EffectForm(
     (ForceChannel(_amplified),),
     lambda s: (size("g", "", _CLASS, -0.5, 1.0),),
     lambda s: ((_CLASS,),),
-    meanings={"g": "share by which the channel reads too much"},
+    meanings={"g": "share by which the channel reads too much; negative: too little"},
 )
 DISPLACEMENT = replace(
     FORCE,

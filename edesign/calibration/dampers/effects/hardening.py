@@ -7,9 +7,10 @@ import math
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Values, shape, size
+from edesign.calibration.form import Values, Words, shape, size
 from edesign.estimation.parameters import Parameter
 
+_TOO_MUCH = "too much force at the tips of large loops alone, odd in the deformation, the same at all frequencies"
 _SIGNATURE = "too little force at the tips of large loops alone, odd in the deformation, the same at all frequencies"
 
 
@@ -38,6 +39,7 @@ _POWER = EffectForm(
     lambda s: (_spring(s), shape("p", "", 3.0, 1.5, 15.0, spread=0.7)),
     lambda s: tuple((0.1 * s.stiffness, p) for p in (2.0, 3.0, 5.0, 9.0)),
     lambda s: {"r": s.displacement},
+    negative=Words("elastic softening at large strain", _TOO_MUCH),
 )
 _THRESHOLD = EffectForm(
     "hardening",
@@ -52,6 +54,7 @@ _THRESHOLD = EffectForm(
         Parameter("u0", "m", 0.0, 0.98 * s.displacement, 0.5 * s.displacement, 0.3 * s.displacement),
     ),
     lambda s: tuple((0.1 * s.stiffness / (1.0 - at), at * s.displacement) for at in (0.3, 0.6, 0.8)),
+    negative=Words("less stiffness beyond a deformation", _TOO_MUCH),
 )
 _EXPONENTIAL = EffectForm(
     "hardening",
@@ -68,6 +71,7 @@ _EXPONENTIAL = EffectForm(
     lambda s: tuple((0.1 * s.stiffness, at * s.displacement) for at in (0.5, 1.0)),
     lambda s: {"r": s.displacement},
     meanings={"k_r": "of the added spring at the largest displacement: force over displacement"},
+    negative=Words("exponential softening at large strain", _TOO_MUCH),
 )
 _SATURATING = EffectForm(
     "hardening",
@@ -84,6 +88,10 @@ _SATURATING = EffectForm(
     ),
     lambda s: tuple((0.1 * s.force, at * s.displacement) for at in (0.05, 0.2, 0.5)),
     meanings={"F_s": "force that the spring comes to"},
+    negative=Words(
+        "less stiffness at small deformation",
+        "too much force at small deformation, odd in it, and the same beyond; the same at all frequencies",
+    ),
 )
 
 FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL, _SATURATING)

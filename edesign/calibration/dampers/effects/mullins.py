@@ -7,12 +7,16 @@ from collections.abc import Mapping
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, shape, share, size
+from edesign.calibration.form import Rows, Words, shape, share, size
 from edesign.estimation.parameters import Parameter
 
 _SIGNATURE = (
     "too little force in the first cycles of the specimen's life (or of every test), at all amplitudes, fading with "
     "the path travelled"
+)
+_HARDENS = (
+    "too much force in the first cycles of the specimen's life (or of every test), at all amplitudes, fading with the "
+    "path travelled"
 )
 _SOURCE = (
     "Mullins (1969), Rubber Chem. Technol. 42, 339-362; Kelly & Konstantinidis (2011), Mechanics of Rubber Bearings, "
@@ -57,6 +61,7 @@ _PATH = EffectForm(
     lambda s: _by_path(s, size("m", "", 0.5, -0.9, 3.0)),
     lambda s: _path_starts(s, 0.15),
     _constants,
+    negative=Words("hardening of the virgin specimen with the path travelled", _HARDENS),
 )
 _ELASTIC = EffectForm(
     "mullins",
@@ -69,6 +74,7 @@ _ELASTIC = EffectForm(
     lambda s: _by_path(s, size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness)),
     lambda s: _path_starts(s, 0.15 * s.stiffness),
     _constants,
+    negative=Words("hardening of the virgin specimen's elastic force with the path travelled", _HARDENS),
 )
 _MAXIMUM = EffectForm(
     "mullins",
@@ -81,6 +87,11 @@ _MAXIMUM = EffectForm(
     lambda s: (size("m", "", 0.5, -0.9, 0.95), _distance(s, 0.4), share("beta", 0.1, 0.3), *_recovery(s)),
     lambda s: _with_recovery(s, tuple((0.15, r * s.displacement, 0.1) for r in (0.1, 0.4, 1.5))),
     _constants,
+    negative=Words(
+        "hardening below the largest deformation so far",
+        "too little force in cycles smaller than one before, right again where the deformation reaches its largest so "
+        "far",
+    ),
 )
 _DAMAGE = EffectForm(
     "mullins",
@@ -98,6 +109,10 @@ _DAMAGE = EffectForm(
     ),
     lambda s: _with_recovery(s, ((0.1, 0.15 * s.displacement, 1.0), (0.1, 0.5 * s.displacement, 1.0))),
     _constants,
+    negative=Words(
+        "lasting hardening by the largest deformation so far",
+        "the stiffness grows where the deformation goes beyond its largest so far, and stays in smaller cycles after",
+    ),
 )
 
 FORMS = (*placed(_PATH, *Placement), *placed(_MAXIMUM, *Placement), _DAMAGE, _ELASTIC)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.effect import REFINED, EffectForm, placed
+from edesign.calibration.dampers.effect import REFINED, EffectForm, placed, renamed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import shape, size
+from edesign.calibration.form import Words, shape, size
 from edesign.estimation.parameters import Parameter
 
 _TIPS = "too little force at the tips of one side of the loops alone: even multiples of the frequency"
+_TOO_MUCH = "too much force at the tips of one side of the loops alone: even multiples of the frequency"
 _SIDES = {"positive": 1.0, "negative": -1.0}
 
 
@@ -19,9 +20,7 @@ def _both_sides(form: EffectForm) -> tuple[EffectForm, ...]:
 
     def to(name: str, side: float) -> EffectForm:
         return replace(
-            form,
-            form=f"{form.form}_{name}",
-            title=f"{form.title} on the {name} side",
+            renamed(form, f"{form.form}_{name}", f"{{}} on the {name} side"),
             constants=lambda s: {**form.constants(s), "side": side},
         )
 
@@ -51,6 +50,7 @@ _CONTACT = EffectForm(
     lambda s: (_stiffness(s), _begin(s), _exponent(1.5)),
     lambda s: tuple((0.1 * s.stiffness / (1.0 - at) ** 2, at * s.displacement, 2.0) for at in (0.0, 0.4)),
     lambda s: {"r": s.displacement},
+    negative=Words("softening that grows with deformation", _TOO_MUCH),
 )
 _SPRING = EffectForm(
     "one_sided",
@@ -62,6 +62,7 @@ _SPRING = EffectForm(
     (CoreEffect("one_sided.spring"),),
     lambda s: (_stiffness(s), _begin(s)),
     lambda s: tuple((0.1 * s.stiffness / (1.0 - at), at * s.displacement) for at in (0.0, 0.3, 0.6, 0.8)),
+    negative=Words("opening or softening", _TOO_MUCH),
 )
 _FACTOR = EffectForm(
     "one_sided",

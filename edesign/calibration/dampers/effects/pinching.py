@@ -15,7 +15,7 @@ _SLIP = EffectForm(
     "Baber & Noori (1986), J. Vib. Acoust. Stress Reliab. Des. 108, 411-420; its zone a share of the largest "
     "deformation",
     (CoreEffect("pinching.slip"),),
-    lambda s: (size("d", "", 0.5, -1.0, 0.98), shape("w", "", 0.3, 0.02, 1.0, spread=0.7)),
+    lambda s: (size("d", "", 0.5, 0.0, 0.98), shape("w", "", 0.3, 0.02, 1.0, spread=0.7)),
     lambda s: tuple((0.2, w) for w in (0.1, 0.3, 0.6)),
 )
 

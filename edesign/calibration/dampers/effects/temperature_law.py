@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.effect import EffectForm, placed
+from edesign.calibration.dampers.effect import EffectForm, placed, renamed
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.mechanisms import CoreEffect, LawParameters, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, Values, shape, size
+from edesign.calibration.form import Rows, Values, Words, shape, size
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law
 from edesign.damper.temperature import REFERENCE_C, at_one_rate, passed
@@ -25,6 +25,7 @@ _USUAL = 0.1  # 1/K, at most: standard deviation of a fall
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 _FACTOR = "a factor of the force that depends on the temperature of the tests, stiffness and damping alike"
 _FASTER = "warm tests look like slower ones: damping falls with temperature, the static stiffness does not"
+_SLOWER = "warm tests look like faster ones: damping grows with temperature, the static stiffness does not"
 _SOFTER = "a factor of the force that depends on temperature; warmer tests soften the more with amplitude"
 _WLF = "Williams, Landel & Ferry (1955), J. Am. Chem. Soc. 77, 3701-3707"
 _CHANG = (
@@ -89,9 +90,10 @@ _EXPONENTIAL = EffectForm(
     lambda s: ((0.01,),),
     shown=_shown,
     meanings={
-        "b": "rate at 20 degC: 0.01 to 0.05 per K of dampers near room temperature",
+        "b": "rate at 20 degC: 0.01 to 0.05 per K of dampers near room temperature; negative: it stiffens with warmth",
         "c": "how the rate falls with warmth: 1/C2 of WLF, 1/T0 in kelvin of Arrhenius",
     },
+    negative=Words("stiffening with temperature", _FACTOR),
 )
 _WLF_FACTOR = replace(
     _EXPONENTIAL,
@@ -100,6 +102,7 @@ _WLF_FACTOR = replace(
     source=_WLF,
     parameters=_slowing,
     starts=lambda s: _slowing_starts(0.01),
+    negative=Words("stiffening with temperature by WLF", _FACTOR),
 )
 _SHIFT = replace(
     _EXPONENTIAL,
@@ -109,6 +112,7 @@ _SHIFT = replace(
     source="Ferry (1980), Viscoelastic Properties of Polymers, chapter 11, near one temperature; thesis Eq. 4.33",
     mechanisms=(LawParameters(_shifted),),
     starts=lambda s: ((0.05,),),
+    negative=Words("relaxation that slows down with temperature", _SLOWER),
 )
 _SHIFT_WLF = replace(
     _SHIFT,
@@ -117,6 +121,7 @@ _SHIFT_WLF = replace(
     source=_WLF,
     parameters=_slowing,
     starts=lambda s: _slowing_starts(0.05),
+    negative=Words("relaxation that slows down with temperature by WLF", _SLOWER),
 )
 _GAMMA = replace(
     _EXPONENTIAL,
@@ -126,6 +131,7 @@ _GAMMA = replace(
     source="thesis section 4.5: all parameters change with temperature at the same rate",
     mechanisms=(LawParameters(_at_rate),),
     laws=("mgmm",),
+    negative=None,
 )
 _GAMMA_WLF = replace(
     _GAMMA,
@@ -169,6 +175,7 @@ _TRANSITION = replace(
     parameters=_transition,
     starts=_transition_starts,
     constants=_width,
+    negative=Words("stiffening with temperature across a transition", _FACTOR),
 )
 
 
@@ -181,9 +188,7 @@ def _in_place(form: EffectForm) -> EffectForm:
     if not any(isinstance(mechanism, LawParameters) for mechanism in mechanisms):
         mechanisms = (*mechanisms, LawParameters(_unchanged, in_place_of_gamma=True))
     return replace(
-        form,
-        form=f"{form.form}_in_place",
-        title=f"{form.title}, in the place of the law's own",
+        renamed(form, f"{form.form}_in_place", "{}, in the place of the law's own"),
         mechanisms=mechanisms,
         laws=("mgmm",),
         proportional=False,

@@ -8,9 +8,13 @@ from dataclasses import replace
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, Values, shape, size
+from edesign.calibration.form import Rows, Values, Words, shape, size
 
 _LEAST, _MOST = 0.1, 3.0  # exponents: below is friction; above there is no damper
+_LINEAR = (
+    "linear in the amplitude; stiffness and damping off by what changes with frequency, and a residual that fades "
+    "after a change of the mean"
+)
 _IN_PHASE = (
     "in phase with the velocity, largest where the deformation passes zero, with a power of amplitude times "
     "frequency; nothing at the tips"
@@ -34,8 +38,7 @@ _MAXWELL = EffectForm(
     "maxwell",
     "damper",
     "a relaxation time that the law lacks",
-    "linear in the amplitude; stiffness and damping off by what changes with frequency, and a residual that fades "
-    "after a change of the mean",
+    _LINEAR,
     "Christensen (1982), Theory of Viscoelasticity, section 1.6; thesis Eq. 4.4",
     (CoreEffect("relaxation_branch.maxwell"),),
     lambda s: (
@@ -43,6 +46,7 @@ _MAXWELL = EffectForm(
         shape("tau", "s", 0.2 * s.period, 1e-3 * s.period, 10.0 * max(s.duration, s.period)),  # beyond: a spring
     ),
     _branch_starts,
+    negative=Words("a relaxation time of which the law has too much", _LINEAR),
 )
 _DASHPOT = EffectForm(
     "velocity_exponent",
@@ -60,6 +64,7 @@ _DASHPOT = EffectForm(
     lambda s: {"V": s.velocity},
     refined=4,  # its force may jump where the velocity changes its sign
     meanings={"F_V": "its force at the largest velocity of the tests fitted to"},
+    negative=Words("viscous force with a power of the velocity of which the law has too much", _IN_PHASE),
 )
 _POSITION = replace(
     _DASHPOT,
@@ -71,6 +76,10 @@ _POSITION = replace(
     parameters=lambda s: (*_DASHPOT.parameters(s), shape("q", "", 1.0, 0.3, 4.0, spread=0.5)),
     starts=lambda s: tuple((0.08 * s.force, alpha, 1.0) for alpha in (0.2, 0.5, 1.0, 2.0)),
     constants=lambda s: {"V": s.velocity, "r": s.displacement},
+    negative=Words(
+        "viscous force that falls with the deformation",
+        "in phase with the velocity, less of it at a larger deformation; nothing at the tips nor in the middle",
+    ),
 )
 _FLOW = EffectForm(
     "velocity_exponent",
@@ -85,6 +94,7 @@ _FLOW = EffectForm(
         shape("v0", "m/s", 0.1 * s.velocity, 1e-4 * s.velocity, s.velocity),
     ),
     lambda s: tuple((0.06 * s.force / math.asinh(1.0 / x), x * s.velocity) for x in (0.01, 0.1, 0.5)),
+    negative=Words("viscous force that saturates with the velocity, of which the law has too much", _IN_PHASE),
 )
 
 FORMS = (_MAXWELL, *placed(_DASHPOT, Placement.WHOLE, Placement.INSIDE), _POSITION, _FLOW)

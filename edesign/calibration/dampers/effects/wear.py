@@ -8,7 +8,7 @@ from dataclasses import replace
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement, Rest
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, shape, size
+from edesign.calibration.form import Rows, Words, shape, size
 from edesign.estimation.parameters import Parameter
 
 _LASTING = 100.0  # tests: heat that stays longer does not change within one
@@ -67,6 +67,10 @@ _ENERGY = EffectForm(
     (CoreEffect("degradation.energy"),),
     lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("E0", "J", 0.3 * s.work, 1e-3 * s.work, 1e2 * s.work)),
     lambda s: (*((0.1, part * s.work) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.work)),
+    negative=Words(
+        "lasting cyclic hardening by dissipated energy",
+        "the force grows within heavy tests and stays so in all later ones: a test repeated at the end is stiffer",
+    ),
 )
 _PATH = EffectForm(
     "degradation",
@@ -78,6 +82,10 @@ _PATH = EffectForm(
     (CoreEffect("degradation.path"),),
     lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("s0", "m", 0.3 * s.path, 1e-3 * s.path, 1e2 * s.path)),
     lambda s: (*((0.1, part * s.path) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.path)),
+    negative=Words(
+        "lasting cyclic hardening by the path travelled",
+        "the force grows from test to test with the path travelled, small amplitudes counting as much as large ones",
+    ),
 )
 
 

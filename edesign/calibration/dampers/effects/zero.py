@@ -92,7 +92,7 @@ _CONSTANT = EffectForm(
     (ForceChannel(_zero),),
     lambda s: (size("offset", "N", _CLASS * s.force, -s.force, s.force),),
     lambda s: ((_CLASS * s.force,),),
-    meanings={"offset": "reading of the load cell under no force"},
+    meanings={"offset": "reading of the load cell under no force; negative: to the other side"},
 )
 _PER_TEST = replace(
     _CONSTANT,
@@ -114,7 +114,7 @@ _PER_TEST_LINE = EffectForm(
     (ForceChannel(_line),),
     lambda s: (size("rate", "N/s", _CLASS * s.force / s.duration, -s.force / s.duration, s.force / s.duration),),
     lambda s: ((_CLASS * s.force / s.duration,),),
-    meanings={"rate": "at which the zero of the channel moves"},
+    meanings={"rate": "at which the zero of the channel moves; negative: to the other side"},
 )
 _CAMPAIGN = replace(
     _PER_TEST_LINE,

@@ -51,7 +51,7 @@ _LAG = StructureForm(
     (ChangedChannels(_late, over_time=True),),
     lambda s: (size("lag", "s", 0.3 * _longest(s), -_longest(s), _longest(s)),),
     lambda s: ((s.step,),),
-    meanings={"lag": "by which the floors are recorded later than the base"},
+    meanings={"lag": "by which the floors are recorded later than the base; negative: earlier"},
 )
 
 
@@ -68,7 +68,7 @@ def _gain(measure: Measure) -> StructureForm:
         lambda _: (size("g", "", _CLASS, -0.5, 1.0),),
         lambda _: ((_CLASS,),),
         shown=lambda s: measure in s.measures,
-        meanings={"g": "share by which the channels read too much"},
+        meanings={"g": "share by which the channels read too much; negative: too little"},
     )
 
 

@@ -59,7 +59,7 @@ _LEVEL = StructureForm(
     lambda s: ((0.3,),),
     shown=lambda s: has_storeys(s) and not s.refit,
     meanings={
-        "r": "share by which the damping ratio is more than declared",
+        "r": "share by which the damping ratio is more than declared; negative: less",
         "share": "of the damping that is of this kind",
         "F": "friction force of the lowest storey",
     },

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from edesign.calibration.form import Values, shape, size
+from edesign.calibration.form import Values, Words, shape, size
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.effect import Links, StructureForm
 from edesign.calibration.structures.response import Link
@@ -96,6 +96,10 @@ _ENVELOPE = replace(
     starts=lambda s: tuple(
         (0.1 * _stiffness(s), part * float(s.drift[0]), 1.0, 3.0 * s.period) for part in (0.1, 0.4, 1.2)
     ),
+    negative=Words(
+        "stiffness of the isolation layer that grows with amplitude",
+        "the isolated period is shorter in larger motions; the phase of the residual drifts with the amplitude",
+    ),
 )
 _SCRAGGING = replace(
     _BOUC_WEN,
@@ -128,6 +132,10 @@ _POWER = replace(
         "p": "power of the drift with which its force grows",
         "u0": "drift at which the stop is met",
     },
+    negative=Words(
+        "stiffness of the isolation layer that falls as a power of the drift",
+        "peaks of acceleration at the largest drifts are too high, and come too early",
+    ),
 )
 _THRESHOLD = replace(
     _POWER,
@@ -140,6 +148,7 @@ _THRESHOLD = replace(
     ),
     starts=lambda s: tuple((0.1 * _stiffness(s), part * float(s.drift[0])) for part in (0.5, 0.8)),
     constants=lambda _: {},
+    negative=None,
 )
 
 FORMS = (_BOUC_WEN, _FRICTION, _ENVELOPE, _SCRAGGING, _POWER, _THRESHOLD)

@@ -56,7 +56,7 @@ def of(sizes: StructureSizes) -> tuple[StructureForm, ...]:
             _heavier(floors),
             _share,
             lambda _: ((0.1,),),
-            meanings={"m": "share by which the mass is more than declared"},
+            meanings={"m": "share by which the mass is more than declared; negative: less"},
         )
 
     total = replace(form("total", "mass of the building", range(n)), shown=lambda s: not s.refit or s.building.isolated)

@@ -266,7 +266,7 @@ def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:
     values = np.array([*centres, *(value for _, own in chosen for value in own)])
     found = table_law(thesis, *(_at(thesis, effects, values),) * 2)
     assert [one.label for one in found.effects] == ["payne.whole", "relaxation_branch.maxwell"]
-    assert found.measurement_effects == (f"peak_reading.share (instrument): {effects[2].data.title}",)
+    assert found.measurement_effects == (f"peak_reading.share (instrument): {effects[2].data.form.title}",)
     row = int(np.flatnonzero((thesis.table.strain == 0.3) & (thesis.table.temperature_C == 20.0))[2])
     every = thesis.model(effects, ("fit", "validate")).forces(values)
     assert not isinstance(every, PredictionError)
