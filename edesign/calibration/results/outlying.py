@@ -123,9 +123,9 @@ class _Asked:
         totals = [self.fitter.score(one, noise).total for one in tried]
         likely = sorted(zip(totals, tried, strict=True), key=lambda one: -one[0])
         return tuple(
-            Fault(of.name, of.form, one.words(len(effects)).title, effect_estimates(one, estimates(one), len(effects)))
+            Fault(of.name, of.form, of.data.words(own).title, effect_estimates(one, estimates(one), len(effects)))
             for total, one in likely
-            for of in [one.effects[-1]]
+            for of, own in [(one.effects[-1], one.fit.values[one.places(len(effects))])]
             if total > max(totals) - LEAST and self._agrees(one, test)
         )
 
