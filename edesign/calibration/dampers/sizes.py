@@ -90,6 +90,14 @@ class Sizes:
     ordered: bool = True
     names: tuple[str, ...] = ()
 
+    def name(self, number: int) -> str:
+        """Return what a test is called, for people.
+
+        Args:
+            number: its place in the campaign, from 1.
+        """
+        return self.names[number - 1] if self.names else f"test {number}"
+
     @property
     def stiffness(self) -> float:
         """Largest force over largest displacement, N/m."""
@@ -138,6 +146,7 @@ class Sizes:
             work=abs(sum(one.work for one in experiments)),
             tests=len(experiments),
             fitted=tuple(one.use == "fit" for one in experiments),
+            names=tuple(one.name for one in experiments),
             period=max(map(_period, motions)),
             temperatures=(min(temperatures), max(temperatures)),
             levels=_levels(temperatures),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -50,6 +50,7 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | Non
         motions: of each, where they are known.
     """
     motions = motions or [Cycles(test.time, test.displacement) for test in tests]
+    names = {test.order: test.name for test in tests}
     pool = Pool(tests, motions, [effective_samples(test.residual) for test in tests], find_lag(tests))
     total = float(pool.error @ pool.error)
     if total == 0.0:
@@ -64,7 +65,7 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | Non
     rest = pool.error
     named: list[str] = []
     while len(named) < _MOST:
-        best = _best(rest, pool)
+        best = _best(rest, pool, names)
         share = best.share * float(rest @ rest) / total if best else 0.0
         if best is None or share < WORTH_TELLING:
             break
@@ -75,10 +76,10 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | Non
     return f"{first}{', beside ' + hum if hum else ''}.{like}"
 
 
-def _best(error: np.ndarray, pool: Pool) -> _Thing | None:
+def _best(error: np.ndarray, pool: Pool, names: Mapping[int, str]) -> _Thing | None:
     """What explains most; something simple if it explains nearly as much as the best of the others."""
     simple = max(_simple(error, pool), key=lambda thing: thing.share, default=None)
-    every = sorted(_binned(error, pool), key=lambda thing: -thing.share)
+    every = sorted(_binned(error, pool, names), key=lambda thing: -thing.share)
     if not every:
         return simple
     binned = every[0]
@@ -105,7 +106,7 @@ def _simple(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
             yield _Thing(share - 1.0 / pool.independent, coefficient * regressor, words(coefficient))
 
 
-def _binned(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
+def _binned(error: np.ndarray, pool: Pool, names: Mapping[int, str]) -> Iterator[_Thing]:
     """Things with a coefficient in each bin of a driver: states of a cycle as a force, slow ones as a factor."""
     for driver, number in pool.number.items():
         count = np.bincount(number)
@@ -119,7 +120,7 @@ def _binned(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
                 text = (
                     _state(driver, centre, part.coefficient)
                     if state
-                    else _slow(driver, action, centre, part.coefficient)
+                    else _slow(driver, action, _places(driver, centre, names), centre, part.coefficient)
                 )
                 yield _Thing(part.whole - pool.chance(count.size + 1), part.fitted, text, driver)
 
@@ -139,7 +140,15 @@ def _state(driver: str, centre: np.ndarray, mean: np.ndarray) -> str:
     return f"a force odd in the {driver}" if odd > _PARITY * (even + odd) else f"a force that depends on the {driver}"
 
 
-def _slow(driver: str, action: str, centre: np.ndarray, mean: np.ndarray) -> str:
+def _places(driver: str, centre: np.ndarray, names: Mapping[int, str]) -> list[str]:
+    """Where each bin (b,) of a driver is: a value with its unit, of the order of tests the name of the nearest one."""
+    if driver == "test order":
+        return [f"in {names[min(names, key=lambda order: abs(order - one))]}" for one in centre.tolist()]
+    scale, unit = _SCALES.get(DRIVERS[driver][0], (1.0, DRIVERS[driver][0]))
+    return [f"at {scale * one:.3g} {unit}".strip() for one in centre.tolist()]
+
+
+def _slow(driver: str, action: str, places: Sequence[str], centre: np.ndarray, mean: np.ndarray) -> str:
     """Words for a force or factor that changes slowly: up, down, or where it is largest."""
     from scipy.stats import spearmanr  # takes a second; most calibrations have no need of it
 
@@ -149,9 +158,7 @@ def _slow(driver: str, action: str, centre: np.ndarray, mean: np.ndarray) -> str
         verb = "rises" if rank > 0.0 else "falls"
         return f"a {action} that {verb} with the {driver} from {_signed(low)} to {_signed(high)}"
     at = int(np.argmax(np.abs(mean)))
-    scale, unit = _SCALES.get(DRIVERS[driver][0], (1.0, DRIVERS[driver][0]))
-    place = f"{scale * centre[at]:.3g} {unit}".strip()
-    return f"a {action} that depends on the {driver}, {_signed(mean[at])} at {place}"
+    return f"a {action} that depends on the {driver}, {_signed(mean[at])} {places[at]}"
 
 
 def _signed(share: float) -> str:

@@ -68,6 +68,9 @@ def _dependences_figure(view: View, shown: list[dict[Stage, Dependence]]) -> Fig
             axis.plot(x, y, "o-", ms=2.6, lw=0.9, color=COLOURS[stage], label=view.stages[stage])
         first = stages["declared"]
         axis.axhline(0.0, color="#111111", lw=0.5, zorder=0.9)
+        if first.driver == "test order":
+            names = {one.order: one.name for one in view.residuals("declared")}
+            axis.set_xticks(list(names), list(names.values()), rotation=90.0, fontsize=6.0)
         axis.set_xlabel(f"{first.driver}{f' ({unit})' if unit else ''}")
         axis.set_ylabel("as a force (%)" if first.action == "force" else "as a factor (%)")
         axis.set_title("explains " + " → ".join(_share(one) for one in stages.values()), fontsize=7.5, loc="left")

@@ -105,10 +105,6 @@ def _fitted(s: Sizes) -> list[int]:
     return [order + 1 for order, of in enumerate(s.fitted) if of]
 
 
-def _name(number: int, s: Sizes) -> str:
-    return s.names[number - 1] if s.names else f"test {number}"
-
-
 def _in_one(form: EffectForm, number: int, fitted: list[int], s: Sizes) -> EffectForm:
     """Return a fault in one test; that of a gain in the first or last one may go as far as the next that is fitted."""
     ending = f"of_test_{number}"
@@ -116,7 +112,7 @@ def _in_one(form: EffectForm, number: int, fitted: list[int], s: Sizes) -> Effec
     alone = replace(
         form,
         form=f"{channel}{ending}",
-        title=f"{form.title} in one test, {_name(number, s)}",
+        title=f"{form.title} in one test, {s.name(number)}",
         signature=f"in one test alone: {form.signature}",
         numbers=range(number, number + 1),
         places=len(fitted),
@@ -127,17 +123,17 @@ def _in_one(form: EffectForm, number: int, fitted: list[int], s: Sizes) -> Effec
     if number == fitted[0]:
         wider += [_to(form, k, s) for k in range(number, fitted[1]) if k > 1]
     if number == fitted[-1]:
-        wider += [_at(form, k, f"{k}", _name(k, s), s) for k in range(fitted[-2] + 1, number + 1) if k < s.tests]
+        wider += [_at(form, k, f"{k}", s.name(k), s) for k in range(fitted[-2] + 1, number + 1) if k < s.tests]
     return replace(alone, confounded=(alone, *wider)) if wider else alone
 
 
 def _changed(form: EffectForm, earliest: int, latest: int, s: Sizes) -> EffectForm:
     """Return a gain that changed before one of some tests, of which the last one alone is fitted to."""
     if earliest == latest:
-        return _at(form, latest, f"{latest}", _name(latest, s), s)
-    tests = f"one of {_name(earliest, s)} to {_name(latest, s)}"
+        return _at(form, latest, f"{latest}", s.name(latest), s)
+    tests = f"one of {s.name(earliest)} to {s.name(latest)}"
     ranges = [
-        _at(form, k, f"{k}", f"{_name(k, s)}, as validation tests show; the fitted ones say before {tests}", s)
+        _at(form, k, f"{k}", f"{s.name(k)}, as validation tests show; the fitted ones say before {tests}", s)
         for k in range(earliest, latest + 1)
     ]
     return replace(_at(form, latest, f"{earliest}_to_{latest}", tests, s), confounded=tuple(ranges))
@@ -148,7 +144,7 @@ def _to(form: EffectForm, last: int, s: Sizes) -> EffectForm:
     return replace(
         form,
         form=f"{form.form}_to_test_{last}",
-        title=f"{form.title} that changed after {_name(last, s)}",
+        title=f"{form.title} that changed after {s.name(last)}",
         signature="proportional to the force itself, by one share in the first tests",
         numbers=range(1, last + 1),
     )
