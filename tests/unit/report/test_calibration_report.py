@@ -151,7 +151,7 @@ def test_an_effect_is_reported_with_its_evidence_and_confounded_effects() -> Non
         ["m", "1.00", "0.80 to 1.20", "-"],
         ["tau_a", "5.00", "4.00 to 6.00", "s"],
     ]
-    assert effect_parameters_table(found).texts[0][5] == "share of the force that goes"
+    assert effect_parameters_table(found).texts[0][5] == "share of the force that goes; negative: that comes"
 
 
 def test_models_are_reported_with_how_far_the_search_looked() -> None:
