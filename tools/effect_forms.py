@@ -109,7 +109,7 @@ class Row:
         kinds = [one.equation.split(".") for one in form.core_effects]
         if any(isinstance(mechanism, LawParameters) for mechanism in self.form.mechanisms):
             return "key `temperature_law`" if self.form.name == "temperature_law" else ""
-        if len(kinds) != 1:
+        if not kinds or any(kind != kinds[0] for kind in kinds):
             return ""
         name, form = (self.form.name, self.name) if kinds[0] == ["constant"] else kinds[0]
         return f"{name}.{form}" if form_if_known(name, form) else ""

@@ -55,10 +55,10 @@ enum {
   ED_EFFECT_CONSTANT = 0,                  /* factor: phi = factor */
   ED_EFFECT_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
   ED_EFFECT_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
-  ED_EFFECT_MULLINS_PATH = 3,              /* m s0 recovery: phi = 1 + m exp(-s/s0) */
+  ED_EFFECT_MULLINS_PATH = 3,              /* m s0 q recovery: phi = 1 + m exp(-(s/s0)^q) */
   ED_EFFECT_MULLINS_MAXIMUM = 4,           /* m r beta recovery: phi = 1 - m erf((M^2 - u^2)/(r^2 + beta M^2)) */
-  ED_EFFECT_MULLINS_ELASTIC = 5,           /* k s0 recovery: k exp(-s/s0) u */
-  ED_EFFECT_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
+  ED_EFFECT_MULLINS_ELASTIC = 5,           /* k s0 q recovery: k exp(-(s/s0)^q) u */
+  ED_EFFECT_DEGRADATION_ENERGY = 6,        /* d E0 q: phi = 1 - d (1 - exp(-(max(E, 0)/E0)^q)) */
   ED_EFFECT_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
   ED_EFFECT_HARDENING_POWER = 8,           /* k p r: k u (|u|/r)^(p-1) */
   ED_EFFECT_HARDENING_THRESHOLD = 9,       /* k u0: k max(|u| - u0, 0) sgn u */
@@ -69,13 +69,13 @@ enum {
   ED_EFFECT_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
   ED_EFFECT_MULLINS_DAMAGE = 15,           /* m r p recovery: phi = 1 - m (1 - exp(-(M/r)^p)) */
   ED_EFFECT_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
-  ED_EFFECT_DEGRADATION_PATH = 17,         /* d s0: phi = 1 - d (1 - exp(-s/s0)) */
+  ED_EFFECT_DEGRADATION_PATH = 17,         /* d s0 q: phi = 1 - d (1 - exp(-(s/s0)^q)) */
   ED_EFFECT_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
   ED_EFFECT_ONE_SIDED_EVEN = 19,           /* k n r: k |u| (|u|/r)^(n-1) */
   ED_EFFECT_PAYNE_EXPONENTIAL = 20,        /* d a0 m tau_a: phi = 1 - d (1 - exp(-(a/a0)^m)) */
   ED_EFFECT_HARDENING_EXPONENTIAL = 21,    /* k u0: k u (exp((u/u0)^2) - 1) */
   ED_EFFECT_FRICTION_COULOMB = 22,         /* F_c v0: F_c tanh(v/v0) */
-  ED_EFFECT_FRICTION_PRESLIDING = 23,      /* F_c x0: F_c z/x0, z' = v - |v| z/x0, exact over the way of the path (Dahl) */
+  ED_EFFECT_FRICTION_PRESLIDING = 23,      /* F_c x0 n: F_c z, x0 z' = v - |v| z |z|^(n-1), exact over the way of the path (Dahl) */
   ED_EFFECT_FRICTION_STRIBECK = 24,        /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
   ED_EFFECT_ONE_SIDED_VALVE = 25,          /* b v0 side(1, -1): phi = 1 + b max(tanh(side v/v0), 0) */
   ED_EFFECT_GAS_SPRING_POLYTROPIC = 26,    /* P c n: P (1 - c u)^-n; beyond c u = 0.95 straight */
@@ -85,7 +85,8 @@ enum {
   ED_EFFECT_HYSTERESIS_STRETCH = 30,       /* F_y Y n r: F_y (|u|/r)^n z/Y, z' = v - |v| z/Y, exact over the way of the path */
   ED_EFFECT_HYSTERESIS_BOUC_WEN = 31,      /* k beta gamma: k z, z' = v - gamma |v| z - beta v |z|, exact over the way of the path */
   ED_EFFECT_PINCHING_SLIP = 32,            /* d w: phi = 1 - d exp(-(u/(w M))^2) */
-  ED_EFFECT_FRICTION_LOADED = 33           /* mu F_c v0: (F_c + mu |F_law|) tanh(v/v0) */
+  ED_EFFECT_FRICTION_LOADED = 33,          /* mu F_c v0: (F_c + mu |F_law|) tanh(v/v0) */
+  ED_EFFECT_LIMIT_FORCE = 34               /* s F_l side(1, -1): phi F_law = F_law - s max(|F_law| - F_l, 0) sgn F_law; side 0: both */
 };
 /* Where an equation acts.
  * WHOLE: a factor on all of the law's force, a force beside it.

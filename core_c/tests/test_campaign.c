@@ -112,10 +112,10 @@ static void check_carry(const ed_rig *rig, double brace)
     int form, n, placement;
     double p[4];
   } EFFECT[] = {{ED_EFFECT_PAYNE_WHOLE, 4, 0, {0.3, 5e-3, 1.0, 50.0}},     {ED_EFFECT_SELF_HEATING_RATE, 2, 0, {1e-4, 100.0}},
-                   {ED_EFFECT_MULLINS_PATH, 3, 0, {0.3, 0.1}},                {ED_EFFECT_MULLINS_MAXIMUM, 4, 0, {0.3, 5e-3, 0.1}},
-                   {ED_EFFECT_DEGRADATION_ENERGY, 2, 0, {0.3, 1e3}},          {ED_EFFECT_PAYNE_NETWORK, 3, 0, {0.3, 5e-3, 20.0}},
+                   {ED_EFFECT_MULLINS_PATH, 4, 0, {0.3, 0.1, 0.8}},                {ED_EFFECT_MULLINS_MAXIMUM, 4, 0, {0.3, 5e-3, 0.1}},
+                   {ED_EFFECT_DEGRADATION_ENERGY, 3, 0, {0.3, 1e3, 0.8}},          {ED_EFFECT_PAYNE_NETWORK, 3, 0, {0.3, 5e-3, 20.0}},
                    {ED_EFFECT_RELAXATION_BRANCH_MAXWELL, 2, 0, {1e6, 20.0}},
-                   {ED_EFFECT_MULLINS_PATH, 3, ED_PLACE_SPRINGS, {0.2, 0.2}}, {ED_EFFECT_MULLINS_DAMAGE, 4, ED_PLACE_DASHPOTS, {0.2, 3e-3, 1.0}},
+                   {ED_EFFECT_MULLINS_PATH, 4, ED_PLACE_SPRINGS, {0.2, 0.2, 1.0}}, {ED_EFFECT_MULLINS_DAMAGE, 4, ED_PLACE_DASHPOTS, {0.2, 3e-3, 1.0}},
                    {ED_EFFECT_MULLINS_DAMAGE, 4, 1, {0.3, 5e-3, 2.0}}};
   enum { CARRIED = 3, LONG = CARRIED * N };
   static double long_t[LONG], long_u[LONG], long_v[LONG], long_force[LONG], long_own[LONG], apart[2][ALL], deformation[ALL];
@@ -261,7 +261,7 @@ static void check_failures(void)
 /* Dampers of a test in place of the campaign's, with effects alone carried; another law in their place. */
 static void check_dampers_of_tests(void)
 {
-  const double path[] = {0.3, 0.2}; /* 1 - 0.3 (1 - exp(-s/0.2)) */
+  const double path[] = {0.3, 0.2, 1.0}; /* 1 - 0.3 (1 - exp(-s/0.2)) */
   ed_test test[TESTS];
   ed_campaign_end end[SETS];
   ed_damper *cold[SETS], *warm[SETS], *viscous;
@@ -283,8 +283,8 @@ static void check_dampers_of_tests(void)
       CHECK_STATUS(ed_damper_history(k ? warm[s] : cold[s], ED_DAMPER_BEST, 1e-6, test[k].n, t[k], u[k], v[k], expected, &done), ED_OK);
       CHECK(memcmp(all + (k ? test[0].n : 0), expected, (size_t)test[k].n * sizeof *expected) == 0);
     }
-    CHECK_STATUS(ed_damper_add_effect(cold[s], ED_EFFECT_DEGRADATION_PATH, 0, 2, path, message, sizeof message), ED_OK);
-    CHECK_STATUS(ed_damper_add_effect(warm[s], ED_EFFECT_DEGRADATION_PATH, 0, 2, path, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(cold[s], ED_EFFECT_DEGRADATION_PATH, 0, 3, path, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_add_effect(warm[s], ED_EFFECT_DEGRADATION_PATH, 0, 3, path, message, sizeof message), ED_OK);
   }
   CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_EFFECTS,
                                   &force[0][0][0], NULL, end), ED_OK);
@@ -319,10 +319,10 @@ static void check_shared_law(const ed_rig *rig)
   static const struct {
     int form, placement, n;
     double p[4], scale; /* of the law */
-  } EACH[DAMPERS] = {{ED_EFFECT_MULLINS_PATH, ED_PLACE_WHOLE, 3, {0.3, 0.1, 0.5}, 1.0},
-                     {ED_EFFECT_DEGRADATION_PATH, ED_PLACE_WHOLE, 2, {0.3, 0.2}, 1.2},
+  } EACH[DAMPERS] = {{ED_EFFECT_MULLINS_PATH, ED_PLACE_WHOLE, 4, {0.3, 0.1, 1.0, 0.5}, 1.0},
+                     {ED_EFFECT_DEGRADATION_PATH, ED_PLACE_WHOLE, 3, {0.3, 0.2, 0.6}, 1.2},
                      {ED_EFFECT_SELF_HEATING_RATE, ED_PLACE_WHOLE, 2, {1e-5, 50.0}, 1.0},
-                     {ED_EFFECT_MULLINS_PATH, ED_PLACE_SPRINGS, 3, {0.2, 0.1, 0.2}, 1.0},
+                     {ED_EFFECT_MULLINS_PATH, ED_PLACE_SPRINGS, 4, {0.2, 0.1, 1.0, 0.2}, 1.0},
                      {ED_EFFECT_HARDENING_POWER, ED_PLACE_WHOLE, 3, {1e5, 3.0, 5e-3}, 1.2},
                      {ED_EFFECT_PAYNE_NETWORK, ED_PLACE_INSIDE, 3, {0.3, 0.05, 2.0}, 1.0}};
   static const int carries[] = {ED_CARRY_NOTHING, ED_CARRY_EFFECTS, ED_CARRY_ALL};

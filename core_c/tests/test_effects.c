@@ -16,10 +16,10 @@ static const effect EACH[] = {
     {ED_EFFECT_CONSTANT, 1, {0.8}},
     {ED_EFFECT_PAYNE_WHOLE, 4, {0.3, 0.4, 1.3, 2.0}},
     {ED_EFFECT_PAYNE_ELASTIC, 4, {1.5, 0.4, 0.8, 0.7}},
-    {ED_EFFECT_MULLINS_PATH, 3, {0.4, 6.0, 0.3}},
+    {ED_EFFECT_MULLINS_PATH, 4, {0.4, 6.0, 1.3, 0.3}},
     {ED_EFFECT_MULLINS_MAXIMUM, 4, {0.35, 0.6, 0.3, 0.0}},
-    {ED_EFFECT_MULLINS_ELASTIC, 3, {2.0, 5.0, 1.0}},
-    {ED_EFFECT_DEGRADATION_ENERGY, 2, {0.25, 3.0}},
+    {ED_EFFECT_MULLINS_ELASTIC, 4, {2.0, 5.0, 0.6, 1.0}},
+    {ED_EFFECT_DEGRADATION_ENERGY, 3, {0.25, 3.0, 0.8}},
     {ED_EFFECT_SELF_HEATING_RATE, 2, {0.03, 4.0}},
     {ED_EFFECT_HARDENING_POWER, 3, {0.7, 3.0, 1.1}},
     {ED_EFFECT_HARDENING_THRESHOLD, 2, {3.0, 0.6}},
@@ -30,13 +30,13 @@ static const effect EACH[] = {
     {ED_EFFECT_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
     {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.5}},
     {ED_EFFECT_VELOCITY_EXPONENT_FLOW, 2, {0.5, 0.3}},
-    {ED_EFFECT_DEGRADATION_PATH, 2, {0.2, 4.0}},
+    {ED_EFFECT_DEGRADATION_PATH, 3, {0.2, 4.0, 1.6}},
     {ED_EFFECT_ONE_SIDED_CONTACT, 5, {1.4, 0.2, 1.5, -1.0, 0.8}},
     {ED_EFFECT_ONE_SIDED_EVEN, 3, {0.9, 2.2, 0.7}},
     {ED_EFFECT_PAYNE_EXPONENTIAL, 4, {0.25, 0.5, 1.2, 1.5}},
     {ED_EFFECT_HARDENING_EXPONENTIAL, 2, {0.4, 1.1}},
     {ED_EFFECT_FRICTION_COULOMB, 2, {0.5, 0.5}},
-    {ED_EFFECT_FRICTION_PRESLIDING, 2, {0.4, 0.15}},
+    {ED_EFFECT_FRICTION_PRESLIDING, 3, {0.4, 0.15, 1.0}},
     {ED_EFFECT_FRICTION_STRIBECK, 3, {0.3, 0.8, 4.0}},
     {ED_EFFECT_ONE_SIDED_VALVE, 3, {0.3, 0.5, -1.0}},
     {ED_EFFECT_GAS_SPRING_POLYTROPIC, 3, {0.6, -0.55, 1.3}},
@@ -47,6 +47,7 @@ static const effect EACH[] = {
     {ED_EFFECT_HYSTERESIS_BOUC_WEN, 3, {1.1, -1.8, 1.2}}, /* it stiffens on its way out */
     {ED_EFFECT_PINCHING_SLIP, 2, {0.4, 0.35}},
     {ED_EFFECT_FRICTION_LOADED, 3, {0.2, 0.3, 0.5}},
+    {ED_EFFECT_LIMIT_FORCE, 3, {0.7, 1.5, 0.0}},
 };
 enum { FORMS = sizeof EACH / sizeof *EACH };
 
@@ -155,12 +156,12 @@ static double expected(memory *m, const int *used, double h, double u, double v,
     case ED_EFFECT_CONSTANT: phi *= p[0]; break;
     case ED_EFFECT_PAYNE_WHOLE: phi *= 1.0 - p[0] * payne(p, &m->envelope[i], h, u); break;
     case ED_EFFECT_PAYNE_ELASTIC: beside -= p[0] * payne(p, &m->envelope[i], h, u) * u; break;
-    case ED_EFFECT_MULLINS_PATH: phi *= 1.0 + p[0] * exp(-m->path / p[1]); break;
+    case ED_EFFECT_MULLINS_PATH: phi *= 1.0 + p[0] * exp(-pow(m->path / p[1], p[2])); break;
     case ED_EFFECT_MULLINS_MAXIMUM:
       phi *= 1.0 - p[0] * erf((m->largest * m->largest - u * u) / (p[1] * p[1] + p[2] * m->largest * m->largest));
       break;
-    case ED_EFFECT_MULLINS_ELASTIC: beside += p[0] * exp(-m->path / p[1]) * u; break;
-    case ED_EFFECT_DEGRADATION_ENERGY: phi *= 1.0 - p[0] * (1.0 - exp(-fmax(m->work, 0.0) / p[1])); break;
+    case ED_EFFECT_MULLINS_ELASTIC: beside += p[0] * exp(-pow(m->path / p[1], p[2])) * u; break;
+    case ED_EFFECT_DEGRADATION_ENERGY: phi *= 1.0 - p[0] * (1.0 - exp(-pow(fmax(m->work, 0.0) / p[1], p[2]))); break;
     case ED_EFFECT_SELF_HEATING_RATE: phi *= exp(-m->heat); break;
     case ED_EFFECT_HARDENING_POWER: beside += p[0] * u * pow(fabs(u) / p[2], p[1] - 1.0); break;
     case ED_EFFECT_HARDENING_THRESHOLD: beside += fabs(u) > p[1] ? p[0] * (u - copysign(p[1], u)) : 0.0; break;
@@ -185,11 +186,12 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       beside += p[3] * u > p[1] ? p[3] * p[0] * pow(p[4], 1.0 - p[2]) * pow(p[3] * u - p[1], p[2]) : 0.0;
       break;
     case ED_EFFECT_ONE_SIDED_EVEN: beside += p[0] * p[2] * pow(fabs(u) / p[2], p[1]); break;
-    case ED_EFFECT_DEGRADATION_PATH: phi *= 1.0 - p[0] * (1.0 - exp(-m->path / p[1])); break;
+    case ED_EFFECT_DEGRADATION_PATH: phi *= 1.0 - p[0] * (1.0 - exp(-pow(m->path / p[1], p[2]))); break;
     case ED_EFFECT_PAYNE_EXPONENTIAL: phi *= 1.0 - p[0] * (1.0 - exp(-broken(p, &m->envelope[i], h, u))); break;
     case ED_EFFECT_HARDENING_EXPONENTIAL: beside += p[0] * u * (exp(u * u / (p[1] * p[1])) - 1.0); break;
     case ED_EFFECT_ONE_SIDED_VALVE: phi *= p[2] * v > 0.0 ? 1.0 + p[0] * (1.0 - 2.0 / (exp(2.0 * p[2] * v / p[1]) + 1.0)) : 1.0; break;
     case ED_EFFECT_ONE_SIDED_FORCE: phi *= p[1] * law > 0.0 ? 1.0 + p[0] : 1.0; break;
+    case ED_EFFECT_LIMIT_FORCE: phi *= fabs(law) > p[1] ? (p[1] + (1.0 - p[0]) * (fabs(law) - p[1])) / fabs(law) : 1.0; break;
     case ED_EFFECT_GAS_SPRING_POLYTROPIC: { /* of P V^n = constant; straight from where a twentieth of the room is left */
       const double room = 1.0 - p[1] * u;
       beside += room > 0.05 ? p[0] / pow(room, p[2]) : p[0] / pow(0.05, p[2]) * (1.0 + p[2] * (0.05 - room) / 0.05);
@@ -360,7 +362,7 @@ static void check_branch_is_zener(double brace)
 static void check_softening_brace(double kb)
 {
   const double plastic[] = {10.0, 2.0, 0.0};
-  const effect soft[] = {{ED_EFFECT_MULLINS_PATH, 3, {1.0, 0.5, 0.0}}, {ED_EFFECT_DEGRADATION_ENERGY, 2, {0.5, 1.0}}};
+  const effect soft[] = {{ED_EFFECT_MULLINS_PATH, 4, {1.0, 0.5, 1.0, 0.0}}, {ED_EFFECT_DEGRADATION_ENERGY, 3, {0.5, 1.0, 1.0}}};
   rig braced = new_rig(ED_LAW_ELASTIC_PLASTIC, 3, plastic, kb), own = new_rig(ED_LAW_ELASTIC_PLASTIC, 3, plastic, 0.0);
   for (int i = 0; i < 2; i++) {
     add_effect(&braced, &soft[i]);
@@ -437,7 +439,7 @@ static void check_constant_inside(void)
 static double rate_of(int form, const double *p, double t, double q)
 {
   const double u = 0.1 * t * t, v = 0.2 * t, everything = 2.0 * u + (TAU * 2.0 + 1.0) * v;
-  const double less = form == ED_EFFECT_MULLINS_PATH     ? p[0] * exp(-u / p[1])
+  const double less = form == ED_EFFECT_MULLINS_PATH     ? p[0] * exp(-pow(u / p[1], p[2]))
                       : form == ED_EFFECT_MULLINS_DAMAGE ? -p[0] * (1.0 - exp(-pow(u / p[1], p[2])))
                                                         : -p[0] * pow(u / p[1], p[2]) / (1.0 + pow(u / p[1], p[2]));
   return (less * everything - q) / TAU;

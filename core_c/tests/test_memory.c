@@ -59,7 +59,7 @@ static long live(void (*life)(caller *), unsigned long long seed, long first, lo
 static void call_sides(caller *c)
 {
   const double mgmm[] = {0.515e6, 15.1e3, 0.107e6, 20974.0, 0.374, 3.741e6, 3.613e6, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0};
-  const double time[] = {0.0, 0.01, 0.02}, u[] = {0.0, 1e-3, 3e-3}, v[] = {0.0, 0.15, 0.2}, path[] = {0.3, 0.1, 0.5};
+  const double time[] = {0.0, 0.01, 0.02}, u[] = {0.0, 1e-3, 3e-3}, v[] = {0.0, 0.15, 0.2}, path[] = {0.3, 0.1, 0.8, 0.5};
   int status, done;
   char message[200];
   double force[3];
@@ -67,7 +67,7 @@ static void call_sides(caller *c)
   expect_listed(c, status);
   for (int i = 0; damper && i < 4; i++) {
     const int size = ed_damper_state_size(damper), placement = i % 2 ? ED_PLACE_DASHPOTS : ED_PLACE_SPRINGS;
-    status = expect_listed(c, ed_damper_add_effect(damper, ED_EFFECT_MULLINS_PATH, placement, 3, path, message, sizeof message));
+    status = expect_listed(c, ed_damper_add_effect(damper, ED_EFFECT_MULLINS_PATH, placement, 4, path, message, sizeof message));
     CHECK((ed_damper_state_size(damper) > size) == (status == ED_OK));
   }
   if (damper)

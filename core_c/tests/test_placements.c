@@ -12,7 +12,7 @@ typedef struct {
   double parameter[5];
 } effect;
 
-static const effect PATH = {ED_EFFECT_MULLINS_PATH, 3, {0.4, 2.0, 0.0}}, DAMAGE = {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.0}},
+static const effect PATH = {ED_EFFECT_MULLINS_PATH, 4, {0.4, 2.0, 1.0, 0.0}}, DAMAGE = {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.0}},
                        CONSTANT = {ED_EFFECT_CONSTANT, 1, {0.7}}, HEAT = {ED_EFFECT_SELF_HEATING_RATE, 2, {0.03, 4.0}},
                        SPRING = {ED_EFFECT_HARDENING_POWER, 3, {0.7, 3.0, 1.1}};
 static const effect FACTORS[] = {
@@ -20,11 +20,11 @@ static const effect FACTORS[] = {
     {ED_EFFECT_PAYNE_WHOLE, 4, {0.3, 0.4, 1.3, 2.0}},
     {ED_EFFECT_PAYNE_EXPONENTIAL, 4, {0.25, 0.5, 1.2, 1.5}},
     {ED_EFFECT_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
-    {ED_EFFECT_MULLINS_PATH, 3, {0.4, 6.0, 0.3}},
+    {ED_EFFECT_MULLINS_PATH, 4, {0.4, 6.0, 1.2, 0.3}},
     {ED_EFFECT_MULLINS_MAXIMUM, 4, {0.35, 0.6, 0.3, 0.0}},
     {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.5}},
-    {ED_EFFECT_DEGRADATION_ENERGY, 2, {0.25, 3.0}},
-    {ED_EFFECT_DEGRADATION_PATH, 2, {0.2, 4.0}},
+    {ED_EFFECT_DEGRADATION_ENERGY, 3, {0.25, 3.0, 1.0}},
+    {ED_EFFECT_DEGRADATION_PATH, 3, {0.2, 4.0, 1.0}},
     {ED_EFFECT_SELF_HEATING_RATE, 2, {0.03, 4.0}},
     {ED_EFFECT_ONE_SIDED_FACTOR, 2, {0.2, -1.0}},
     {ED_EFFECT_ONE_SIDED_VALVE, 3, {0.3, 0.5, 1.0}},

@@ -32,10 +32,10 @@ static void check_rests(void)
   static const struct {
     int form, n;
     double p[4];
-  } one[KINDS] = {{ED_EFFECT_MULLINS_PATH, 3, {0.3, 0.05, 0.35}},      {ED_EFFECT_MULLINS_ELASTIC, 3, {2e6, 0.05, 0.35}},
+  } one[KINDS] = {{ED_EFFECT_MULLINS_PATH, 4, {0.3, 0.05, 1.0, 0.35}}, {ED_EFFECT_MULLINS_ELASTIC, 4, {2e6, 0.05, 0.6, 0.35}},
                   {ED_EFFECT_MULLINS_MAXIMUM, 4, {0.3, 2e-3, 0.4, 0.35}},   {ED_EFFECT_MULLINS_DAMAGE, 4, {0.3, 4e-3, 1.3, 0.35}},
                   {ED_EFFECT_PAYNE_WHOLE, 4, {0.3, 2e-3, 1.0, 10.0}},  {ED_EFFECT_PAYNE_NETWORK, 3, {0.3, 5e-3, 20.0}},
-                  {ED_EFFECT_SELF_HEATING_RATE, 2, {1e-3, 15.0}},      {ED_EFFECT_FRICTION_PRESLIDING, 2, {5e3, 1e-3}}};
+                  {ED_EFFECT_SELF_HEATING_RATE, 2, {1e-3, 15.0}},      {ED_EFFECT_FRICTION_PRESLIDING, 3, {5e3, 1e-3, 1.0}}};
   static double found[2 * N];
   ed_test test[TESTS];
   ed_campaign_end end;
@@ -48,10 +48,12 @@ static void check_rests(void)
     CHECK_STATUS(ed_damper_add_effect(damper, one[i].form, ED_PLACE_WHOLE, one[i].n, p, message, sizeof message), ED_OK);
     const ed_damper *const given = damper;
     CHECK_STATUS(ed_damper_campaign(1, &given, 2, test, ED_DAMPER_BEST, 1e-6, 1, found, NULL, &end), ED_OK);
-    double left = 1.0, largest = 0.0, envelope = 0.0, network = 0.0, heat = 0.0, before = 0.0;
+    double left = 1.0, far = 0.0, largest = 0.0, envelope = 0.0, network = 0.0, heat = 0.0, before = 0.0;
     for (int j = 0; j < 2; j++) {
       if (j == 1) {
         left += r * (1.0 - left);
+        const double slow = exp(-pow(far / 0.05, 0.6));
+        far = 0.05 * pow(-log(slow + r * (1.0 - slow)), 1.0 / 0.6);
         largest *= 1.0 - r;
         envelope *= exp(-rest / 10.0);
         network *= exp(-rest / 20.0);
@@ -61,13 +63,14 @@ static void check_rests(void)
       for (int m = 1; m < N; m++) {
         const double h = t[j][m] - t[j][m - 1], x = u[j][m], way = x - u[j][m - 1];
         left *= exp(-fabs(way) / 0.05);
+        far += fabs(way);
         largest = fmax(largest, fabs(x));
         envelope = fmax(fabs(x), envelope * exp(-h / 10.0));
         const double breaks = fabs(way) / (h * 5e-3), steady = breaks / (breaks + 1.0 / 20.0);
         network = steady + (network - steady) * exp(-(breaks + 1.0 / 20.0) * h);
         const double power = envelope / 2e-3, factor[KINDS] = {
             [PATH] = 1.0 + 0.3 * left,
-            [ELASTIC] = 1.0 + 2e6 / k * left,
+            [ELASTIC] = 1.0 + 2e6 / k * exp(-pow(far / 0.05, 0.6)),
             [MAXIMUM] = 1.0 - 0.3 * erf((largest * largest - x * x) / (4e-6 + 0.4 * largest * largest)),
             [DAMAGE] = 1.0 - 0.3 * (1.0 - exp(-pow(largest / 4e-3, 1.3))),
             [ENVELOPE] = 1.0 - 0.3 * power / (1.0 + power),
@@ -94,7 +97,7 @@ static void check_rests(void)
 static void check_sides_carried(void)
 {
   static double sides[3 * N], inside[3 * N];
-  const double p[] = {0.3, 0.1, 0.4};
+  const double p[] = {0.3, 0.1, 0.7, 0.4};
   ed_test test[TESTS];
   ed_campaign_end end;
   int status;
@@ -102,9 +105,9 @@ static void check_sides_carried(void)
   tests(test, 30.0);
   ed_damper *both = ed_damper_new(ED_LAW_MGMM, 12, MGMM, 0.0, 0.0, &status, message, sizeof message);
   ed_damper *all = ed_damper_new(ED_LAW_MGMM, 12, MGMM, 0.0, 0.0, &status, message, sizeof message);
-  CHECK_STATUS(ed_damper_add_effect(both, ED_EFFECT_MULLINS_PATH, ED_PLACE_SPRINGS, 3, p, message, sizeof message), ED_OK);
-  CHECK_STATUS(ed_damper_add_effect(both, ED_EFFECT_MULLINS_PATH, ED_PLACE_DASHPOTS, 3, p, message, sizeof message), ED_OK);
-  CHECK_STATUS(ed_damper_add_effect(all, ED_EFFECT_MULLINS_PATH, ED_PLACE_INSIDE, 3, p, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(both, ED_EFFECT_MULLINS_PATH, ED_PLACE_SPRINGS, 4, p, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(both, ED_EFFECT_MULLINS_PATH, ED_PLACE_DASHPOTS, 4, p, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_add_effect(all, ED_EFFECT_MULLINS_PATH, ED_PLACE_INSIDE, 4, p, message, sizeof message), ED_OK);
   const ed_damper *const one = both, *const other = all;
   for (int method = ED_DAMPER_BEST; method <= ED_DAMPER_ODE; method++) {
     CHECK_STATUS(ed_damper_campaign(1, &one, 3, test, method, 1e-8, 1, sides, NULL, &end), ED_OK);

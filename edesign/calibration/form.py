@@ -171,6 +171,11 @@ def shape(
     return Parameter(name, unit, lower, upper, centre, spread, True)
 
 
+def fading() -> Parameter:
+    """Return the power q of what fades as exp(-(x/x0)^q): below 1 ever slower."""
+    return shape("q", "", 1.0, 0.2, 3.0, spread=0.5)
+
+
 def share(name: str, centre: float = 0.5, spread: float = 0.5, upper: float = 1.0) -> Parameter:
     """Return a number from 0 to an upper bound.
 

@@ -14,6 +14,7 @@ from edesign.project.reading.problems import did_you_mean, listed
 
 _PAYNE = "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92"
 _MULLINS = "Mullins (1969), Rubber Chem. Technol. 42, 339-362"
+_KOHLRAUSCH = "q: Williams and Watts (1970), Trans. Faraday Soc. 66, 80-85"
 _VISCOUS = "Soong and Dargush (1997), Passive Energy Dissipation Systems in Structural Engineering"
 _ANY = -math.inf
 _INSIDE = "_inside"
@@ -79,6 +80,7 @@ _SIDE = Parameter(
     fitted=False,
     choices=(1.0, -1.0),
 )
+_FADES = Parameter("q", "power with which it fades: below 1 ever slower", "", default=1.0)
 _SIDE_OF_MOTION = replace(_SIDE, meaning="1: where the velocity is positive; -1: where it is negative")
 _SIDE_OF_FORCE = replace(_SIDE, meaning="1: where the force of the law is positive; -1: where it is negative")
 _T0 = Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False)
@@ -144,11 +146,12 @@ def _forms() -> tuple[LawEffectForm, ...]:
         form(
             "mullins.path",
             "softening with the path of the whole force",
-            "phi = 1 + m exp(-s/s0)",
-            _MULLINS,
+            "phi = 1 + m exp(-(s/s0)^q)",
+            f"{_MULLINS}; {_KOHLRAUSCH}",
             (
                 Parameter("m", "share by which the virgin damper is stronger; negative: weaker", "", lower=-1.0),
                 _positive("s0", "path after which 1/e of it is left", "m"),
+                _FADES,
                 _RECOVERY,
             ),
         ),
@@ -180,32 +183,35 @@ def _forms() -> tuple[LawEffectForm, ...]:
         form(
             "mullins.elastic",
             "softening with the path of the elastic force",
-            "k exp(-s/s0) u",
-            _MULLINS,
+            "k exp(-(s/s0)^q) u",
+            f"{_MULLINS}; {_KOHLRAUSCH}",
             (
                 _any("k", "stiffness that the virgin damper has more; negative: less", "N/m"),
                 _positive("s0", "path after which 1/e of it is left", "m"),
+                _FADES,
                 _RECOVERY,
             ),
         ),
         form(
             "degradation.energy",
             "softening with the work done",
-            "phi = 1 - d (1 - exp(-max(E, 0)/E0))",
+            "phi = 1 - d (1 - exp(-(max(E, 0)/E0)^q))",
             "degradation with dissipated energy: Baber and Wen (1981), J. Eng. Mech. Div. 107, 1069-1087",
             (
                 _share("d", "share of the force that goes in the end"),
                 _positive("E0", "work after which 1 - 1/e of it has gone", "J"),
+                _FADES,
             ),
         ),
         form(
             "degradation.path",
             "softening with the path",
-            "phi = 1 - d (1 - exp(-s/s0))",
+            "phi = 1 - d (1 - exp(-(s/s0)^q))",
             "wear by path: Archard (1953), J. Appl. Phys. 24, 981-988; saturation: Simo (1987)",
             (
                 _share("d", "share of the force that goes in the end"),
                 _positive("s0", "path after which 1 - 1/e of it has gone", "m"),
+                _FADES,
             ),
         ),
         form(
@@ -470,6 +476,27 @@ def _forms() -> tuple[LawEffectForm, ...]:
             ),
         ),
         form(
+            "limit.force",
+            "limit of the force",
+            "phi F_law = F_law - s max(|F_law| - F_l, 0) sgn F_law",
+            "relief valves: JSSI (2003), manual for passively controlled buildings; Kasai and Kibayashi (2004)",
+            (
+                Parameter("s", "share of what is beyond the limit that is lost; 1: it is all", "", 0.0, 1.0, True),
+                _positive("F_l", "limit of the force", "N"),
+                Parameter(
+                    "side",
+                    "1: where the force of the law is positive; -1: where it is negative; 0: both",
+                    "",
+                    -1.0,
+                    1.0,
+                    True,
+                    default=0.0,
+                    fitted=False,
+                    choices=(1.0, -1.0, 0.0),
+                ),
+            ),
+        ),
+        form(
             "friction.coulomb",
             "friction",
             "F_c tanh(u'/v0)",
@@ -480,9 +507,13 @@ def _forms() -> tuple[LawEffectForm, ...]:
         form(
             "friction.presliding",
             "friction that builds up over a way",
-            "F_c z/x0, z' = u' - |u'| z/x0",
+            "F_c z, x0 z' = u' - |u'| z |z|^(n-1)",
             "Dahl (1968), Aerospace Corp. TOR-0158(3107-18)-1; Dahl (1976), AIAA Journal 14, 1675-1682",
-            (_positive("F_c", "friction force", "N"), _positive("x0", "way over which it builds up", "m")),
+            (
+                _positive("F_c", "friction force", "N"),
+                _positive("x0", "way over which it builds up", "m"),
+                Parameter("n", "sharpness: 1 Dahl's, a large one elastic-plastic", "", 1.0, 100.0, True, default=1.0),
+            ),
         ),
         form(
             "friction.stribeck",

@@ -16,9 +16,9 @@ from edesign.damper.effects import LAW_EFFECTS, LawEffect
 EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "whole"): {"d": 0.3, "a0": 3e-3, "m": 1.2, "tau_a": 3.0},
     ("payne", "elastic"): {"k": 2e6, "a0": 3e-3, "m": 0.8, "tau_a": 1.0},
-    ("mullins", "path"): {"m": 0.4, "s0": 0.03},
+    ("mullins", "path"): {"m": 0.4, "s0": 0.03, "q": 1.2},
     ("mullins", "maximum"): {"m": 0.3, "r": 3e-3, "beta": 0.4, "recovery": 0.5},
-    ("mullins", "elastic"): {"k": 1.5e6, "s0": 0.04},
+    ("mullins", "elastic"): {"k": 1.5e6, "s0": 0.04, "q": 0.7},
     ("degradation", "energy"): {"d": 0.25, "E0": 300.0},
     ("self_heating", "rate"): {"beta": 3e-4, "tau_h": 20.0},
     ("temperature_law", "exponential"): {"b": 0.02, "T0": 20.0},
@@ -38,7 +38,7 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "network"): {"d": 0.3, "s0": 0.01, "tau": 2.0},
     ("mullins", "damage"): {"m": 0.25, "r": 4e-3, "p": 1.4, "recovery": 0.2},
     ("velocity_exponent", "flow"): {"f": 1.5e3, "v0": 4e-3},
-    ("degradation", "path"): {"d": 0.2, "s0": 0.1},
+    ("degradation", "path"): {"d": 0.2, "s0": 0.1, "q": 0.8},
     ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0, "n0": 0.4},
     ("payne", "exponential"): {"d": 0.25, "a0": 4e-3, "m": 1.3, "tau_a": 2.0},
     ("hardening", "exponential"): {"k": 1e6, "u0": 7e-3},
@@ -48,6 +48,7 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("hysteresis", "stretch"): {"F_y": 3e3, "Y": 8e-4, "n": 1.2, "r": 5e-3},
     ("hysteresis", "bouc_wen"): {"k": 2e6, "beta": -220.0, "gamma": 160.0},
     ("pinching", "slip"): {"d": 0.4, "w": 0.3},
+    ("limit", "force"): {"s": 0.7, "F_l": 1e4},
     ("friction", "coulomb"): {"F_c": 1.2e3, "v0": 2e-3},
     ("friction", "presliding"): {"F_c": 1.5e3, "x0": 8e-4},
     ("friction", "stribeck"): {"F_c": 1e3, "s": 0.7, "v_s": 2e-2},
@@ -115,6 +116,9 @@ def with_effects(
             elif one.definition.name == "friction.loaded":
                 p = one.values
                 value = (p["F_c"] + p["mu"] * abs(law_force[i])) * np.tanh(v[i] / p["v0"])
+            if one.definition.name == "limit.force":
+                over = max(abs(law_force[i]) - one.values["F_l"], 0.0) * (one.values["side"] * law_force[i] >= 0.0)
+                value = 1.0 - one.values["s"] * over / max(abs(law_force[i]), 1e-300)
             if one.placement == "inside" and one.definition.is_factor:
                 inside[k] = _relaxed(inside[k], value - 1.0, law_force[i], h, tau)
                 beside += inside[k].q
@@ -168,7 +172,11 @@ def _relaxed(
 def _counted(one: LawEffect, state: float) -> float:
     """The factor of what counts work, after what it has counted."""
     p = one.values
-    return exp(-state) if one.name == "self_heating" else 1.0 - p["d"] * (1.0 - exp(-max(state, 0.0) / p["E0"]))
+    return (
+        exp(-state)
+        if one.name == "self_heating"
+        else 1.0 - p["d"] * (1.0 - exp(-((max(state, 0.0) / p["E0"]) ** p["q"])))
+    )
 
 
 def _after(one: LawEffect, state: float, h: float, work: float) -> float:
@@ -197,13 +205,13 @@ def _values(
         case "payne.network":
             return 1.0 - p["d"] * _network(p, h, du)
         case "mullins.path":
-            return 1.0 + p["m"] * np.exp(-path / p["s0"])
+            return 1.0 + p["m"] * np.exp(-((path / p["s0"]) ** p["q"]))
         case "mullins.maximum":
             return np.asarray(1.0 - p["m"] * erf((largest**2 - u**2) / (p["r"] ** 2 + p["beta"] * largest**2)))
         case "mullins.damage":
             return 1.0 - p["m"] * (1.0 - np.exp(-((largest / p["r"]) ** p["p"])))
         case "mullins.elastic":
-            return p["k"] * np.exp(-path / p["s0"]) * u
+            return p["k"] * np.exp(-((path / p["s0"]) ** p["q"])) * u
         case "temperature_law.exponential":
             return ones if temperature_C is None else ones * exp(-p["b"] * (temperature_C - p["T0"]))
         case "temperature_law.wlf":
@@ -217,7 +225,7 @@ def _values(
         case "ageing.logarithmic":
             return ones * (1.0 + p["rate"] * log(1.0 + p["n"] / p["n0"]))
         case "degradation.path":
-            return 1.0 - p["d"] * (1.0 - np.exp(-path / p["s0"]))
+            return 1.0 - p["d"] * (1.0 - np.exp(-((path / p["s0"]) ** p["q"])))
         case "hardening.power":
             return p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0)
         case "hardening.exponential":
@@ -226,7 +234,7 @@ def _values(
             return p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u)
         case "one_sided.factor":
             return np.where(p["side"] * u > 0.0, 1.0 + p["b"], 1.0)
-        case "one_sided.force" | "friction.loaded":  # of the law's force
+        case "one_sided.force" | "friction.loaded" | "limit.force":  # of the law's force
             return ones
         case "one_sided.valve":
             return 1.0 + p["b"] * np.maximum(np.tanh(p["side"] * v / p["v0"]), 0.0)

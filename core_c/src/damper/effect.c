@@ -119,6 +119,7 @@ void ed_effects_jump(const ed_damper *damper, double *state, const double *after
 
 static void multiply(ed_effect_value *product, const ed_effect_value *factor)
 {
+  product->by_law = product->by_law * factor->value + product->value * factor->by_law;
   product->by_u1 = product->by_u1 * factor->value + product->value * factor->by_u1;
   product->by_v1 = product->by_v1 * factor->value + product->value * factor->by_v1;
   product->value *= factor->value;
@@ -188,7 +189,7 @@ int ed_effects_apply(const ed_damper *damper, const double *committed, const ed_
   after[BEGUN] = 1.0;
   after[FORCE] = force;
   after[LAW_FORCE] = out->force;
-  const double of_law = factor.value + by_law + beside.by_law;
+  const double of_law = factor.value + factor.by_law * law + by_law + beside.by_law;
   for (int j = 0; j < 2; j++) {
     const double u = ed_path_u(&direction[j], h), v0 = direction[j].c[1], v1 = ed_path_v(&direction[j], h);
     out->slope[j] = of_law * out->slope[j] + factor.value * sides.slope[j] + law * (factor.by_u1 * u + factor.by_v1 * v1) +

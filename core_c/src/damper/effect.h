@@ -15,7 +15,7 @@ typedef struct {
 } ed_ends;
 
 /* A factor or a force at the end of a step, with its derivatives; chord: what comes to by_v1 as in ed_damper_force. by_path: to the two
- * unknowns of the path, of a force that knows more of it than its ends; by_law: to the law's force, of a force beside it. */
+ * unknowns of the path, of a force that knows more of it than its ends; by_law: to the law's force. */
 typedef struct {
   double value, by_u1, by_v0, by_v1, chord, by_path[2], by_law;
 } ed_effect_value;
@@ -47,7 +47,7 @@ struct ed_effect {
 extern const ed_effect_form ed_effect_constant, ed_effect_payne_whole, ed_effect_mullins_path, ed_effect_mullins_maximum,
     ed_effect_degradation_energy, ed_effect_self_heating_rate, ed_effect_one_sided_factor, ed_effect_payne_network, ed_effect_mullins_damage,
     ed_effect_degradation_path, ed_effect_payne_exponential, ed_effect_one_sided_valve, ed_effect_one_sided_force,
-    ed_effect_pinching_slip;
+    ed_effect_pinching_slip, ed_effect_limit_force;
 /* effect_parallel.c */
 extern const ed_effect_form ed_effect_payne_elastic, ed_effect_mullins_elastic, ed_effect_hardening_power,
     ed_effect_hardening_threshold, ed_effect_one_sided_spring, ed_effect_relaxation_branch_maxwell, ed_effect_velocity_exponent_dashpot,
@@ -100,9 +100,9 @@ int ed_sides_act(const ed_damper *damper, const double *before, double law0, con
 /* Payne effect: the share g of the softening at the envelope a of the deformation, which fades with time constant tau.
  * g = (a/a0)^m / (1 + (a/a0)^m) [Kraus 1984]. */
 double ed_payne_share(double a0, double m, double tau, double before, const ed_ends *ends, double *after, double *by_u1);
-/* The path of the deformation: exp(-s/s0). */
-double ed_path_share(double s0, double before, const ed_ends *ends, double *after, double *by_u1);
+/* The path of the deformation: exp(-(s/s0)^q). */
+double ed_path_share(double s0, double q, double before, const ed_ends *ends, double *after, double *by_u1);
 /* The path that counts in the next test, of which a rest has healed the share `recovery` of what the path took. */
-double ed_path_rested(double s0, double recovery, double before);
+double ed_path_rested(double s0, double q, double recovery, double before);
 
 #endif

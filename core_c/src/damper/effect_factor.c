@@ -20,11 +20,11 @@ double ed_payne_share(double a0, double m, double tau, double before, const ed_e
   return g;
 }
 
-double ed_path_share(double s0, double before, const ed_ends *ends, double *after, double *by_u1)
+double ed_path_share(double s0, double q, double before, const ed_ends *ends, double *after, double *by_u1)
 {
   *after = before + fabs(ends->du);
-  const double share = exp(-*after / s0);
-  *by_u1 = -share / s0 * ed_sign(ends->du);
+  const double power = q == 1.0 ? *after / s0 : pow(*after / s0, q), share = exp(-power);
+  *by_u1 = *after > 0.0 ? -share * q * power / *after * ed_sign(ends->du) : 0.0;
   return share;
 }
 
@@ -73,23 +73,23 @@ static void payne_network(const double *p, double before, const ed_ends *ends, d
 const ed_effect_form ed_effect_payne_network = {
     .name = "payne.network", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = payne_network};
 
-/* exp(-s'/s0) = left + recovery (1 - left), left = exp(-s/s0) */
-double ed_path_rested(double s0, double recovery, double before)
+/* exp(-(s'/s0)^q) = left + recovery (1 - left), left = exp(-(s/s0)^q) */
+double ed_path_rested(double s0, double q, double recovery, double before)
 {
-  return recovery > 0.0 ? -s0 * log(recovery + (1.0 - recovery) * exp(-before / s0)) : before;
+  return recovery > 0.0 ? s0 * pow(fmax(-log(recovery + (1.0 - recovery) * exp(-pow(before / s0, q))), 0.0), 1.0 / q) : before;
 }
 
 static void mullins_path(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
   enum { ED_EFFECT_MULLINS_PATH_PARAMETERS };
-  out->value = 1.0 + p[M] * ed_path_share(p[S0], before, ends, after, &out->by_u1);
+  out->value = 1.0 + p[M] * ed_path_share(p[S0], p[Q], before, ends, after, &out->by_u1);
   out->by_u1 *= p[M];
 }
 
 static double mullins_path_rested(const double *p, double before)
 {
   enum { ED_EFFECT_MULLINS_PATH_PARAMETERS };
-  return ed_path_rested(p[S0], p[RECOVERY], before);
+  return ed_path_rested(p[S0], p[Q], p[RECOVERY], before);
 }
 
 const ed_effect_form ed_effect_mullins_path = {
@@ -151,7 +151,7 @@ const ed_effect_form ed_effect_pinching_slip = {
 static void degradation_path(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
   enum { ED_EFFECT_DEGRADATION_PATH_PARAMETERS };
-  const double left = ed_path_share(p[S0], before, ends, after, &out->by_u1);
+  const double left = ed_path_share(p[S0], p[Q], before, ends, after, &out->by_u1);
   out->value = 1.0 - p[D] * (1.0 - left);
   out->by_u1 *= p[D];
 }
@@ -164,7 +164,7 @@ static void degradation_energy(const double *p, double before, const ed_ends *en
 {
   enum { ED_EFFECT_DEGRADATION_ENERGY_PARAMETERS };
   (void)ends, (void)after;
-  out->value = 1.0 - p[D] * (1.0 - exp(-fmax(before, 0.0) / p[E0]));
+  out->value = 1.0 - p[D] * (1.0 - exp(-pow(fmax(before, 0.0) / p[E0], p[Q])));
 }
 
 static double add_work(const double *p, double before, double h, double work)
@@ -226,3 +226,16 @@ static void one_sided_force(const double *p, double before, const ed_ends *ends,
 
 const ed_effect_form ed_effect_one_sided_force = {
     .name = "one_sided.force", .is_factor = 1, .by_force = 1, .at_end = one_sided_force};
+
+/* Beyond F_l the share s of the law's force is lost: phi F = F - s max(|F| - F_l, 0) sgn F. */
+static void limit_force(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
+{
+  enum { ED_EFFECT_LIMIT_FORCE_PARAMETERS };
+  (void)before, (void)after;
+  const double law = ends->law, size = fabs(law), over = size - p[F_L];
+  const int limits = over > 0.0 && p[SIDE] * law >= 0.0;
+  out->value = limits ? 1.0 - p[S] * over / size : 1.0;
+  out->by_law = limits ? -p[S] * p[F_L] / (size * law) : 0.0;
+}
+
+const ed_effect_form ed_effect_limit_force = {.name = "limit.force", .is_factor = 1, .by_force = 1, .at_end = limit_force};

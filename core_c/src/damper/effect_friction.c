@@ -1,5 +1,7 @@
 /* Effects that rub, beside the law. */
+#include "damper/bouc_wen.h"
 #include "damper/effect.h"
+#include "edcore.h"
 
 #include <math.h>
 
@@ -105,10 +107,22 @@ static ed_gone presliding_way(const double *p, double z, double way)
   return dahl(p[X0], z, way);
 }
 
+/* z' = v - |v| z |z|^(n-1)/x0 [Dahl 1968]: of n = 1 exponential, of a large one elastic and plastic. */
 static void presliding(const double *p, double before, const ed_ends *ends, double *after, ed_effect_value *out)
 {
   enum { ED_EFFECT_FRICTION_PRESLIDING_PARAMETERS };
-  times_state(p[F_C], p, presliding_way, before, ends, after, out);
+  if (p[N] == 1.0) {
+    times_state(p[F_C], p, presliding_way, before, ends, after, out);
+    return;
+  }
+  const ed_bouc_wen_shape shape = {.Y = p[X0], .A = 1.0, .beta = 0.0, .gamma = 1.0, .n = p[N]};
+  double z = before, slope[2] = {0.0};
+  if (ends->path && ed_bouc_wen_follow(&shape, ends->path, ends->direction, &z, slope) != ED_OK)
+    z = NAN;
+  *after = z;
+  out->value = p[F_C] * z;
+  for (int j = 0; j < 2; j++)
+    out->by_path[j] = p[F_C] * slope[j];
 }
 
 /* Who lets go of the damper takes the strain out of it. */

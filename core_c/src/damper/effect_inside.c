@@ -30,7 +30,7 @@ void ed_effect_relaxed_factor(double tau, const ed_effect_value *found, double h
   beside->value += now * law1 + after[RELAXING];
   beside->by_u1 += found->by_u1 * left;
   beside->by_v1 += found->by_v1 * left;
-  *by_law += now - change * of.last;
+  *by_law += now - change * of.last + found->by_law * left;
 }
 
 void ed_effect_relaxed_force(double tau, const ed_effect_value *found, double h, const double before[2], double after[2], ed_effect_value *beside)

@@ -20,7 +20,7 @@ static void mullins_elastic(const double *p, double before, const ed_ends *ends,
 {
   enum { ED_EFFECT_MULLINS_ELASTIC_PARAMETERS };
   double by_u1;
-  const double share = ed_path_share(p[S0], before, ends, after, &by_u1);
+  const double share = ed_path_share(p[S0], p[Q], before, ends, after, &by_u1);
   out->value = p[K] * share * ends->u1;
   out->by_u1 = p[K] * (share + by_u1 * ends->u1);
 }
@@ -28,7 +28,7 @@ static void mullins_elastic(const double *p, double before, const ed_ends *ends,
 static double mullins_elastic_rested(const double *p, double before)
 {
   enum { ED_EFFECT_MULLINS_ELASTIC_PARAMETERS };
-  return ed_path_rested(p[S0], p[RECOVERY], before);
+  return ed_path_rested(p[S0], p[Q], p[RECOVERY], before);
 }
 
 const ed_effect_form ed_effect_mullins_elastic = {

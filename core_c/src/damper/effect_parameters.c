@@ -35,9 +35,10 @@ const ed_parameters ed_effect_parameters[] = {
                                              {"m", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"tau_a", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_EFFECT_MULLINS_PATH] =
-        {.n = 3,
+        {.n = 4,
          .parameter = (const ed_parameter[]){{"m", -1.0, INFINITY, 0, 1, 0, NULL},
                                              {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"q", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_EFFECT_MULLINS_MAXIMUM] =
         {.n = 4,
@@ -52,18 +53,21 @@ const ed_parameters ed_effect_parameters[] = {
                                              {"p", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_EFFECT_MULLINS_ELASTIC] =
-        {.n = 3,
+        {.n = 4,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
                                              {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"q", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_EFFECT_DEGRADATION_ENERGY] =
-        {.n = 2,
+        {.n = 3,
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
-                                             {"E0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"E0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"q", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_EFFECT_DEGRADATION_PATH] =
-        {.n = 2,
+        {.n = 3,
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
-                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"q", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_EFFECT_SELF_HEATING_RATE] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"beta", -INFINITY, INFINITY, 0, 1, 0, NULL},
@@ -153,14 +157,20 @@ const ed_parameters ed_effect_parameters[] = {
         {.n = 2,
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
                                              {"w", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_EFFECT_LIMIT_FORCE] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"s", 0.0, 1.0, 1, 1, 0, NULL},
+                                             {"F_l", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"side", -1.0, 1.0, 1, 1, 3, (const double[]){1.0, -1.0, 0.0}}}},
     [ED_EFFECT_FRICTION_COULOMB] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"v0", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_EFFECT_FRICTION_PRESLIDING] =
-        {.n = 2,
+        {.n = 3,
          .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},
-                                             {"x0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"x0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"n", 1.0, 100.0, 1, 1, 0, NULL}}},
     [ED_EFFECT_FRICTION_STRIBECK] =
         {.n = 3,
          .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},

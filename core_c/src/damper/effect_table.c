@@ -40,6 +40,7 @@ const ed_effect_form *ed_effect_form_of(int id)
       [ED_EFFECT_HYSTERESIS_STRETCH] = &ed_effect_hysteresis_stretch,
       [ED_EFFECT_HYSTERESIS_BOUC_WEN] = &ed_effect_hysteresis_bouc_wen,
       [ED_EFFECT_PINCHING_SLIP] = &ed_effect_pinching_slip,
+      [ED_EFFECT_LIMIT_FORCE] = &ed_effect_limit_force,
   };
   return id >= 0 && id < (int)(sizeof forms / sizeof *forms) ? forms[id] : NULL;
 }

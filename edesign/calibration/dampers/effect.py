@@ -14,6 +14,7 @@ from edesign.calibration.search.problem import Effect
 REFINED = 2
 """Times the samples of a fit at which tests are predicted: the MGMM exact to 3e-5, most effects to a few 1e-3."""
 
+_SIDES = {"positive": 1.0, "negative": -1.0}
 _TITLES = {
     Placement.WHOLE: "",
     Placement.INSIDE: ", inside the law",
@@ -133,3 +134,19 @@ def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:
         return replace(renamed(form, form.form + ending, f"{{}}{_TITLES[placement]}"), mechanisms=mechanisms)
 
     return tuple(map(at, placements))
+
+
+def both_sides(form: EffectForm) -> tuple[EffectForm, ...]:
+    """Return a form for each side, which its constants name beside what they are.
+
+    Args:
+        form: with an equation that has a side, 1 or -1.
+    """
+
+    def to(name: str, side: float) -> EffectForm:
+        return replace(
+            renamed(form, f"{form.form}_{name}", f"{{}} on the {name} side"),
+            constants=lambda s: {**form.constants(s), "side": side},
+        )
+
+    return tuple(to(name, side) for name, side in _SIDES.items())

@@ -96,11 +96,16 @@ _FACTOR = _Shape(_U, 1e-3, _deformation, lambda p, u: 1.0 + p["b"] * (p["side"] 
 _SHAPES: dict[tuple[str, str], _Shape] = {
     ("payne", "whole"): _Shape(_AMPLITUDE, 1e-3, _envelope, lambda p, a: 1.0 - p["d"] * _broken(p, a)),
     ("payne", "elastic"): _Shape(_AMPLITUDE, 1e-3, _envelope, lambda p, a: -p["k"] * a * _broken(p, a), force=True),
-    ("mullins", "path"): _Shape(_PATH, 1.0, _path, lambda p, s: 1.0 + p["m"] * np.exp(-s / p["s0"])),
+    ("mullins", "path"): _Shape(_PATH, 1.0, _path, lambda p, s: 1.0 + p["m"] * np.exp(-((s / p["s0"]) ** p["q"]))),
     ("degradation", "energy"): _Shape(
-        "work done (J)", 1.0, _work, lambda p, e: 1.0 - p["d"] * (1.0 - np.exp(-np.maximum(e, 0.0) / p["E0"]))
+        "work done (J)",
+        1.0,
+        _work,
+        lambda p, e: 1.0 - p["d"] * (1.0 - np.exp(-((np.maximum(e, 0.0) / p["E0"]) ** p["q"]))),
     ),
-    ("degradation", "path"): _Shape(_PATH, 1.0, _path, lambda p, s: 1.0 - p["d"] * (1.0 - np.exp(-s / p["s0"]))),
+    ("degradation", "path"): _Shape(
+        _PATH, 1.0, _path, lambda p, s: 1.0 - p["d"] * (1.0 - np.exp(-((s / p["s0"]) ** p["q"])))
+    ),
     ("temperature_law", "exponential"): _FALL,
     ("temperature_law", "wlf"): _FALL,
     ("hardening", "power"): _Shape(

@@ -64,7 +64,7 @@ def test_a_specimen_carries_over_what_one_long_test_would():
     effects = [
         EffectValues("payne.whole", (0.3, 5e-3, 1.0, 50.0)),
         EffectValues("self_heating.rate", (1e-4, 100.0)),
-        EffectValues("mullins.path", (0.3, 0.1, 0.0)),
+        EffectValues("mullins.path", (0.3, 0.1, 1.0, 0.0)),
     ]
     damper, rests = CoreDamper("mgmm", MGMM, effects=effects), (0.0, 20.0, 40.0)
     times, start = [], 0.0
@@ -124,7 +124,7 @@ def test_dampers_of_each_test_are_those_of_single_campaigns():
 def test_effects_alone_go_on_where_that_is_asked():
     """The path goes on in 1 - d (1 - exp(-s/s0)), whatever the parameters of each test; extremes of the MGMM do not."""
     d, s0 = 0.3, 0.1
-    worn = EffectValues("degradation.path", (d, s0))
+    worn = EffectValues("degradation.path", (d, s0, 1.0))
     before, own = (np.concatenate(([0.0], np.cumsum(np.abs(np.diff(u))))) for _, u, _ in (MOTIONS[0], MOTIONS[2]))
     warmer = (0.8 * MGMM[0], *MGMM[1:])
     tests = [TESTS[0], CampaignTest(*MOTIONS[2], rest=3.0, dampers=[CoreDamper("mgmm", warmer, effects=[worn])])]

@@ -15,6 +15,7 @@ from edesign.calibration.dampers.effects import (
     hardening,
     hysteresis,
     lag,
+    limit,
     mullins,
     one_sided,
     pinching,
@@ -28,8 +29,8 @@ from edesign.calibration.dampers.effects import (
 from edesign.calibration.dampers.sizes import Sizes
 
 TABLES = (
-    *(amplitude, mullins, hardening, one_sided, viscous, hysteresis, pinching, gas_spring, temperature_law, wear),
-    *(friction, rig, alignment, lag, gain, zero),
+    *(amplitude, mullins, hardening, one_sided, limit, viscous, hysteresis, pinching, gas_spring, temperature_law),
+    *(wear, friction, rig, alignment, lag, gain, zero),
 )
 """Modules, each with its FORMS."""
 

@@ -47,6 +47,7 @@ _COULOMB = EffectForm(
         "F_c": "friction force of sliding; of `loaded` that without a force of the damper",
         "v0": "velocity below which it smooths out",
         "x0": "way over which it builds up after a reversal",
+        "n": "sharpness of its bend: 1 Dahl's, a large one elastic-plastic",
         "s": "share by which it is larger at rest",
         "v_s": "velocity over which that share falls",
         "mu": "share of the damper's force that it has besides",
@@ -62,8 +63,9 @@ _PRESLIDING = replace(
     parameters=lambda s: (
         _friction(s),
         shape("x0", "m", 0.02 * s.displacement, 1e-4 * s.displacement, 0.5 * s.displacement),
+        shape("n", "", 2.0, 1.0, 100.0, spread=1.2),
     ),
-    starts=lambda s: tuple((0.03 * s.force, x0 * s.displacement) for x0 in (0.02, 0.1)),
+    starts=lambda s: tuple((0.03 * s.force, x0 * s.displacement, n) for n in (1.0, 8.0) for x0 in (0.02, 0.1)),
 )
 _STRIBECK = replace(
     _COULOMB,

@@ -56,6 +56,28 @@ _THRESHOLD = EffectForm(
     lambda s: tuple((0.1 * s.stiffness / (1.0 - at), at * s.displacement) for at in (0.3, 0.6, 0.8)),
     negative=Words("less stiffness beyond a deformation", _TOO_MUCH),
 )
+_CONTACT = EffectForm(
+    "hardening",
+    "contact",
+    "damper",
+    "contact that stiffens, on both sides",
+    _SIGNATURE,
+    "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)",
+    tuple(CoreEffect("one_sided.contact", more=lambda _, to=side: {"side": to}) for side in (1.0, -1.0)),
+    lambda s: (
+        size("k", "N/m", s.stiffness, -5.0 * s.stiffness, 20.0 * s.stiffness),
+        Parameter("u0", "m", 0.0, 0.98 * s.displacement, 0.3 * s.displacement, 0.3 * s.displacement),
+        Parameter("n", "", 1.0, 5.0, 1.5, 1.0),
+    ),
+    lambda s: tuple((0.1 * s.stiffness / (1.0 - at) ** 2, at * s.displacement, 2.0) for at in (0.3, 0.6)),
+    lambda s: {"r": s.displacement},
+    meanings={
+        "k": "secant stiffness at r beyond u0",
+        "u0": "deformation at which it begins",
+        "n": "power of the approach: 3/2 of round bodies (Hertz)",
+    },
+    negative=Words("softening that grows beyond a deformation, on both sides", _TOO_MUCH),
+)
 _EXPONENTIAL = EffectForm(
     "hardening",
     "exponential",
@@ -94,4 +116,4 @@ _SATURATING = EffectForm(
     ),
 )
 
-FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL, _SATURATING)
+FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _CONTACT, _EXPONENTIAL, _SATURATING)

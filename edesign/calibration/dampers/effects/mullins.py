@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from edesign.calibration.dampers.effect import EffectForm, placed
+from edesign.calibration.dampers.effects.wear import KOHLRAUSCH
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, Words, shape, share, size
+from edesign.calibration.form import Rows, Words, fading, shape, share, size
 from edesign.estimation.parameters import Parameter
 
 _SIGNATURE = (
@@ -38,12 +39,12 @@ def _constants(s: Sizes) -> Mapping[str, float]:
 
 def _by_path(s: Sizes, first: Parameter) -> tuple[Parameter, ...]:
     own = s.path / s.tests
-    return first, shape("s0", "m", 0.4 * own, 0.1 * min(s.displacement, own), 10.0 * s.path), *_recovery(s)
+    return first, shape("s0", "m", 0.4 * own, 0.1 * min(s.displacement, own), 10.0 * s.path), fading(), *_recovery(s)
 
 
 def _path_starts(s: Sizes, amplitude: float) -> Rows:
     own = s.path / s.tests
-    return _with_recovery(s, tuple((amplitude, part * own) for part in (0.1, 0.4, 1.5)))
+    return _with_recovery(s, tuple((amplitude, part * own, 1.0) for part in (0.1, 0.4, 1.5)))
 
 
 def _distance(s: Sizes, centre: float) -> Parameter:
@@ -56,7 +57,7 @@ _PATH = EffectForm(
     "damper",
     "softening of the virgin specimen with the path travelled",
     _SIGNATURE,
-    _SOURCE,
+    f"{_SOURCE}; q: {KOHLRAUSCH}",
     (CoreEffect("mullins.path"),),
     lambda s: _by_path(s, size("m", "", 0.5, -0.9, 3.0)),
     lambda s: _path_starts(s, 0.15),
@@ -69,7 +70,7 @@ _ELASTIC = EffectForm(
     "damper",
     "softening of the virgin specimen's elastic force with the path travelled",
     _SIGNATURE,
-    _SOURCE,
+    f"{_SOURCE}; q: {KOHLRAUSCH}",
     (CoreEffect("mullins.elastic"),),
     lambda s: _by_path(s, size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness)),
     lambda s: _path_starts(s, 0.15 * s.stiffness),

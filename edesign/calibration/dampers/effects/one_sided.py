@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.effect import REFINED, EffectForm, placed, renamed
+from edesign.calibration.dampers.effect import REFINED, EffectForm, both_sides, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Words, shape, size
@@ -12,19 +12,6 @@ from edesign.estimation.parameters import Parameter
 
 _TIPS = "too little force at the tips of one side of the loops alone: even multiples of the frequency"
 _TOO_MUCH = "too much force at the tips of one side of the loops alone: even multiples of the frequency"
-_SIDES = {"positive": 1.0, "negative": -1.0}
-
-
-def _both_sides(form: EffectForm) -> tuple[EffectForm, ...]:
-    """Return a form for each side, which its constants name beside what they are."""
-
-    def to(name: str, side: float) -> EffectForm:
-        return replace(
-            renamed(form, f"{form.form}_{name}", f"{{}} on the {name} side"),
-            constants=lambda s: {**form.constants(s), "side": side},
-        )
-
-    return tuple(to(name, side) for name, side in _SIDES.items())
 
 
 def _stiffness(s: Sizes) -> Parameter:
@@ -114,11 +101,11 @@ _EVEN = EffectForm(
 )
 
 FORMS = (
-    *_both_sides(_CONTACT),
-    *_both_sides(_SPRING),
-    *(one for side in _both_sides(_FACTOR) for one in placed(side, Placement.WHOLE, Placement.INSIDE)),
-    *_both_sides(_FORCE),
-    *_both_sides(_VALVE),
-    placed(_both_sides(_VALVE)[0], Placement.DASHPOTS)[0],
+    *both_sides(_CONTACT),
+    *both_sides(_SPRING),
+    *(one for side in both_sides(_FACTOR) for one in placed(side, Placement.WHOLE, Placement.INSIDE)),
+    *both_sides(_FORCE),
+    *both_sides(_VALVE),
+    placed(both_sides(_VALVE)[0], Placement.DASHPOTS)[0],
     _EVEN,
 )

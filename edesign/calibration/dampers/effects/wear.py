@@ -8,8 +8,11 @@ from dataclasses import replace
 from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.mechanisms import CoreEffect, Placement, Rest
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.calibration.form import Rows, Words, shape, size
+from edesign.calibration.form import Rows, Words, fading, shape, size
 from edesign.estimation.parameters import Parameter
+
+KOHLRAUSCH = "Williams & Watts (1970), Trans. Faraday Soc. 66, 80-85 (Kohlrausch's stretched exponential)"
+"""Source of what fades slower than exponentially."""
 
 _LASTING = 100.0  # tests: heat that stays longer does not change within one
 _LARGEST = 0.9  # change of the force by ageing up to the last test
@@ -63,10 +66,11 @@ _ENERGY = EffectForm(
     "damper",
     "lasting degradation by dissipated energy",
     "the force falls within heavy tests and stays so in all later ones: a test repeated at the end is softer",
-    "Baber & Wen (1981), J. Eng. Mech. Div. ASCE 107, 1069-1087 (energy); Simo (1987) (exponential saturation)",
+    "Baber & Wen (1981), J. Eng. Mech. Div. ASCE 107, 1069-1087 (energy); Simo (1987) (exponential saturation); "
+    f"q: {KOHLRAUSCH}",
     (CoreEffect("degradation.energy"),),
-    lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("E0", "J", 0.3 * s.work, 1e-3 * s.work, 1e2 * s.work)),
-    lambda s: (*((0.1, part * s.work) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.work)),
+    lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("E0", "J", 0.3 * s.work, 1e-3 * s.work, 1e2 * s.work), fading()),
+    lambda s: (*((0.1, part * s.work, 1.0) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.work, 1.0)),
     negative=Words(
         "lasting cyclic hardening by dissipated energy",
         "the force grows within heavy tests and stays so in all later ones: a test repeated at the end is stiffer",
@@ -78,10 +82,11 @@ _PATH = EffectForm(
     "damper",
     "lasting degradation by the path travelled",
     "the force falls from test to test with the path travelled, small amplitudes counting as much as large ones",
-    "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; Simo (1987) (exponential saturation)",
+    "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; Simo (1987) (exponential saturation); "
+    f"q: {KOHLRAUSCH}",
     (CoreEffect("degradation.path"),),
-    lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("s0", "m", 0.3 * s.path, 1e-3 * s.path, 1e2 * s.path)),
-    lambda s: (*((0.1, part * s.path) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.path)),
+    lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("s0", "m", 0.3 * s.path, 1e-3 * s.path, 1e2 * s.path), fading()),
+    lambda s: (*((0.1, part * s.path, 1.0) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.path, 1.0)),
     negative=Words(
         "lasting cyclic hardening by the path travelled",
         "the force grows from test to test with the path travelled, small amplitudes counting as much as large ones",

@@ -39,7 +39,10 @@ def path(example: Example) -> np.ndarray:
         (lambda e: 0.2 * np.exp(-path(e) / 0.05) * e.predicted, "a factor that falls with the path from +1"),
         (lambda e: -0.05 * (e.order % 3) * e.predicted, "a factor that falls with the temperature"),
         (lambda e: 0.02 * e.order * e.predicted, "a factor that rises with the test order"),
-        (lambda e: 0.3 * (e.frequency == 0.25) * e.predicted, "a factor that depends on the test order, +30 % in test 4"),
+        (
+            lambda e: 0.3 * (e.frequency == 0.25) * e.predicted,
+            "a factor that depends on the test order, +30 % in test 4",
+        ),
         (lambda e: 400.0 * e.time, "a force that rises with the time"),
     ],
 )

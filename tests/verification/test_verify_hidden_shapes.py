@@ -1,0 +1,106 @@
+"""Shapes of effects that are found with their sizes: equations and motions by numpy alone, nothing of edesign.
+
+Elastic-plastic friction, softening that fades slower than exponentially, contact with a power on both sides, a limit of
+the force. The law is a spring beside a dashpot, declared 10 % off.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.calibration import calibrate
+from edesign.calibration.results.result import Calibration
+from edesign.damper.testing.campaign import load_campaign
+
+K, C, NOISE, RATE = 4.0, 0.15, 0.05, 100.0  # kN/mm, kN s/mm, kN, Hz
+TESTS = ((4.0, 0.5), (8.0, 0.5), (12.0, 0.5), (6.0, 1.0), (10.0, 1.0), (9.0, 0.8), (11.0, 0.7))  # mm, Hz
+VALIDATED = 5, 6
+HEAD = """\
+specimen: {name: S, layers: 1, layer_area: 1000 mm^2, layer_thickness: 100 mm}
+law: {type: kelvin_voigt, parameters: {k: 4.4 kN/mm, c: 0.135 kN*s/mm}}
+tests:
+"""
+Force = Callable[[np.ndarray, np.ndarray, float], np.ndarray]
+"""Force (n,) kN of a deformation mm, its velocity mm/s and the path before the test mm, at twenty steps a sample."""
+
+
+def law(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    return K * u + C * v
+
+
+def slides(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
+    """A spring of 6 kN/mm that slips at 3 kN, beside the law."""
+    force = np.zeros_like(u)
+    for i, du in enumerate(np.diff(u)):
+        force[i + 1] = min(max(force[i] + 6.0 * du, -3.0), 3.0)
+    return law(u, v) + force
+
+
+def fades(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
+    """The virgin damper is 40 % stronger; that goes by Kohlrausch's function of the path, power 0.45."""
+    path = gone + np.concatenate(([0.0], np.cumsum(np.abs(np.diff(u)))))
+    return (1.0 + 0.4 * np.exp(-((path / 400.0) ** 0.45))) * law(u, v)
+
+
+def touches(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
+    """Hertz beyond 5 mm to both sides."""
+    return law(u, v) + 1.2 * np.maximum(np.abs(u) - 5.0, 0.0) ** 1.5 * np.sign(u)
+
+
+def limited(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
+    """No more than 30 kN to either side."""
+    return np.clip(law(u, v), -30.0, 30.0)
+
+
+def limited_to_one_side(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
+    """No more than 30 kN of tension; beyond that a quarter is left."""
+    force = law(u, v)
+    return np.where(force > 30.0, 30.0 + 0.25 * (force - 30.0), force)
+
+
+def calibrated(folder: Path, force: Force) -> Calibration:
+    random, rows, gone = np.random.default_rng(7), "", 0.0
+    for number, (amplitude, frequency) in enumerate(TESTS):
+        t = np.arange(0.0, 10.0, 0.05 / RATE)
+        w, rise = 2.0 * np.pi * frequency, 0.5 - 0.5 * np.cos(np.pi * np.clip(np.minimum(t, 10.0 - t) / 2.0, 0.0, 1.0))
+        u = amplitude * rise * np.sin(w * t)
+        total = force(u, np.gradient(u, t), gone)
+        gone += float(np.sum(np.abs(np.diff(u))))
+        read = total[::20] + NOISE * random.standard_normal(t[::20].size)
+        lines = [f"{a:.2f},{b:.6f},{c:.6f}" for a, b, c in zip(t[::20], u[::20], read, strict=True)]
+        text = "\n".join(["time_s,displacement_mm,force_kN", *lines, ""])
+        (folder / f"test_{number}.csv").write_text(text, encoding="utf-8")
+        use = "validate" if number in VALIDATED else "fit"
+        rows += f"  - {{file: test_{number}.csv, temperature: 20 degC, use: {use}}}\n"
+    path = folder / "campaign.yaml"
+    path.write_text(HEAD + rows, encoding="utf-8")
+    return calibrate(load_campaign(path), threads=1)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("force", "name", "sizes"),
+    [
+        (slides, "friction", {"F_c": (3e3, 0.03), "x0": (0.5e-3, 0.1)}),
+        (fades, "mullins", {"m": (0.4, 0.05), "s0": (0.4, 0.1), "q": (0.45, 0.05)}),
+        (touches, "hardening", {"u0": (5e-3, 0.1), "n": (1.5, 0.1)}),
+        (limited, "limit", {"s": (1.0, 0.02), "F_l": (30e3, 0.01)}),
+        (limited_to_one_side, "limit", {"s": (0.75, 0.03), "F_l": (30e3, 0.01)}),
+    ],
+)
+def test_a_shape_is_found_alone_with_its_size(
+    tmp_path: Path, force: Force, name: str, sizes: dict[str, tuple[float, float]]
+) -> None:
+    found = calibrated(tmp_path, force)
+    assert [effect.name for effect in found.effects] == [name] and found.verdict == "explained"
+    values = found.effects[0].parameters
+    for parameter, (true, share) in sizes.items():
+        assert values[parameter].value == pytest.approx(true, rel=share)
+    law_now = found.parameters["corrected"]
+    assert law_now["k"].value == pytest.approx(1e6 * K, rel=0.03) and law_now["c"].value == pytest.approx(
+        1e6 * C, rel=0.03
+    )
