@@ -34,7 +34,8 @@ enum {
   ED_LAW_FRICTION_PENDULUM = 21, /* W R f_slow f_fast a Y */
   ED_LAW_SELF_CENTRING = 22,     /* k Fy b beta: a gap opens at Fy and closes at (1 - beta) Fy */
   ED_LAW_GAP = 23,               /* k gap d side(0 both, 1, -1): F = k x (1 + d x'), x = side u - gap > 0 */
-  ED_LAW_BUCKLING_RESTRAINED = 24 /* A_sc F_ysc E L_wp L_y KF alpha R_y, then strain_i omega_i beta_i of each point (1..16); R_y: of no force */
+  ED_LAW_BUCKLING_RESTRAINED = 24, /* A_sc F_ysc E L_wp L_y KF alpha R_y, then strain_i omega_i beta_i of each point (1..16); R_y: of no force */
+  ED_LAW_CHABOCHE = 25           /* k Fy C1 gamma1 C2 gamma2 Q b: X_i' = C_i p' - gamma_i X_i |p'|, R = Q (1 - exp(-b s)) */
 };
 
 typedef struct ed_damper ed_damper;

@@ -36,6 +36,7 @@ static const struct {
     [ED_LAW_FRICTION_PENDULUM] = {6, {1e6, 1.5, 0.04, 0.09, 30.0, 0.5e-3}},
     [ED_LAW_SELF_CENTRING] = {4, {50e6, 80e3, 0.05, 0.8}},
     [ED_LAW_GAP] = {4, {25e6, 2e-3, 1.0, 0.0}},
+    [ED_LAW_CHABOCHE] = {8, {50e6, 60e3, 20e6, 600.0, 2e6, 40.0, 20e3, 8.0}},
     [ED_LAW_BUCKLING_RESTRAINED] = {11, {4e-4, 250e6, 200e9, 1.0, 0.6, 1.3, 0.005, 1.1, 0.01, 1.3, 1.1}},
 };
 enum { N_LAWS = sizeof LAWS / sizeof *LAWS };

@@ -312,6 +312,23 @@ _ALL = (
         False,
     ),
     Law(
+        "chaboche",
+        "steel with combined isotropic and kinematic hardening (Chaboche)",
+        (
+            Parameter("k", "elastic stiffness", _K),
+            Parameter("Fy", "force at first yielding", _F),
+            _not_negative("C1", "modulus of the first backstress", _K),
+            _not_negative("gamma1", "recovery of the first backstress: it comes to C1 / gamma1", "1/m"),
+            _not_negative("C2", "modulus of the second backstress", _K, default=0.0),
+            _not_negative("gamma2", "recovery of the second backstress; 0: it grows linearly", "1/m", default=0.0),
+            _any("Q", "strength that is gained in the end; negative: lost", _F, default=0.0),
+            _not_negative("b", "rate at which it comes with the plastic path", "1/m", default=0.0),
+        ),
+        "F = k (u - p), |F - X1 - X2| <= Fy + Q (1 - exp(-b s)), X_i' = C_i p' - gamma_i X_i |p'|, s = sum of |dp|",
+        "Lemaitre & Chaboche (1990), Mechanics of Solid Materials, 5.4.4; Armstrong & Frederick (1966); Voce (1955)",
+        False,
+    ),
+    Law(
         "bouc_wen",
         "Bouc-Wen",
         (Parameter("Fy", "yield force", _F), Parameter("Y", "yield deformation", "m"), *_BOUC_WEN),

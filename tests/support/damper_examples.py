@@ -37,6 +37,16 @@ EXAMPLES: dict[str, dict[str, float]] = {
     },
     "gap": {"k": 25e6, "gap": 2e-3, "d": 1.0, "side": 0.0},
     "ramberg_osgood": {"k": 50e6, "Fy": 80e3, "a": 0.5, "n": 6.0},
+    "chaboche": {
+        "k": 50e6,
+        "Fy": 60e3,
+        "C1": 20e6,
+        "gamma1": 600.0,
+        "C2": 2e6,
+        "gamma2": 40.0,
+        "Q": 20e3,
+        "b": 8.0,
+    },
     "bouc_wen": {"Fy": 100e3, "Y": 2e-3, "alpha": 0.05, "A": 1.0, "beta": 0.5, "gamma": 0.5, "n": 2.0},
     "modified_bouc_wen": {
         "k1": 8e6,

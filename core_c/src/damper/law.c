@@ -39,6 +39,7 @@ const ed_law *ed_law_of(int id)
       [ED_LAW_SELF_CENTRING] = &ed_self_centring,
       [ED_LAW_GAP] = &ed_gap,
       [ED_LAW_BUCKLING_RESTRAINED] = &ed_buckling_restrained,
+      [ED_LAW_CHABOCHE] = &ed_chaboche,
   };
   return id >= 0 && id < (int)(sizeof laws / sizeof *laws) ? laws[id] : NULL;
 }

@@ -122,6 +122,16 @@ const ed_parameters ed_law_parameters[] = {
                                              {"Fy", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"a", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"n", 1.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_LAW_CHABOCHE] =
+        {.n = 8,
+         .parameter = (const ed_parameter[]){{"k", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"Fy", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"C1", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"gamma1", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"C2", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"gamma2", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"Q", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"b", 0.0, INFINITY, 1, 1, 0, NULL}}},
     [ED_LAW_BOUC_WEN] =
         {.n = 7,
          .parameter = (const ed_parameter[]){{"Fy", 0.0, INFINITY, 0, 1, 0, NULL},

@@ -18,6 +18,7 @@ extern const ed_law ed_asymptote;          /* asymptote.c */
 extern const ed_law ed_friction_pendulum;  /* friction_pendulum.c */
 extern const ed_law ed_self_centring;      /* self_centring.c */
 extern const ed_law ed_buckling_restrained; /* buckling_restrained.c */
+extern const ed_law ed_chaboche;           /* chaboche.c */
 extern const ed_law ed_gap;                /* gap.c */
 extern const ed_law ed_mgmm;               /* mgmm.c */
 

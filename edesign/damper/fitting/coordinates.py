@@ -13,8 +13,8 @@ from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Parameter
 from edesign.errors import InputError
 
-ABOVE = {"fractional_zener": {"b": "a"}}
-"""Parameters that must exceed another one of their law."""
+ABOVE = {"fractional_zener": {"b": "a"}, "chaboche": {"gamma1": "gamma2"}}
+"""Parameters that must exceed another one of their law, or may change places with it."""
 
 _FARTHEST = 1e6  # a positive parameter is searched so far from the size the data suggest, up and down
 _INSIDE = 1e-6  # distance kept from a bound that is not allowed itself

@@ -48,6 +48,7 @@ class Scales:
             "N*s/m": self.force / self.velocity,
             "Pa": self.force / self.deformation**2,
             "m": self.deformation,
+            "1/m": 1.0 / self.deformation,
             "m^2": self.deformation**2,
             "m/s": self.velocity,
             "s/m": 1.0 / self.velocity,

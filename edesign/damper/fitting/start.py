@@ -36,6 +36,7 @@ _RELATIVE: dict[str, dict[str, float]] = {
     "buckling_restrained": {"alpha": 0.002},
     "gap": {"k": 2.0, "gap": 0.5, "d": 0.1},
     "ramberg_osgood": {"k": 4.0, "Fy": 0.7, "a": 1.0, "n": 5.0},
+    "chaboche": {"k": 4.0, "Fy": 0.5, "C1": 2.0, "gamma1": 8.0, "C2": 0.2, "gamma2": 1.0, "Q": 0.1, "b": 0.2},
     "bouc_wen": {"Fy": 0.8, "Y": 0.3, "alpha": 0.1, "A": 1.0, "beta": 0.5, "gamma": 0.5, "n": 1.5},
     "modified_bouc_wen": {
         "k1": 1.0,
