@@ -19,6 +19,7 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.calibration.campaign import Campaign, DamperCampaign
 from edesign.calibration.properties.outcome import PropertyCalibration
 from edesign.calibration.properties.write import property_law_text, rows_json
+from edesign.calibration.residual.curves import FreeCurve
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.law_file import LAW, law_text
 from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile, OfTests, OutlyingTest, Tested
@@ -173,7 +174,11 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "outlying_tests": [_outlying(one) for one in found.outlying],
         "effects": [_effect(one) for one in found.effects],
         "hypotheses": [{**_effect(one.effect), "why": one.why} for one in found.hypotheses],
-        "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
+        "unexplained": {
+            "share": _finite(found.unexplained_share),
+            "shape": found.unexplained_shape,
+            "curves": [_free_curve(one) for one in found.unexplained_curves],
+        },
         "models": [_finite_values(asdict(one)) for one in found.models],
         "next_test": None
         if found.next_test is None
@@ -232,6 +237,18 @@ def _outlying(test: OutlyingTest) -> dict[str, Any]:
             for one in test.faults
         ],
         "beyond_others_in": list(test.beyond),
+def _free_curve(found: FreeCurve) -> dict[str, Any]:
+    return {
+        "of": found.of,
+        "share": found.share,
+        "curves": [
+            {
+                one.driver: one.at.tolist(),
+                "value": one.value.tolist(),
+                "interval": [end.tolist() for end in one.band],
+            }
+            for one in found.curves
+        ],
     }
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from edesign.calibration.residual.curves import FreeCurve, plainest, symmetry_of
 from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.pool import DRIVERS, Pool
 from edesign.calibration.residual.series import Residual
@@ -21,8 +22,11 @@ WORTH_TELLING = 0.1
 _RARE = 1e-3  # probability by chance
 _NOISE = 0.05  # structured share below which only noise is left
 _MOST = 3  # things named
-_NEARLY, _ALIKE = 0.85, 0.98  # of the share of the best
-_MONOTONE, _PARITY = 0.75, 0.8  # rank correlation; share of one parity
+NEARLY = 0.85
+"""Of the share of the best: something simpler that has it is named in its place."""
+_ALIKE = 0.98  # the same: as well
+_MONOTONE = 0.75  # rank correlation
+_SMOOTH = ("displacement", "velocity")  # what curves are over
 _STATES = ("displacement", "velocity", "sign of velocity")
 _BOTH = ("time", "test order", "temperature")  # offsets change with them as well as factors
 _SCALES = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s")}
@@ -37,9 +41,12 @@ class _Thing:
     fitted: np.ndarray
     words: str
     driver: str = ""
+    judged: str = ""  # by which tests, if not by all
 
 
-def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | None = None) -> str:
+def describe_residual(
+    tests: Sequence[Residual], motions: Sequence[Cycles] | None = None, curves: Sequence[FreeCurve] = ()
+) -> str:
     """Return what is left, how much of it is structure, and what that depends on.
 
     Things are taken one after another, each the one that explains most of what those before have left; at most three,
@@ -48,6 +55,8 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | Non
     Args:
         tests: residuals, one at least.
         motions: of each, where they are known.
+        curves: smooth functions of displacement and velocity fitted to the residual, where there are any; they stand
+            first for what depends on these.
     """
     motions = motions or [Cycles(test.time, test.displacement) for test in tests]
     names = {test.order: test.name for test in tests}
@@ -65,31 +74,40 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | Non
     rest = pool.error
     named: list[str] = []
     while len(named) < _MOST:
-        best = _best(rest, pool, names)
+        best = _best(rest, pool, names, () if named else _smooth(tests, plainest(curves, NEARLY)))
         share = best.share * float(rest @ rest) / total if best else 0.0
         if best is None or share < WORTH_TELLING:
             break
-        named.append(f"{best.words} ({100.0 * share:.0f} %)")
+        named.append(f"{best.words} ({100.0 * share:.0f} %{best.judged})")
         rest = rest - best.fitted
     first = f"{left}, {100.0 * structured:.0f} % of it structure in the band of the motion"
     like = f" It is like {', then '.join(named)}." if named else " None of the quantities examined explains it."
     return f"{first}{', beside ' + hum if hum else ''}.{like}"
 
 
-def _best(error: np.ndarray, pool: Pool, names: Mapping[int, str]) -> _Thing | None:
+def _best(error: np.ndarray, pool: Pool, names: Mapping[int, str], smooth: Sequence[_Thing]) -> _Thing | None:
     """What explains most; something simple if it explains nearly as much as the best of the others."""
     simple = max(_simple(error, pool), key=lambda thing: thing.share, default=None)
-    every = sorted(_binned(error, pool, names), key=lambda thing: -thing.share)
+    binned = (thing for thing in _binned(error, pool, names) if not smooth or thing.driver not in _SMOOTH)
+    every = sorted((*smooth, *binned), key=lambda thing: -thing.share)
     if not every:
         return simple
-    binned = every[0]
-    others = [thing.driver for thing in every[1:] if thing.share > _ALIKE * binned.share]
-    others = [driver for driver in dict.fromkeys(others) if driver != binned.driver]
+    first = every[0]
+    others = [thing.driver for thing in every[1:] if thing.share > _ALIKE * first.share]
+    others = [driver for driver in dict.fromkeys(others) if driver != first.driver]
     if others:
-        binned = replace(binned, words=f"{binned.words}, or as well with the {' or the '.join(others)}")
+        first = replace(first, words=f"{first.words}, or as well with the {' or the '.join(others)}")
     if simple is None:
-        return binned
-    return simple if simple.share > _NEARLY * binned.share else binned
+        return first
+    return simple if simple.share > NEARLY * first.share else first
+
+
+def _smooth(tests: Sequence[Residual], curve: FreeCurve | None) -> list[_Thing]:
+    """The curve, as a thing."""
+    if curve is None or not curve.share:
+        return []
+    forces = [curve.force(test.displacement, test.velocity) / test.rms_force for test in tests]
+    return [_Thing(curve.share, np.concatenate(forces), curve.words, curve.of, " of the validation tests")]
 
 
 def _simple(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
@@ -129,15 +147,10 @@ def _state(driver: str, centre: np.ndarray, mean: np.ndarray) -> str:
     """Words for a force that depends on the displacement or velocity: even or odd."""
     if driver == "sign of velocity":
         return f"a force with the sign of the velocity, {_signed(0.5 * (mean[-1] - mean[0]))} of the rms force"
-    reach = min(float(centre[-1]), -float(centre[0]))
-    if reach <= 0.0:
-        return f"a force that depends on the {driver}, on one side"
-    at = np.linspace(0.1, 1.0, 10) * reach
-    right, left = (np.interp(side * at, centre, mean) for side in (1.0, -1.0))
-    even, odd = (float(np.sum((right + sign * left) ** 2)) for sign in (1.0, -1.0))
-    if even > _PARITY * (even + odd):
-        return f"a force even in the {driver}"
-    return f"a force odd in the {driver}" if odd > _PARITY * (even + odd) else f"a force that depends on the {driver}"
+    symmetry = symmetry_of(centre, mean)
+    if symmetry:
+        return f"a force {symmetry} in the {driver}"
+    return f"a force that depends on the {driver}{', on one side' if symmetry is None else ''}"
 
 
 def _places(driver: str, centre: np.ndarray, names: Mapping[int, str]) -> list[str]:

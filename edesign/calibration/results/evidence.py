@@ -11,6 +11,7 @@ from typing import ClassVar, Generic, TypeVar
 
 import numpy as np
 
+from edesign.calibration.residual.curves import FreeCurve
 from edesign.calibration.residual.series import STAGES, Errors, Stage, Worst
 from edesign.calibration.results.fit import effect_estimates, estimates, unbounded
 from edesign.calibration.results.floor import MOST, only_noise
@@ -44,6 +45,7 @@ MODELS = "comparing the models of the search"
 NEXT_TEST = "asking which further test would separate the models"
 OTHER_LAW = "asking whether another law does better"
 OUTLYING = "asking whether a test does not agree with the others"
+CURVES = "fitting curves to what is left"
 """Steps of a calibration that it can do without."""
 NOT_DESCRIBED = "more than noise, which could not be described"
 
@@ -101,6 +103,11 @@ class Evidence(ABC, Generic[T]):
     @abstractmethod
     def shape(self) -> str:
         """Return in words what is left."""
+
+    @property
+    def curves(self) -> tuple[FreeCurve, ...]:
+        """What smooth functions of displacement and velocity take of what is left, where it is a damper's force."""
+        return ()
 
     @abstractmethod
     def calibrated(self) -> Calibrated:
@@ -220,6 +227,7 @@ class Evidence(ABC, Generic[T]):
             hypotheses=hypotheses,
             unexplained_share=0.0 if reached else unexplained_share(errors, self.plain, floor),
             unexplained_shape=left,
+            unexplained_curves=() if reached else steps.guard(CURVES, lambda: self.curves, ()),
             models=compared,
             depths=_depths_of(self.found),
             forms=len(self.fitter.problem.effects),

@@ -9,7 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibration.dampers.problem import DamperProblem
-from edesign.calibration.residual.series import FEWEST, Errors, Series, Worst
+from edesign.calibration.residual.curves import FreeCurve, free_curves
+from edesign.calibration.residual.series import FEWEST, Errors, Residual, Series, Worst
 from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import NEXT_TEST, OTHER_LAW, OUTLYING, Evidence
 from edesign.calibration.results.fit import at_full_rate, law_stages, unbounded
@@ -101,8 +102,17 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
 
     def shape(self) -> str:
         """Return what is left in words; "" if the tests are too short for that."""
-        long = [one.residual("corrected") for one in self.series if one.time[one.judged].size >= FEWEST]
-        return describe_residual(long) if long else ""
+        return describe_residual(self._left, curves=self.curves) if self._left else ""
+
+    @cached_property
+    def curves(self) -> tuple[FreeCurve, ...]:
+        """What smooth functions of displacement and velocity take of what is left."""
+        return free_curves(self._left)
+
+    @cached_property
+    def _left(self) -> list[Residual]:
+        """Residuals of the corrected model, of tests that are long enough."""
+        return [one.residual("corrected") for one in self.series if one.time[one.judged].size >= FEWEST]
 
     def next_test(self) -> NextTest | None:
         """Return which further test would separate the models."""

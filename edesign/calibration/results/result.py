@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, Protocol
 
+from edesign.calibration.residual.curves import FreeCurve
 from edesign.calibration.residual.series import Errors, Series, Stage, Worst
 from edesign.calibration.search.problem import Kind
 from edesign.calibration.search.search import Ending
@@ -395,6 +396,7 @@ class Calibration(Calibrated):
         hypotheses: effects that were found and are no part of the corrected law.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
         unexplained_shape: for people; "" if only noise is left.
+        unexplained_curves: what smooth functions of displacement and velocity take of it; () of anything but a damper.
         models: of the search, the most probable first.
         depths: rounds of the search.
         forms: number of forms of effects that the tests may show.
@@ -428,6 +430,7 @@ class Calibration(Calibrated):
     worst: Worst | None = None
     seconds: float = 0.0
     failed: Mapping[str, str] = field(default_factory=dict)
+    unexplained_curves: tuple[FreeCurve, ...] = ()
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self.title}: {self.verdict_words}>"

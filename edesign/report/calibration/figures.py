@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from edesign.calibration.results.result import Calibration
 from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
-from edesign.report.calibration.residual_figures import dependence_figures, map_figures
+from edesign.report.calibration.residual_figures import curve_figures, dependence_figures, map_figures
 from edesign.report.calibration.structure_figures import history_figures, peak_figures, spectrum_figures
 from edesign.report.calibration.view import View
 
@@ -22,6 +22,7 @@ FIGURES: tuple[Figures, ...] = (
     loop_figures,
     residual_figures,
     dependence_figures,
+    curve_figures,
     map_figures,
 )
 STRUCTURE: tuple[Figures, ...] = (error_figures, peak_figures, history_figures, spectrum_figures)

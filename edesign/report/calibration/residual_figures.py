@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from edesign.calibration.residual.curves import FreeCurve, plainest
 from edesign.calibration.residual.pool import Dependence
 from edesign.calibration.residual.series import Residual, Stage
+from edesign.calibration.residual.shape import NEARLY, WORTH_TELLING
 from edesign.report.calibration.view import COLOURS, View, excess
 from edesign.report.drawing.style import grid_figure, legend_below, new_figure, styled
 
@@ -75,6 +77,40 @@ def _dependences_figure(view: View, shown: list[dict[Stage, Dependence]]) -> Fig
         axis.set_ylabel("as a force (%)" if first.action == "force" else "as a factor (%)")
         axis.set_title("explains " + " → ".join(_share(one) for one in stages.values()), fontsize=7.5, loc="left")
     legend_below(figure, *cells[0].get_legend_handles_labels(), 2)
+    return figure
+
+
+def curve_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
+    """Smooth functions of displacement and velocity in what is left; nothing where none takes much of it."""
+    every = {one.of: one for one in view.calibration.unexplained_curves}
+    best = plainest(list(every.values()), NEARLY)
+    if best is None or best.share < WORTH_TELLING:
+        return
+    shown = [every["displacement"], every["velocity"], *([best] if len(best.curves) > 1 else [])]
+    factor = " The factor of a product has a mean square of 1." if best.of == "product" else ""
+    caption = (
+        "What is left as a smooth function of the displacement alone and of the velocity alone, whatever its equation, "
+        "fitted to the tests fitted to, with its 95 % band. The titles say how much of what is left in the validation "
+        f"tests it takes: by chance none. No law file carries such a curve.{factor}"
+    )
+    yield "curves", caption, _curves_figure(shown)
+
+
+@styled
+def _curves_figure(shown: list[FreeCurve]) -> Figure:
+    panels = [(found, curve) for found in shown for curve in found.curves]
+    figure, cells = grid_figure(len(panels), 2, 3.4, 2.3)
+    for axis, (found, curve) in zip(cells, panels, strict=True):
+        alone, factor = len(found.curves) == 1, found.of == "product" and curve.driver == "velocity"
+        scale = 1.0 if factor else 1e-3
+        x, (low, high) = 1e3 * curve.at, curve.band
+        axis.fill_between(x, scale * low, scale * high, color=COLOURS["corrected"], alpha=0.25, lw=0.0)
+        axis.plot(x, scale * curve.value, lw=1.1, color=COLOURS["corrected"])
+        axis.axhline(0.0, color="#111111", lw=0.5, zorder=0.9)
+        axis.set_xlabel(f"{curve.driver} (mm{'/s' if curve.driver == 'velocity' else ''})")
+        axis.set_ylabel("factor" if factor else "force (kN)")
+        what = f"{curve.driver} alone" if alone else f"{found.of}, {curve.driver}"
+        axis.set_title(f"{what}: takes {100.0 * found.share:.0f} %", fontsize=7.5, loc="left")
     return figure
 
 
