@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.estimation.least_squares import Fit, triangle
+from edesign.estimation.least_squares import Fit, triangle, weighted
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import Parameter, priors_of, ranges_of
 
@@ -25,7 +25,9 @@ class Uncertainty:
     """Uncertainty of the coordinates of a fitted model; those at a bound count as known.
 
     Two scatters determine it. Within tests, residuals are noise. From test to test, the estimate moves by what each
-    test pulls at it, which also holds what the model lacks in some tests. The larger one counts.
+    test pulls at it, which also holds what the model lacks in some tests. The larger one counts. Where the equations of
+    the model may be wrong, both are those of the parameters beside the shares of what they may be wrong by, and the
+    estimate is off by as much as these shares move it.
 
     Attributes:
         parameters: (p,) of the model.
@@ -35,10 +37,12 @@ class Uncertainty:
         pulls: (clusters, p) by how much each test, or block, moves the coordinates, about their mean.
         loose: (p,) share of each coordinate's variance that lies in directions which the tests do not determine.
         condition: ratio of the singular values of the slopes, with columns of unit length.
+        moved: (p,) change of the coordinates that goes with the shares of what equations may be wrong by.
 
     Sources: Liang and Zeger (1986), Biometrika 73, 13-22 (covariance A^-1 (sum g_i g_i') A^-1 by clusters); Bester,
     Conley and Hansen (2011), J. Econometrics 165, 137-151 (with the factor T/(T - 1), Student's t with T - 1 degrees of
-    freedom holds for few clusters too).
+    freedom holds for few clusters too); Kennedy and O'Hagan (2001), J. R. Statist. Soc. B 63, 425-464 (equations that
+    may be wrong).
     """
 
     parameters: tuple[Parameter, ...]
@@ -48,6 +52,7 @@ class Uncertainty:
     pulls: np.ndarray
     loose: np.ndarray
     condition: float
+    moved: np.ndarray
 
     @property
     def between(self) -> np.ndarray:
@@ -56,7 +61,7 @@ class Uncertainty:
 
     def standard_error(self, weights: np.ndarray) -> float:
         """Return the standard error of the sum of the coordinates times weights (p,)."""
-        return math.sqrt(max(0.0, *(float(weights @ c @ weights) for c in (self.within, self.between))))
+        return math.sqrt(max(0.0, *(self._square(c, weights) for c in (self.within, self.between))))
 
     def half_width(self, weights: np.ndarray, joint: int = 1) -> float:
         """Return half the width of the 95 % interval of that sum.
@@ -68,7 +73,12 @@ class Uncertainty:
         from scipy.special import fdtri  # scipy takes time at the start of every command
 
         of = (self.within, self.freedom), (self.between, max(len(self.pulls) - 1.0, 1.0))
-        return math.sqrt(joint * max(0.0, *(float(weights @ c @ weights * fdtri(joint, nu, _LEVEL)) for c, nu in of)))
+        squares = [self._square(c, weights) * float(fdtri(joint, nu, _LEVEL)) for c, nu in of]
+        return math.sqrt(joint * max(0.0, *squares))
+
+    def _square(self, covariance: np.ndarray, weights: np.ndarray) -> float:
+        """Return the mean square error of the sum: its variance, and the square of what it is off by."""
+        return float(weights @ covariance @ weights + (self.moved @ weights) ** 2)
 
     def interval(self, index: int) -> tuple[float, float]:
         """Return the 95 % interval of a parameter, SI, inside its bounds; one at a bound has that alone."""
@@ -82,7 +92,11 @@ class Uncertainty:
 
 
 def uncertainty(
-    fitted: Fit, noise: Noise | None = None, blocks: Sequence[int] | None = None, free: int | None = None
+    fitted: Fit,
+    noise: Noise | None = None,
+    blocks: Sequence[int] | None = None,
+    free: int | None = None,
+    wrong: Sequence[np.ndarray] | None = None,
 ) -> Uncertainty:
     """Return the uncertainty of a fit.
 
@@ -92,34 +106,48 @@ def uncertainty(
         blocks: of each test, whose scatter then stands for that from test to test; None: whole tests, of less than four
             halves, thirds or quarters.
         free: index of a parameter that is not taken as known where it stands at a bound.
+        wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: their shares, the same in
+            all tests, have the prior N(0, 1). None: none.
     """
     noise = noise or fitted.noise
-    here, p = fitted.weighted(noise), fitted.z.size
-    index = np.flatnonzero(fitted.free | (np.arange(p) == free))
+    beside = wrong or [np.zeros((f.size, 0)) for f in fitted.predicted]
+    p, k = fitted.z.size, beside[0].shape[1]
+    both = [np.hstack(each) for each in zip(fitted.slopes, beside, strict=True)]
+    here = weighted(fitted.model, noise, fitted.values, fitted.predicted, both)
+    index = np.flatnonzero(np.append(fitted.free | (np.arange(p) == free), np.ones(k, dtype=bool)))
     slopes = [j[:, index] for j in here.slopes]
-    root = np.sqrt(priors_of(fitted.model.parameters)[index])
+    root = np.sqrt(np.append(priors_of(fitted.model.parameters), np.ones(k))[index])
     data = triangle(*slopes, np.zeros((index.size, index.size)))
     whole = triangle(*slopes, np.diag(root))
     spread, _ = _inverse(whole)
-    inverse, ratios = _inverse(data)
-    samples = np.array([noise.independent(i, r.size) for i, r in enumerate(here.residuals)])
+    own, residuals, moved = index.size - k, here.residuals, np.zeros(p + k)
+    inverse, ratios = _inverse(data[:, :own])
+    if k:
+        pull = root**2 * np.append(fitted.z, np.zeros(k))[index]
+        pull += sum(j.T @ r for j, r in zip(slopes, residuals, strict=True))
+        moved[index] = -spread @ (spread.T @ pull)
+        residuals = tuple(r + j @ moved[index] for r, j in zip(residuals, slopes, strict=True))
+    samples = np.array([noise.independent(i, r.size) for i, r in enumerate(residuals)])
     freedom = max(float(samples.sum() - np.sum((data @ spread) ** 2)), 1.0)
-    sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(here.residuals, samples, strict=True)]
+    sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(residuals, samples, strict=True)]
     parts = blocks or [math.ceil(_CLUSTERS / len(slopes))] * len(slopes)
     cut = [
         part_j.T @ part_r
-        for r, j, n in zip(here.residuals, slopes, parts, strict=True)
+        for r, j, n in zip(residuals, slopes, parts, strict=True)
         for part_r, part_j in zip(np.array_split(r, n), np.array_split(j, n), strict=True)
     ]
-    pulls, within, loose, lost = np.zeros((len(cut), p)), np.zeros((p, p)), np.zeros(p), ratios * LOOSE < 1.0
-    moved = np.array(cut) @ spread @ spread.T
-    pulls[:, index] = moved - moved.mean(axis=0)
+    pulls, within = np.zeros((len(cut), p + k)), np.zeros((p + k, p + k))
+    loose, lost = np.zeros(p), ratios * LOOSE < 1.0
+    each = np.array(cut) @ spread @ spread.T
+    pulls[:, index] = each - each.mean(axis=0)
     scatter = triangle(*(size * j for size, j in zip(sizes, slopes, strict=True)), np.diag(root)) @ spread
     undetermined = np.diag(np.maximum(1.0 - np.sum((whole @ spread) ** 2, axis=0), 0.0)) * np.mean(np.square(sizes))
     within[np.ix_(index, index)] = spread @ (scatter.T @ scatter + undetermined) @ spread.T
-    loose[index] = np.sum(inverse[:, lost] ** 2, axis=1) / np.maximum(np.sum(inverse**2, axis=1), 1e-300)
+    loose[index[:own]] = np.sum(inverse[:, lost] ** 2, axis=1) / np.maximum(np.sum(inverse**2, axis=1), 1e-300)
     condition = 1.0 / max(float(ratios.min(initial=1.0)), 1e-300)
-    return Uncertainty(fitted.model.parameters, fitted.z, within, freedom, pulls, loose, condition)
+    return Uncertainty(
+        fitted.model.parameters, fitted.z, within[:p, :p], freedom, pulls[:, :p], loose, condition, moved[:p]
+    )
 
 
 def at_bounds(fitted: Fit) -> tuple[str, ...]:

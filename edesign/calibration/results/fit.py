@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -14,11 +15,11 @@ from edesign.calibration.results.result import Estimate
 from edesign.calibration.search.adoption import STEPS
 from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Problem
-from edesign.calibration.search.settings import SearchSettings
-from edesign.estimation.least_squares import fit
+from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.estimation.least_squares import Fit, fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
-from edesign.estimation.uncertainty import at_bounds, uncertainty
+from edesign.estimation.uncertainty import Uncertainty, at_bounds, uncertainty
 from edesign.optional_stages import optional
 
 
@@ -56,10 +57,36 @@ def estimates(model: FittedModel) -> list[Estimate]:
     return [Estimate(value, math.inf, one.unit, unknown, why) for one, value in each]
 
 
+@lru_cache(maxsize=1)
+def _freed(model: FittedModel) -> Fit:
+    """Return the fit with slopes to all parameters: what is kept as declared is no better known than by the tests."""
+    return fit(model.fit.model, model.noise, model.fit.z, 0) if model.fit.held else model.fit
+
+
+@lru_cache(maxsize=1)
+def model_uncertainty(model: FittedModel) -> Uncertainty:
+    """Return the uncertainty of a model whose effects may have other equations.
+
+    The parameters of an effect are those with which its equation comes nearest to what it does. So what other equations
+    of it do in its place is freed of what its own parameters can make of it: the rest is what moves the law, and other
+    effects.
+
+    Source: Plumlee (2017), J. Am. Statist. Assoc. 112, 1274-1285 (parameters of a model that is not exact).
+    """
+    fitter, fitted = unbounded(model.problem, SETTINGS), _freed(model)
+    slopes = np.vstack(fitted.slopes)
+    sizes = [f.size for f in model.fit.predicted]
+    weights = np.repeat([model.noise.weight(i) for i in range(len(sizes))], sizes)[:, np.newaxis]
+    found = [np.zeros((sum(sizes), 0))]
+    for index in range(len(model.effects)):
+        wrong, own = fitter.discrepancy_of(model, index), slopes[:, model.places(index)]
+        found.append(wrong - own @ np.linalg.lstsq(weights * own, weights * wrong)[0])
+    columns = np.split(np.hstack(found), np.cumsum(sizes)[:-1])
+    return uncertainty(fitted, model.noise, wrong=columns)
+
+
 def _estimates(model: FittedModel) -> list[Estimate]:
-    # what is kept as declared is no better known than by the tests
-    of = fit(model.fit.model, model.noise, model.fit.z, 0) if model.fit.held else model.fit
-    sure, found = uncertainty(of, model.noise), list[Estimate]()
+    of, sure, found = _freed(model), model_uncertainty(model), list[Estimate]()
     for i, (one, bound) in enumerate(zip(of.model.parameters, at_bounds(of), strict=True)):
         value, alone = float(model.fit.values[i]), np.eye(sure.z.size)[i]
         rate = one.spread * (one.value(float(sure.z[i])) if one.logarithmic else 1.0)  # for a change of its coordinate

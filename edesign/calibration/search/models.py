@@ -385,13 +385,13 @@ class Fitter:
         does.
         """
         if id(model) not in self._discrepancies:
-            found = [self._discrepancy_of(model, index) for index in range(len(model.effects))]
+            found = [self.discrepancy_of(model, index) for index in range(len(model.effects))]
             every = np.hstack(found) if found else np.zeros((0, 0))
             ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
             self._discrepancies[id(model)] = model, np.split(every, ends) if every.shape[1] else None
         return self._discrepancies[id(model)][1]
 
-    def _discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
+    def discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
         """Return what other equations of an effect do in its place (n, k), as principal components.
 
         Their size is the share `shared_discrepancy` of what the effect does.
