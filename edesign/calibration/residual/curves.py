@@ -27,7 +27,7 @@ _SIZES = np.geomspace(0.01, 10.0, 13)  # of the rms of what is left
 _FITS = 4  # each under the noise that the one before leaves
 _TURNS = 4  # of the two curves of a product
 _CELLS = 16  # each way, of the map from which a product starts
-_POINTS = 81  # of a table
+_POINTS = 121  # of a table
 _PARITY = 0.8  # share of even or odd
 _SURE = 1.96  # standard errors of a 95 % band
 

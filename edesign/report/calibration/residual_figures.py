@@ -90,7 +90,7 @@ def curve_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
     factor = " The factor of a product has a mean square of 1." if best.of == "product" else ""
     caption = (
         "What is left as a smooth function of the displacement alone and of the velocity alone, whatever its equation, "
-        "fitted to the tests fitted to, with its 95 % band. The titles say how much of what is left in the validation "
+        "found in the fitted tests, with its 95 % band. The titles say how much of what is left in the validation "
         f"tests it takes: by chance none. No law file carries such a curve.{factor}"
     )
     yield "curves", caption, _curves_figure(shown)

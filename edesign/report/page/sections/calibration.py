@@ -22,7 +22,7 @@ from edesign.report.calibration.error_tables import (
 from edesign.report.calibration.figures import Figures
 from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
 from edesign.report.calibration.nuisance_tables import nuisance_tables
-from edesign.report.calibration.residual_figures import dependence_figures, map_figures
+from edesign.report.calibration.residual_figures import curve_figures, dependence_figures, map_figures
 from edesign.report.calibration.structure_figures import history_figures, peak_figures, spectrum_figures
 from edesign.report.calibration.tables import effect_tables, law_table
 from edesign.report.calibration.units import percent, scale_of
@@ -178,7 +178,7 @@ def residuals(view: View) -> Section:
     if view.calibration.subject == "structure":
         of_records = (peak_figures, history_figures, spectrum_figures)
         return Section("residual", "Records before and after", (), _pictures(view, *of_records))
-    makers = (loop_figures, residual_figures, dependence_figures, map_figures)
+    makers = (loop_figures, residual_figures, dependence_figures, curve_figures, map_figures)
     return Section("residual", "Residual before and after", (), _pictures(view, *makers))
 
 

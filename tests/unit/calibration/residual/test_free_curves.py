@@ -91,9 +91,8 @@ def test_a_hysteretic_residual_is_no_sum_of_curves(reach: float) -> None:
     tests = split(slip(reach))
     found = curves(tests)
     judged = [t for t in tests if t.use == "validate"]
-    u, v, y = (
-        np.concatenate(x) for x in zip(*((t.displacement, t.velocity, t.residual / t.rms_force) for t in judged))
-    )
+    u, v = (np.concatenate([getattr(t, name) for t in judged]) for name in ("displacement", "velocity"))
+    y = np.concatenate([t.residual / t.rms_force for t in judged])
     rest = y
     columns = [np.searchsorted(np.quantile(x, np.linspace(0.0, 1.0, 41)[1:-1]), x) for x in (u, v)]
     for _ in range(50):  # back-fitting
