@@ -24,6 +24,7 @@ _SINES = 32  # of a curve: waves down to a twelfth of the range
 _DOMAIN = 1.25  # of the range: sines are zero at its ends
 _LENGTHS = np.geomspace(0.05, 3.0, 10)  # of half the range
 _SIZES = np.geomspace(0.01, 10.0, 13)  # of the rms of what is left
+_LEAST = 1e-9  # noise, of what is left: no curve takes more
 _FITS = 4  # each under the noise that the one before leaves
 _TURNS = 4  # of the two curves of a product
 _CELLS = 16  # each way, of the map from which a product starts
@@ -210,11 +211,12 @@ class _Tests:
         columns = np.hstack([weight[:, np.newaxis] * one.sines(self.driver[one.driver]) for one in axes])
         gram, pull = columns.T @ columns, columns.T @ self.left
         unit = math.sqrt(float(self.left @ self.left) / max(float(weight @ weight), 1e-300))  # of a curve: N
-        noise, scales = float(self.left @ self.left) / self.left.size, [(1.0, 1.0)] * len(axes)
+        first, scales = float(self.left @ self.left) / self.left.size, [(1.0, 1.0)] * len(axes)
+        noise = first
         for _ in range(_FITS):
             scales = _likeliest(axes, gram / noise, pull / noise, unit, scales)
             mean, root = _posterior(gram / noise, pull / noise, _variances(axes, unit, scales))
-            noise = self._noise(self.left - columns @ mean)
+            noise = max(self._noise(self.left - columns @ mean), _LEAST * first)
         found = []
         for i, one in enumerate(axes):
             at, own = one.table(self.driver[one.driver]), slice(i * _SINES, (i + 1) * _SINES)
@@ -225,11 +227,11 @@ class _Tests:
     def product(self, u: _Axis, v: _Axis) -> tuple[Curve, Curve]:
         """Return the curves of a product: one and the other in turns, from the map's largest singular vector."""
         edges = np.linspace(-1.0, 1.0, _CELLS + 1)
-        at = [one.coordinate(self.driver[one.driver]) for one in (u, v)]
-        count = np.histogram2d(*at, (edges, edges), weights=self.weight**2)[0]
-        total = np.histogram2d(*at, (edges, edges), weights=self.weight * self.left)[0]
+        x, y = (one.coordinate(self.driver[one.driver]) for one in (u, v))
+        count = np.histogram2d(x, y, [edges, edges], weights=self.weight**2)[0]
+        total = np.histogram2d(x, y, [edges, edges], weights=self.weight * self.left)[0]
         _, _, vectors = np.linalg.svd(np.divide(total, count, out=np.zeros_like(total), where=count > 0.0))
-        factor = np.interp(at[1], 0.5 * (edges[1:] + edges[:-1]), vectors[0])
+        factor = np.interp(y, 0.5 * (edges[1:] + edges[:-1]), vectors[0])
         for _ in range(_TURNS):
             (g,) = self.fit([u], factor)
             (h,) = self.fit([v], np.interp(self.driver["displacement"], g.at, g.value))
@@ -241,7 +243,7 @@ class _Tests:
     def _noise(self, rest: np.ndarray) -> float:
         """Return the long-run variance of what a curve leaves: its variance times its correlation length."""
         parts = np.split(rest, self._ends)
-        return max(sum(float(r @ r) * correlation_length(r) for r in parts) / rest.size, 1e-300)
+        return sum(float(r @ r) * correlation_length(r) for r in parts) / rest.size
 
 
 def _variances(axes: Sequence[_Axis], unit: float, scales: Sequence[tuple[float, float]]) -> np.ndarray:
