@@ -35,6 +35,8 @@ class Experiment:
         displacement_noise: standard deviation of white noise as strong next to the motion as that of the channel, m.
         channel_noise: standard deviation of the noise of the force channel, N.
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
+        interpolation_noise: that of the force that the law makes of what is not known of the motion between samples, N.
+        noise_measured: whether the noise of the force channel was, in this or in another test; it is assumed otherwise.
         weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
         start: how its record starts away from rest; None: at rest.
         full: the test at full rate, if this is not.
@@ -53,6 +55,8 @@ class Experiment:
     displacement_noise: float = 0.0
     channel_noise: float = 0.0
     motion_noise: float = 0.0
+    interpolation_noise: float = 0.0
+    noise_measured: bool = True
     weight: np.ndarray | None = None
     start: Start | None = None
     full: Experiment | None = None
@@ -63,8 +67,8 @@ class Experiment:
 
     @property
     def noise(self) -> float:
-        """Standard deviation of what cannot be predicted, N: noise of the force, and of the motion by the law."""
-        return math.hypot(self.channel_noise, self.motion_noise)
+        """Standard deviation of what cannot be predicted, N: noise of the force, and by the law that of the motion."""
+        return math.hypot(self.channel_noise, self.motion_noise, self.interpolation_noise)
 
     @property
     def from_rest(self) -> bool:

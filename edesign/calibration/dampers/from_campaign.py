@@ -161,10 +161,10 @@ def _check_motion(test: DamperTest) -> None:
 def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
     found, elapsed = [], 0.0
     for order, test in enumerate(tests):
-        motion, noise = smoothed_motion(test.time, test.displacement)
+        force = test.measured_force()
+        motion, noise = smoothed_motion(test.time, test.displacement, force)
         history = test.temperature_history
         degrees = test.temperature_C if history is None else float(np.mean(history))
-        force = test.measured_force()
         at_end = clipped(force)
         found.append(
             Experiment(

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+from edesign.calibration.signals.interpolation import CUBIC, through
 from edesign.calibration.signals.spline import Spline
 from edesign.damper.history import Extremes
 
@@ -29,6 +30,7 @@ class Motion:
             No cubic between these follows a jump of the velocity.
         cornered: whether samples are too few for a spline: cubics with the velocities at the samples stand between.
         preceded: number of samples that were before the test.
+        degree: of the spline that stands between otherwise.
     """
 
     time: np.ndarray
@@ -38,6 +40,13 @@ class Motion:
     onset: tuple[float, float] | None = field(default=None, kw_only=True)
     cornered: bool = field(default=False, kw_only=True)
     preceded: int = field(default=0, kw_only=True)
+    degree: int = field(default=CUBIC, kw_only=True)
+
+    @staticmethod
+    def along(time: np.ndarray, displacement: np.ndarray, degree: int) -> Motion:
+        """Return the motion of a spline of a degree through samples (n,) s and m."""
+        spline = through(time, displacement, degree)
+        return Motion(time, displacement, spline(time, 1), spline(time, 2), degree=degree)
 
     @property
     def samples(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -84,6 +93,9 @@ class Motion:
         if known.cornered:
             cubics = CubicHermiteSpline(known.time, known.displacement, known.velocity)
             return Motion(time, cubics(time), cubics(time, 1), cubics(time, 2), cornered=True)
+        if known.degree != CUBIC:
+            spline = through(known.time, known.displacement, known.degree)
+            return Motion(time, spline(time), spline(time, 1), spline(time, 2))
         return Motion(time, *(known.spline.at(values, time) for values in known.samples[1:]))
 
     def after(self, way: float) -> Motion:
@@ -97,7 +109,7 @@ class Motion:
         first, here = self.time[0], self.displacement[0]
         before = 2.0 * first - t, here + way * (here - u), way * v, -way * a
         whole = (np.concatenate(both) for both in zip(before, self.samples, strict=True))
-        return Motion(*whole, cornered=self.cornered, preceded=t.size)
+        return Motion(*whole, cornered=self.cornered, degree=self.degree, preceded=t.size)
 
     @cached_property
     def steps(self) -> np.ndarray:

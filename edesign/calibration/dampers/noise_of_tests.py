@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -14,9 +16,12 @@ from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.signals.corners import cornered
+from edesign.calibration.signals.interpolation import CUBIC, SMOOTH, Interpolation
 from edesign.calibration.signals.noise import least_noise, smooth, white_noise
 from edesign.estimation.differences import difference_noise
+from edesign.estimation.model import PredictionError
 
+_OF_EQUAL_RIGHT = 0.25  # of the power of the difference of two curves
 _AGAIN = 6  # times that noise is added
 _EVENED = 0.1  # s, over which its effect is evened out
 _MOST_TIMES = 4.0  # its power over that by a model
@@ -25,14 +30,18 @@ _STRAYS = 2.0  # standard deviations of the noise, within which a motion at rest
 _SLOW = 0.01  # of the largest velocity, which no motion at rest has
 
 
-def smoothed_motion(time: np.ndarray, displacement: np.ndarray) -> tuple[Motion, float]:
+def smoothed_motion(time: np.ndarray, displacement: np.ndarray, force: np.ndarray) -> tuple[Motion, float]:
     """Return a motion freed of noise, and the standard deviation of this noise, m.
 
     Args:
         time: (n,) s, ascending.
         displacement: (n,) m.
+        force: (n,) N: what both share is motion.
     """
-    found, velocity, acceleration, noise = smooth(time, displacement)
+    found, velocity, acceleration, noise = smooth(time, displacement, beside=(force,))
+    between = Interpolation.of(time, found)
+    if between is not None and between.degree != CUBIC:  # the motion ends below the Nyquist frequency: no corners
+        return Motion.along(time, found, between.degree), noise
     if not cornered(time, displacement, noise):
         return Motion(time, found, velocity, acceleration), noise
     cubics = PchipInterpolator(time, displacement)
@@ -45,11 +54,13 @@ def with_noise(
 ) -> list[Experiment]:
     """Return tests with their noise.
 
-    The force channel's is estimated above the motion, in what a model leaves of the force too. Noise of the
+    The force channel's is estimated above the motion, in what a model leaves of the force too, or in rests. Where a
+    test has no such place, that of the others stands for it, and if none has one the least (`least_noise`). Noise of the
     displacement makes force through the model: such noise is added and taken off again. That is most where the damper
     is slow and its force steep over the velocity. The same noise is added whatever the model. It is added to motions
     that are at rest where no more than noise is left of them: what smoothing leaves of the noise there hides that of a
-    second time from a law of a low power of the velocity.
+    second time from a law of a low power of the velocity. What is not known of the motion between its samples makes the
+    difference of two predictions, along two splines.
 
     Args:
         problem: with all tests, at full rate.
@@ -69,15 +80,66 @@ def with_noise(
             motion = one.motion
             if one.displacement_noise > 0.0:
                 noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
-                motion, _ = smoothed_motion(motion.time, noisy)
+                motion, _ = smoothed_motion(motion.time, noisy, one.force)
                 if problem.law.rate_dependent and not motion.cornered:
                     # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
-                    whole = smooth(motion.time, noisy, rests=False)[1]
+                    whole = smooth(motion.time, noisy, rests=False, beside=(one.force,))[1]
                     motion = replace(motion, velocity=np.where(at, motion.velocity, whole))
             again.append(replace(one, motion=motion))
         for own, force, moved in zip(power, plain, forces_of(problem.with_experiments(again)), strict=True):
             own += (moved - force) ** 2 / _AGAIN
-    return [_noisy(*each) for each in zip(problem.experiments, predicted, power, strict=True)]
+    between = _between_samples(problem, forces_of)
+    tests = with_channel_noise(problem.experiments, predicted)
+    return [_noisy(*each) for each in zip(tests, predicted, power, between, strict=True)]
+
+
+def with_channel_noise(tests: Sequence[Experiment], predicted: Sequence[np.ndarray]) -> list[Experiment]:
+    """Return tests with the noise of their force channels.
+
+    Args:
+        tests: of a campaign, with one load cell.
+        predicted: (n_i,) N of every test.
+    """
+    measured = [_channel_noise(*each) for each in zip(tests, predicted, strict=True)]
+    known = [one for one in measured if not math.isnan(one)]
+    other = float(np.median(known)) if known else 0.0
+    return [
+        replace(
+            test,
+            channel_noise=max(other if math.isnan(one) else one, least_noise(test.force)),
+            noise_measured=bool(known),
+        )
+        for test, one in zip(tests, measured, strict=True)
+    ]
+
+
+def _between_samples(
+    problem: DamperProblem, forces_of: Callable[[DamperProblem], Sequence[np.ndarray]]
+) -> list[np.ndarray]:
+    """Return the mean square (n_i,) N^2 of what the model makes of what is not known between samples, of every test."""
+    others = [_along_another(one.motion) for one in problem.experiments]
+    found = [np.zeros_like(one.force) for one in problem.experiments]
+    if any(share is not None for _, share in others):
+        moved = [replace(one, motion=motion) for one, (motion, _) in zip(problem.experiments, others, strict=True)]
+        with suppress(PredictionError):  # a spline that is wrong may ask for what no law can do
+            both = (forces_of(one) for one in (problem, problem.with_experiments(moved)))
+            for own, (_, share), here, there in zip(found, others, *both, strict=True):
+                own += 0.0 if share is None else share * (there - here) ** 2
+    return found
+
+
+def _along_another(motion: Motion) -> tuple[Motion, np.ndarray | None]:
+    """Return a motion along another curve through its samples, and the share (n,) of the power of what that changes.
+
+    Of two curves of equal right each is off by half of their difference. The share is None where samples are enough.
+    """
+    time, u = motion.time, motion.displacement
+    if motion.cornered:
+        return Motion.along(time, u, CUBIC), np.full(u.size, _OF_EQUAL_RIGHT)
+    between = Interpolation.of(time, u)
+    if between is None or not between.matters:
+        return motion, None
+    return Motion.along(time, u, SMOOTH if between.degree == CUBIC else CUBIC), between.of_difference(u.size)
 
 
 def _rests(motion: Motion, noise: float) -> np.ndarray:
@@ -100,20 +162,31 @@ def _still(motion: Motion, rests: np.ndarray) -> Motion:
     return replace(motion, displacement=motion.displacement - lost, velocity=velocity, acceleration=acceleration)
 
 
-def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray) -> Experiment:
-    """Return a test with its noise; that of the motion makes power (n,) N^2 of the predicted force (n,) N."""
-    time, force = test.motion.time, test.force
-    if test.clipped is None:
-        channel = min(white_noise(force, time), white_noise(force - predicted, time))
-    else:  # there is no noise at the end of a range
-        channel = difference_noise(force, ~test.clipped)
-    channel = max(channel, least_noise(force))
-    if not np.any(power):
-        return replace(test, channel_noise=channel)
-    wide = min(max(int(_EVENED / float(np.median(test.motion.steps))), 1), time.size)
+def _channel_noise(test: Experiment, predicted: np.ndarray) -> float:
+    """Return the noise of the force channel, N, beside a predicted force (n,) N; nan: the motion leaves no place to it."""
+    time, force, beside = test.motion.time, test.force, (test.motion.displacement, predicted)
+    if test.clipped is not None:  # there is no noise at the end of a range
+        return difference_noise(force, ~test.clipped)
+    both = [white_noise(values, time, beside) for values in (force, force - predicted)]
+    return min((one for one in both if not math.isnan(one)), default=math.nan)
+
+
+def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray, between: np.ndarray) -> Experiment:
+    """Return a test with what noise of its motion, and what is not known between its samples, make of the force.
+
+    Args:
+        test: with the noise of the force channel.
+        predicted: (n,) N.
+        power, between: (n,) N^2, mean squares of both in the predicted force.
+    """
+    if not (np.any(power) or np.any(between)):
+        return replace(test, motion_noise=0.0, interpolation_noise=0.0)
+    wide = min(max(int(_EVENED / float(np.median(test.motion.steps))), 1), test.force.size)
     # as many times larger as the force is than the law's
-    times = float(force @ force) / max(float(predicted @ predicted), 1e-300)
-    power = min(max(times, 1.0 / _MOST_TIMES), _MOST_TIMES) * uniform_filter1d(power, wide, mode="nearest")
-    all_of_it = power + channel**2
+    times = float(test.force @ test.force) / max(float(predicted @ predicted), 1e-300)
+    times = min(max(times, 1.0 / _MOST_TIMES), _MOST_TIMES)
+    power, between = (times * uniform_filter1d(one, wide, mode="nearest") for one in (power, between))
+    all_of_it = power + between + test.channel_noise**2
     weight = np.sqrt(np.mean(all_of_it) / all_of_it)
-    return replace(test, channel_noise=channel, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
+    of_motion, of_interpolation = (float(np.sqrt(np.mean(one))) for one in (power, between))
+    return replace(test, motion_noise=of_motion, interpolation_noise=of_interpolation, weight=weight)

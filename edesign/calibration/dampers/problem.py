@@ -92,9 +92,9 @@ class DamperProblem(TestedProblem):
 
     @cached_property
     def input_noise(self) -> float:
-        """Share of the power of the force that noise of the displacement makes through the law."""
+        """Share of the power of the force that the law makes of noise of the displacement, and of its interpolation."""
         fitted = [self.experiments[i] for i in self.fitted]
-        noise = sum(one.force.size * one.motion_noise**2 for one in fitted)
+        noise = sum(one.force.size * (one.motion_noise**2 + one.interpolation_noise**2) for one in fitted)
         return noise / sum(one.force.size * size**2 for one, size in zip(fitted, self.sizes, strict=True))
 
     @cached_property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -27,7 +28,7 @@ def least_noise(force: np.ndarray) -> float:
     return _LEAST * float(np.sqrt(np.mean(force**2)))
 
 
-def white_noise(values: np.ndarray, time: np.ndarray) -> float:
+def white_noise(values: np.ndarray, time: np.ndarray, beside: Sequence[np.ndarray] = ()) -> float:
     """Return the standard deviation of the broadband noise in a channel.
 
     Spectra of short segments of second differences (Kaiser window), the median over segments, without narrow peaks: the
@@ -41,31 +42,36 @@ def white_noise(values: np.ndarray, time: np.ndarray) -> float:
     Args:
         values: (n,) in any unit.
         time: (n,) s, ascending.
+        beside: (n,) of other channels, which share the motion: noise is then looked for above what both share.
 
     Returns:
-        In the unit of the values; 0 if the channel has none.
+        In the unit of the values; 0 if the channel has none, nan if it shares something up to the highest frequency.
     """
-    return _noise(values, time)[0]
+    return _noise(values, time, beside)[0]
 
 
-def _noise(values: np.ndarray, time: np.ndarray) -> tuple[float, float]:
+def _noise(values: np.ndarray, time: np.ndarray, beside: Sequence[np.ndarray]) -> tuple[float, float]:
     """Standard deviation of the noise, and that of white noise that is as strong next to the motion."""
     values, time = np.asarray(values, dtype=float), np.asarray(time, dtype=float)
     if values.size < 8 or np.ptp(values) == 0.0:
         return 0.0, 0.0
-    level = noise_level(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
+    level = None
+    if values.size >= _FEWEST and evenly(time):
+        level = noise_level(values, step(time), beside)
     both = (
         (divided_difference_noise(values, time),) * 2
         if level is None
         else (math.sqrt(level.power), math.sqrt(level.density))
     )
     least, none = rounding(values), _NONE * float(np.ptp(values))
+    if math.isnan(both[0]):
+        return both
     all_of_it, near = (max(one, least) if max(one, least) > none else 0.0 for one in both)
     return all_of_it, near
 
 
 def smooth(
-    time: np.ndarray, displacement: np.ndarray, rests: bool = True
+    time: np.ndarray, displacement: np.ndarray, rests: bool = True, beside: Sequence[np.ndarray] = ()
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
     """Return a motion freed from its noise before it is differentiated.
 
@@ -77,13 +83,14 @@ def smooth(
         time: (n,) s, ascending.
         displacement: (n,) m.
         rests: whether noise of rests is taken off too.
+        beside: (n,) of other channels, as the force: what both share is motion.
 
     Returns:
         Displacement (n,) m, velocity (n,) m/s, acceleration (n,) m/s^2, and the standard deviation of white noise that
         is as strong next to the motion as that of the channel, m.
     """
     time, displacement = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)
-    found, noise = _without_noise(time, displacement, rests)
+    found, noise = _without_noise(time, displacement, rests, beside)
     if time.size < 4:
         velocity = np.gradient(found, time) if time.size > 1 else np.zeros_like(found)
         return found, velocity, np.zeros_like(found), noise
@@ -91,11 +98,13 @@ def smooth(
     return found, np.asarray(spline(time, 1)), np.asarray(spline(time, 2)), noise
 
 
-def _without_noise(time: np.ndarray, values: np.ndarray, rests: bool) -> tuple[np.ndarray, float]:
+def _without_noise(
+    time: np.ndarray, values: np.ndarray, rests: bool, beside: Sequence[np.ndarray]
+) -> tuple[np.ndarray, float]:
     """Return values without noise, and the standard deviation of white noise as strong next to the motion."""
-    noise = _noise(values, time)[1]
-    if noise**2 > float(np.var(values)):
-        noise = 0.0  # more than all that is measured: the motion itself reaches up to the highest frequency
+    noise = _noise(values, time, beside)[1]
+    if math.isnan(noise) or noise**2 > float(np.var(values)):
+        noise = 0.0  # the motion itself reaches up to the highest frequency
     if noise == 0.0 or time.size < _FEWEST:
         return values.copy(), noise
     grid, resampled = even(time, values)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,13 +28,18 @@ _TONE = 3.0  # times the level about it
 _MOTION_SHARE = 0.4  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
 _CORNER = 3.5  # standard deviations of a fourth difference
 _LAST = 0.9  # of the Nyquist frequency: filters of a logger fall beyond it
+_LOCKED_OVER, _LOCKED, _SHARED = 9, 5.0, 0.2
+"""Bins over which it is averaged how far phases of two channels keep together; from where on they do: independent ones
+are at 1, and by chance beyond 5 at one frequency of one channel in a hundred; and the squared mean of their directions
+below which motion has less than a quarter of the power there, which adds an eighth to the noise.
+"""
 
 
 class Level(NamedTuple):
     """Noise of a channel.
 
     Attributes:
-        power: its mean square.
+        power: its mean square; nan: the motion leaves no part of the spectrum to it.
         density: mean square of white noise that is as strong next to the motion.
     """
 
@@ -41,22 +47,35 @@ class Level(NamedTuple):
     density: float
 
 
-def noise_level(values: np.ndarray, dt: float) -> Level | None:
+NOT_MEASURED = Level(math.nan, math.nan)
+
+
+def noise_level(values: np.ndarray, dt: float, beside: Sequence[np.ndarray] = ()) -> Level | None:
     """Return the broadband noise in an evenly sampled channel.
+
+    Two channels of one test share its motion, and not their noise. So the motion reaches up to the highest frequency at
+    which their phases keep together, and noise is what stands above it.
 
     Args:
         values: (n,), n of at least 32.
         dt: s.
+        beside: (n,) of each other channel with the same motion; (): the motion is taken to end at `MOTION`.
 
     Returns:
         The level of the plateau up to its end, and what is measured beyond it; where the noise falls from there as
         noise with a correlation from sample to sample does, the level of that. None if there are no segments without
         corners in which anything changes.
+
+    Source: Bendat & Piersol, Random Data, 6.1 (coherence); Mardia & Jupp, Directional Statistics, 6.3 (Rayleigh test).
     """
-    segments = _segments(values)
+    segments, at_rows = _segments(values)
     if segments.size == 0:
         return None
-    spectra = _spectra(segments)
+    own = transforms(segments)
+    spectra = np.abs(own) ** 2
+    moved = max((_moved(own, transforms(_windows(np.diff(one, 2), *at_rows))) for one in beside), default=0)
+    if moved > spectra.shape[1] - 2 * _EVENED:
+        return NOT_MEASURED
     at = np.arange(spectra.shape[1]) / (spectra.shape[1] - 1.0)  # of the Nyquist frequency
     typical = np.median(spectra, axis=0) / np.log(2.0)  # the median of an exponential distribution
     tone = typical > _TONE * median_filter(typical, size=max(at.size // 6, 3), mode="nearest")
@@ -66,7 +85,7 @@ def noise_level(values: np.ndarray, dt: float) -> Level | None:
     power = np.exp(np.interp(at, at[~tone], np.log(np.maximum(typical[~tone], 1e-300))))
     even = np.exp(uniform_filter1d(np.log(power), _EVENED, mode="nearest"))
     flat = _FLAT * (1.0 + 3.0 * 1.44 / np.sqrt(max(_EVENED * len(spectra) / 4.0, 1.0)))
-    first, last = _plateau(even, at, min(MOTION * 2.0 * dt, _MOTION_SHARE), flat)
+    first, last = _plateau(even, at, max(min(MOTION * 2.0 * dt, _MOTION_SHARE), float(at[moved])), flat)
     level = float(np.median(spectra[:, first : last + 1][:, ~tone[first : last + 1]])) / np.log(2.0)
     if not math.isfinite(level):
         level = float(even[first])
@@ -80,7 +99,7 @@ def noise_level(values: np.ndarray, dt: float) -> Level | None:
 def _plateau(even: np.ndarray, at: np.ndarray, start: float, flat: float) -> tuple[int, int]:
     """Return the first and last bin of the first flat part of an evened spectrum, half an octave wide at least.
 
-    With nothing flat it is the upper half.
+    With nothing flat it is the upper half, or what stands above the start if that is less.
     """
     for first in range(int(np.searchsorted(at, start)), at.size):
         last = max(int(np.searchsorted(at, _OCTAVE * at[first])), first + _EVENED)
@@ -93,7 +112,17 @@ def _plateau(even: np.ndarray, at: np.ndarray, start: float, flat: float) -> tup
             last += 1
             low, high = min(low, float(even[last])), max(high, float(even[last]))
         return first, last
-    return at.size // 2, at.size - 1
+    return max(at.size // 2, int(np.searchsorted(at, start))), at.size - 1
+
+
+def _moved(own: np.ndarray, other: np.ndarray) -> int:
+    """Return the last bin at which transforms (m, bins) of two channels keep their phases together; 0: at none."""
+    both = (own * np.conj(other))[:, :-_EVENED]  # beside the Nyquist frequency transforms are real, and alike by chance
+    size = np.abs(both)
+    locked = len(both) * np.abs(np.mean(both / np.maximum(size, 1e-300), axis=0)) ** 2
+    least = max(_LOCKED, 1.0 + _SHARED * len(both))
+    found = np.flatnonzero(uniform_filter1d(locked, _LOCKED_OVER, mode="nearest") > least)
+    return int(found[-1]) if found.size else 0
 
 
 def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
@@ -114,8 +143,10 @@ def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
     return Level(drive / (1.0 - phi**2), drive / (1.0 - phi) ** 2)
 
 
-def _segments(values: np.ndarray) -> np.ndarray:
+def _segments(values: np.ndarray) -> tuple[np.ndarray, tuple[int, np.ndarray]]:
     """Return segments (m, length) of second differences, the longest of which there are enough without corners.
+
+    With it, their length and which (k,) of all segments they are.
 
     Corners and jumps (friction at a reversal, a ramp that ends) have no plateau but reach all frequencies. They show
     as few large fourth differences. Segments in which nothing changes at all, as of a digitiser at rest, are left out.
@@ -127,23 +158,30 @@ def _segments(values: np.ndarray) -> np.ndarray:
     corner = np.convolve(large, np.ones(3))[: differences.size] > 0.0
     length = _LONGEST
     while True:
-        step = max(length // 4, 1)
-        found = np.lib.stride_tricks.sliding_window_view(differences, min(length, differences.size))[::step]
-        corners = np.lib.stride_tricks.sliding_window_view(corner, min(length, differences.size))[::step]
-        kept = found[np.any(found != 0.0, axis=1) & ~np.any(corners, axis=1)]
-        if len(kept) >= _SEGMENTS or length <= _SHORTEST:
-            return np.asarray(kept, dtype=float)
+        found = _windows(differences, length)
+        which = np.any(found != 0.0, axis=1) & ~np.any(_windows(corner, length), axis=1)
+        if np.count_nonzero(which) >= _SEGMENTS or length <= _SHORTEST:
+            return np.asarray(found[which], dtype=float), (length, which)
         length //= 2
 
 
-def _spectra(segments: np.ndarray) -> np.ndarray:
-    """Return spectra (m, bins) of the channel itself, scaled so that white noise of unit variance has a mean of one.
+def _windows(values: np.ndarray, length: int, which: np.ndarray | slice = slice(None)) -> np.ndarray:
+    """Return segments (m, length) that overlap by three quarters."""
+    every = np.lib.stride_tricks.sliding_window_view(values, min(length, values.size))
+    return np.asarray(every[:: max(length // 4, 1)][which])
+
+
+def transforms(segments: np.ndarray) -> np.ndarray:
+    """Return transforms (m, bins) of a channel, scaled so that white noise of unit variance has a power of one.
+
+    Args:
+        segments: (m, length) of its second differences.
 
     Second differences take trends away and lower the motion, so that less of it leaks; their gain is known.
     """
     length = segments.shape[1]
     window = np.kaiser(length, _BETA)
-    power = np.abs(np.fft.rfft(segments * window, axis=1)) ** 2 / np.sum(window**2)
-    gain = (2.0 * np.sin(np.pi * np.arange(power.shape[1]) / length)) ** 4
+    found = np.fft.rfft(segments * window, axis=1) / np.sqrt(np.sum(window**2))
+    gain = (2.0 * np.sin(np.pi * np.arange(found.shape[1]) / length)) ** 2
     gain[0] = gain[1]
-    return np.asarray(power / gain, dtype=float)
+    return np.asarray(found / gain)
