@@ -85,7 +85,7 @@ def noise_level(values: np.ndarray, dt: float, beside: Sequence[np.ndarray] = ()
     power = np.exp(np.interp(at, at[~tone], np.log(np.maximum(typical[~tone], 1e-300))))
     even = np.exp(uniform_filter1d(np.log(power), _EVENED, mode="nearest"))
     flat = _FLAT * (1.0 + 3.0 * 1.44 / np.sqrt(max(_EVENED * len(spectra) / 4.0, 1.0)))
-    first, last = _plateau(even, at, max(min(MOTION * 2.0 * dt, _MOTION_SHARE), float(at[moved])), flat)
+    first, last = _plateau(even, at, float(at[moved]) if moved else min(MOTION * 2.0 * dt, _MOTION_SHARE), flat)
     level = float(np.median(spectra[:, first : last + 1][:, ~tone[first : last + 1]])) / np.log(2.0)
     if not math.isfinite(level):
         level = float(even[first])
