@@ -96,6 +96,14 @@ class Evidence(ABC, Generic[T]):
     def floor(self) -> tuple[Mapping[Use, float], Worst | None]:
         """Return the NRMS of what no model can predict by the use of tests, and the test that leaves more than that."""
 
+    def doubtful(self) -> str:
+        """Return why that floor does not say whether only noise is left, for people; "" if it does."""
+        return ""
+
+    def interpolated(self) -> Mapping[Use, float]:
+        """Return the part of that floor, NRMS, of what is not known of motions between samples, by the use of tests."""
+        return {}
+
     @abstractmethod
     def floor_with_effects(self) -> Mapping[Use, float]:
         """Return the same NRMS with the effects that were found, even if they are withheld."""
@@ -201,7 +209,8 @@ class Evidence(ABC, Generic[T]):
     def calibration(self, steps: Steps) -> Calibration:
         """Return all of it for people and files."""
         errors, calibrated, (floor, worst) = self.errors, self.calibrated(), self.floor()
-        reached = only_noise(errors["corrected"], floor, worst)
+        doubtful, interpolated = self.doubtful(), self.interpolated()
+        reached = only_noise(errors["corrected"], floor, worst) and not doubtful
         effects, hypotheses = self.effects(steps)
         verdict = verdict_of(reached, bool(effects), steps.ending)
         further = better = None
@@ -223,6 +232,9 @@ class Evidence(ABC, Generic[T]):
             errors=errors,
             noise_floor=floor["validate"],
             noise_floor_fit=floor["fit"],
+            interpolation=interpolated.get("validate", 0.0),
+            interpolation_fit=interpolated.get("fit", 0.0),
+            doubtful=doubtful,
             effects=effects,
             hypotheses=hypotheses,
             unexplained_share=0.0 if reached else unexplained_share(errors, self.plain, floor),
@@ -373,7 +385,7 @@ def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:
     """Return the verdict.
 
     Args:
-        reached: whether only noise is left.
+        reached: whether only noise is left, by a floor that is not doubtful.
         effects: whether there are any in the corrected model.
         ending: of the search.
     """

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.special import chdtri
 
 from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.noise_of_tests import with_noise
+from edesign.calibration.dampers.noise_of_tests import with_channel_noise, with_noise
 from edesign.calibration.dampers.nuisance import joined
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
@@ -21,6 +21,7 @@ from edesign.calibration.residual.series import Errors, Worst
 from edesign.calibration.residual.tones import without_tones
 from edesign.calibration.results.predictions import judged
 from edesign.calibration.search.models import FittedModel
+from edesign.calibration.signals.noise import least_noise
 from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
 
@@ -42,11 +43,15 @@ class Floor:
         problem: with all tests, at full rate.
         noise: (tests,) standard deviation, N: the larger one of the noise of the channels and of what does not repeat.
         thermal: (tests,) mean square of what an error of the thermometer changes, N^2.
+        interpolation: (tests,) standard deviation, N, of what `noise` has of motions that are not known between samples.
+        measured: whether the noise was measured in any test.
     """
 
     problem: DamperProblem
     noise: tuple[float, ...]
     thermal: tuple[float, ...]
+    interpolation: tuple[float, ...]
+    measured: bool
 
     @staticmethod
     def under(problem: DamperProblem, model: FittedModel, forces: Sequence[np.ndarray]) -> Floor:
@@ -70,14 +75,55 @@ class Floor:
         nuisances = problem.model(model.effects, USES).nuisances(model.fit.values)
         changes = [joined(of_test, False) for of_test in nuisances]
         thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in changes]
-        return Floor(problem, tuple(noise), tuple(thermal))
+        measured = any(one.noise_measured for one in known) or not all(math.isnan(r) for r in repeats)
+        between = tuple(one.interpolation_noise for one in known)
+        return Floor(problem, tuple(noise), tuple(thermal), between, measured)
 
     def nrms(self, use: Use) -> float:
         """Return the NRMS over the tests of one use."""
-        chosen = [i for i, one in enumerate(self.problem.experiments) if one.use == use]
-        size = {i: one.force[one.judged] for i in chosen for one in [self.problem.experiments[i]]}
-        power = sum(float(force @ force) for force in size.values())
-        return sum((self.noise[i] ** 2 + self.thermal[i]) * size[i].size for i in chosen) / max(power, 1e-300)
+        return self._nrms(use, [noise**2 + thermal for noise, thermal in zip(self.noise, self.thermal, strict=True)])
+
+    def interpolated(self, use: Use) -> float:
+        """Return the part of it, NRMS, of what is not known of motions between samples."""
+        return self._nrms(use, [one**2 for one in self.interpolation])
+
+    def _nrms(self, use: Use, power: Sequence[float]) -> float:
+        forces = [(one.force[one.judged], p) for one, p in zip(self.problem.experiments, power) if one.use == use]
+        return sum(p * f.size for f, p in forces) / max(sum(float(f @ f) for f, _ in forces), 1e-300)
+
+    def doubtful(self, errors: Errors, parameters: int) -> str:
+        """Return why the floor does not say whether only noise is left, for people; "" if it does.
+
+        Noise that was measured nowhere is assumed, as the least that an instrument has: what a model leaves beyond it
+        may be noise or not. And neither noise nor errors of interpolation are more than what a model of few parameters
+        leaves: an estimate that says so hides what is smaller.
+
+        Args:
+            errors: of the model.
+            parameters: of it.
+        """
+        fitted = [one for one in self.problem.experiments if one.use == "fit"]
+        samples = sum(int(np.count_nonzero(one.judged)) for one in fitted)
+        floor, left = self.nrms("fit"), errors.fit * samples / max(samples - parameters, 1)
+        noise = self._nrms("fit", [a**2 - b**2 for a, b in zip(self.noise, self.interpolation, strict=True)])
+        both = noise + self.interpolated("fit")
+        if not self.measured and left > MOST * floor:
+            return (
+                "the noise was measured nowhere, as the motions reach up to the highest frequency of the sampling, and "
+                f"nothing rests or repeats; what is left, {_percent(left)}, may be noise, of which {_percent(floor)} is "
+                "assumed (0.1 % of the rms force, ISO 376)"
+            )
+        least = self._nrms("fit", [least_noise(one.force) ** 2 for one in self.problem.experiments])
+        for estimate, hides, of in (
+            (noise, noise > MOST * max(left, least), "of the noise"),
+            (both, left > MOST * noise and both > MOST * left, "of what is not known of the motion between samples"),
+        ):
+            if hides:
+                return (
+                    f"the estimate {of}, {_percent(estimate)}, is more than the model leaves, {_percent(left)}: whether "
+                    "something smaller is missing is not known"
+                )
+        return ""
 
     def worst(self, errors: Errors) -> Worst | None:
         """Return the test that leaves most over its noise; None: every test is at its floor."""
@@ -102,9 +148,13 @@ def only_noise(errors: Errors, floor: Mapping[Use, float], worst: Worst | None) 
 
 
 def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.ndarray]) -> Sequence[Experiment]:
-    """Return the tests with noise of the displacement through the effects of a model, if it has any."""
+    """Return the tests with noise of the displacement through the effects of a model, if it has any.
+
+    Beside this model the noise of the force is measured again where it could not be beside the declared law.
+    """
     if not model.effects:
-        return problem.experiments
+        measured = all(one.noise_measured for one in problem.experiments)
+        return problem.experiments if measured else with_channel_noise(problem.experiments, predicted)
 
     def forces_of(other: DamperProblem) -> list[np.ndarray]:
         (found,) = other.model(model.effects, USES).forces(model.fit.values)
@@ -116,6 +166,10 @@ def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.
         return with_noise(problem, predicted, forces_of)
     except PredictionError:  # what cannot be predicted with noise keeps the noise through the law
         return problem.experiments
+
+
+def _percent(nrms: float) -> str:
+    return f"{100.0 * nrms:.2g} % NRMS"
 
 
 class Part(NamedTuple):

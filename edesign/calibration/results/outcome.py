@@ -100,6 +100,14 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
         """Return the NRMS of what no model can predict by use, and the test that leaves more than that."""
         return {use: self._floor.nrms(use) for use in USES}, self._floor.worst(self.errors["corrected"])
 
+    def doubtful(self) -> str:
+        """Return why the floor does not say whether only noise is left."""
+        return self._floor.doubtful(self.errors["corrected"], len(self.final.fit.model.parameters))
+
+    def interpolated(self) -> Mapping[Use, float]:
+        """Return the NRMS of what is not known of motions between samples, by use."""
+        return {use: self._floor.interpolated(use) for use in USES}
+
     def shape(self) -> str:
         """Return what is left in words; "" if the tests are too short for that."""
         return describe_residual(self._left, curves=self.curves) if self._left else ""
@@ -190,7 +198,7 @@ class DamperOutcome(Evidence[Sequence[np.ndarray]]):
                     self._floor.noise[i],
                     start=one.start,
                     clipped=one.clipped,
-                    assumed=self._floor.noise[i] <= least_noise(one.force),
+                    assumed=not self._floor.measured or self._floor.noise[i] <= least_noise(one.force),
                 )
             )
         return tuple(found)

@@ -392,6 +392,8 @@ class Calibration(Calibrated):
         errors: by stage.
         noise_floor: NRMS in the validation tests of what no model can predict, and of what an error of the thermometer
             changes; `noise_floor_fit` in the others.
+        interpolation: the part of it of what is not known of motions between samples; `interpolation_fit` as above.
+        doubtful: why the floor does not say whether only noise is left, for people; "" if it does.
         effects: in the order of adoption, and in a round of what they explain.
         hypotheses: effects that were found and are no part of the corrected law.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
@@ -428,6 +430,9 @@ class Calibration(Calibrated):
     other_law: OtherLaw | None = None
     outlying: tuple[OutlyingTest, ...] = ()
     worst: Worst | None = None
+    interpolation: float = 0.0
+    interpolation_fit: float = 0.0
+    doubtful: str = ""
     seconds: float = 0.0
     failed: Mapping[str, str] = field(default_factory=dict)
     unexplained_curves: tuple[FreeCurve, ...] = ()

@@ -19,7 +19,8 @@ velocity, that of degree 7 by 0.4 %; of a higher degree records that end in moti
 
 NOTHING = 1e-6  # of the power of the velocity: the reproducibility of a force transducer, squared (ISO 376, class 0.5)
 _LONGEST, _FEWEST = 1024, 32  # samples of a segment of a spectrum, and of a record of which there is one
-_END = 0.9  # of the Nyquist frequency: what stands above it shows how strong the motion is there
+_END = 0.9  # of the Nyquist frequency: what stands above it, and as far below, shows how a motion goes on
+_JUMPS = 2.0  # power of the frequency by which the power of a velocity falls that jumps
 _FASTEST = 0.99  # of the power of the velocity, up to the frequency of the fastest motion
 _FINEST = 64.0  # times the sampling, up to which that is looked for which is enough
 _ENDS = 8  # samples beside the ends of a record, which a spline has on one side only: there either may be right
@@ -30,9 +31,9 @@ class Interpolation:
     """A motion between its samples, by the spectrum of its velocity.
 
     A spline through samples that are evenly spaced takes a velocity of the frequency w for D(w) i w times it: of a
-    motion that ends below the Nyquist frequency that is its error. A motion that does not end there folds. A velocity
-    that jumps falls by 1/w, and none that is bounded falls slower: what folds is at most the Nyquist frequency times
-    its density there.
+    motion that ends below the Nyquist frequency that is its error. A motion that does not end there folds. Its power
+    falls by a power of the frequency, as it does in the last tenths below it, and at least by that of a velocity that
+    jumps. The integral of that is what folds.
 
     Attributes:
         power: (m,) of the velocity, at frequencies in shares of the Nyquist frequency from 0 to 1.
@@ -74,8 +75,8 @@ class Interpolation:
 
     @property
     def matters(self) -> bool:
-        """Whether that is more than nothing."""
-        return self.lost > NOTHING
+        """Whether that may be more than nothing, at the ends of the record if not within it."""
+        return self.degree == SMOOTH or self.lost > NOTHING
 
     def of_difference(self, samples: int) -> np.ndarray:
         """Return the power (n,) of that error over the power of the difference of both splines.
@@ -114,9 +115,11 @@ class Interpolation:
 
     @cached_property
     def _folded(self) -> float:
-        """Share of the power of the velocity above the Nyquist frequency, at most."""
-        end = self.power[int(_END * self.power.size) :]
-        return float(np.mean(end)) * self.power.size / float(np.sum(self.power))
+        """Share of the power of the velocity above the Nyquist frequency, if it goes on as it ends."""
+        first, second = (int(share * self.power.size) for share in (2.0 * _END - 1.0, _END))
+        before, end = float(np.mean(self.power[first:second])), float(np.mean(self.power[second:]))
+        falls = math.log(max(before / max(end, 1e-300), 1.0)) / math.log((1.0 + _END) / (3.0 * _END - 1.0))
+        return end * self.power.size / (max(falls, _JUMPS) - 1.0) / float(np.sum(self.power))
 
     def _of_spline(self, degree: int) -> float:
         """Share of the power that a spline errs by, if nothing folds."""
@@ -139,7 +142,7 @@ def through(time: np.ndarray, displacement: np.ndarray, degree: int) -> BSpline:
 
 def sampling_note(name: str, found: Interpolation) -> str:
     """Return what is to be said of a motion whose samples are too few; "" if they are enough."""
-    if not found.matters:
+    if found.lost <= NOTHING:
         return ""
     enough = "" if math.isnan(found.enough) else f"; {_rounded(found.enough)} samples a second would be enough"
     return (

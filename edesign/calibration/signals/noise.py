@@ -7,14 +7,16 @@ from collections.abc import Sequence
 
 import numpy as np
 from scipy.interpolate import CubicSpline
+from scipy.ndimage import maximum_filter1d, minimum_filter1d
 
 from edesign.calibration.signals.noise_level import noise_level
 from edesign.calibration.signals.sampling import even, evenly, rounding, step
 from edesign.calibration.signals.smoothing import smoothed
-from edesign.estimation.differences import divided_difference_noise
+from edesign.estimation.differences import difference_noise, divided_difference_noise
 
 _FEWEST = 64  # samples, for a spectrum
 _LEAST = 1e-3  # of a test's rms force: reproducibility of a force transducer of class 0.5 (ISO 376:2011, table 2)
+_STILL, _FEWEST_AT_REST = 16, 32  # samples that move by less than that together; of all rests, for 15 % of the noise
 _STICKS_OUT = 3.0  # standard deviations; noise at times that are up to 40 % of a step off stays below 2.4
 _NONE = 1e-8  # of the range: noise below it is rounding or leakage; no instrument is as good
 
@@ -45,7 +47,8 @@ def white_noise(values: np.ndarray, time: np.ndarray, beside: Sequence[np.ndarra
         beside: (n,) of other channels, which share the motion: noise is then looked for above what both share.
 
     Returns:
-        In the unit of the values; 0 if the channel has none, nan if it shares something up to the highest frequency.
+        In the unit of the values; 0 if the channel has none. Where it shares something up to the highest frequency it is
+        that of rests, nan if there are none.
     """
     return _noise(values, time, beside)[0]
 
@@ -65,9 +68,18 @@ def _noise(values: np.ndarray, time: np.ndarray, beside: Sequence[np.ndarray]) -
     )
     least, none = rounding(values), _NONE * float(np.ptp(values))
     if math.isnan(both[0]):
-        return both
+        return (_in_rests(values, (values, *beside)),) * 2
     all_of_it, near = (max(one, least) if max(one, least) > none else 0.0 for one in both)
     return all_of_it, near
+
+
+def _in_rests(values: np.ndarray, channels: Sequence[np.ndarray]) -> float:
+    """Return the standard deviation of noise where one of the channels (n,) rests; nan: none does for long."""
+    rests = np.zeros(values.size, dtype=bool)
+    for one in channels:
+        still = maximum_filter1d(one, _STILL) - minimum_filter1d(one, _STILL) <= _LEAST * float(np.std(one))
+        rests |= maximum_filter1d(still.astype(np.uint8), _STILL).astype(bool)
+    return difference_noise(values, rests) if np.count_nonzero(rests) >= _FEWEST_AT_REST else math.nan
 
 
 def smooth(

@@ -85,7 +85,12 @@ def errors_table(calibration: Calibration) -> Table:
     errors = {label: calibration.errors[stage] for stage, label in STAGES.items()}
     rows: list[Row] = [(label, finite(one.fit), finite(one.validate)) for label, one in errors.items()]
     rows.append(("noise floor", finite(calibration.noise_floor_fit), finite(calibration.noise_floor)))
+    if calibration.interpolation or calibration.interpolation_fit:
+        both = finite(calibration.interpolation_fit), finite(calibration.interpolation)
+        rows.append(("of it: motion between samples", *both))
     notes = [NRMS_NOTES[calibration.subject]]
+    if calibration.doubtful:
+        notes.append(f"noise floor: {calibration.doubtful}")
     if calibration.law_fixed:
         notes.append("refitted: as declared, as the campaign keeps the parameters fixed (`refit: false`)")
     if calibration.fitted_first:
@@ -104,7 +109,8 @@ def each_test_table(calibration: Calibration) -> Table:
         which = "all tests" if len(assumed) == len(calibration.series) else ", ".join(assumed)
         notes.append(
             f"noise floor of {which}: not measured, but the reproducibility of a transducer of class 0.5 (0.1 % rms); "
-            "the record shows less, as one that was averaged, smoothed or computed does, and errors of that stay unseen"
+            "the record shows less, as one that was averaged, smoothed or computed does, and errors of that stay unseen; "
+            "or its motion reaches up to the highest frequency, where noise has no place of its own"
         )
     clipped = [f"{one.name} {np.count_nonzero(one.clipped)}" for one in calibration.series if one.clipped is not None]
     if clipped:

@@ -89,6 +89,10 @@ def _found(calibration: Calibration) -> str:
     tests = _TESTS[calibration.subject]
     kept = calibration.law_fixed or calibration.as_declared
     again = "" if kept else " once its parameters are fitted again"
+    if calibration.doubtful:
+        found = f"the {tests} show {effects}" if effects else "no effect known here passes all gates of adoption"
+        verdict = "Partly explained" if effects else "Nothing found"
+        return f"{verdict}: {found}. Whether more than noise is left cannot be said: {calibration.doubtful}."
     return {
         "none": f"None: no effect is missing from {_model(calibration)}{again}.",
         "explained": f"Explained: the {tests} show {effects}. Only noise is left.",
@@ -125,7 +129,12 @@ def _errors(calibration: Calibration) -> str:
     ]
     if calibration.effects and not calibration.law_fixed:
         texts.append(f", fitted again without effects {percent(refit)} %")
-    texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %.")
+    texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %")
+    if 2.0 * calibration.interpolation > calibration.noise_floor:
+        texts.append(
+            f", of which {percent(calibration.interpolation)} % is not known of the motion between samples: sample faster"
+        )
+    texts.append(".")
     if calibration.as_declared:
         texts.append(f" Its parameters are kept as declared: fitted ones leave {percent(refit)} %.")
     texts.append(_weights(calibration))
