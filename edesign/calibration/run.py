@@ -17,6 +17,7 @@ from edesign.calibration.results.steps import Progress, Steps, searched
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.calibration.signals.interpolation import sampling_notes
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.from_campaign import structure_problem
 from edesign.calibration.structures.outcome import StructureOutcome
@@ -96,8 +97,12 @@ def _outcome(
 
 
 def notes_of(campaign: Campaign) -> tuple[str, ...]:
-    """Return what should be known of a campaign before the search: how its tests were read, what of them is clipped."""
-    return (*campaign.notes, *clipping_notes(campaign.tests)) if isinstance(campaign, DamperCampaign) else ()
+    """Return what should be known of a campaign before the search: how its tests were read, what of them is clipped or sampled coarsely."""
+    return _damper_notes(campaign) if isinstance(campaign, DamperCampaign) else ()
+
+
+def _damper_notes(campaign: DamperCampaign) -> tuple[str, ...]:
+    return (*campaign.notes, *clipping_notes(campaign.tests), *sampling_notes(campaign.tests))
 
 
 def with_fitted_law(campaign: DamperCampaign, threads: int = 1, progress: Progress = lambda _: None) -> DamperCampaign:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
 from scipy.interpolate import BSpline, make_interp_spline
 
+from edesign.calibration.signals.noise import smooth
 from edesign.calibration.signals.noise_level import transforms
 from edesign.calibration.signals.sampling import evenly, step
+from edesign.damper.testing.measured_histories import DamperTest
 
 CUBIC, SMOOTH = 3, 7
 """Degrees of splines: the cubic one rings least beside corners. At 0.6 of the Nyquist frequency it errs by a tenth of the
@@ -140,25 +142,24 @@ def through(time: np.ndarray, displacement: np.ndarray, degree: int) -> BSpline:
     return make_interp_spline(time, displacement, k=degree)
 
 
-def sampling_note(name: str, found: Interpolation) -> str:
-    """Return what is to be said of a motion whose samples are too few; "" if they are enough."""
-    if found.lost <= NOTHING:
-        return ""
-    enough = "" if math.isnan(found.enough) else f"; {_rounded(found.enough)} samples a second would be enough"
-    return (
-        f"{name}: {found.samples_a_period:.3g} samples in a period of the fastest motion ({found.fastest:.3g} Hz): what "
-        f"it does between them is not known, which is an NRMS of {100.0 * found.lost:.2g} % of its velocity{enough}"
-    )
-
-
-def sampling_notes(tests: Sequence[tuple[str, np.ndarray, np.ndarray]]) -> tuple[str, ...]:
-    """Return what is to be said of motions whose samples are too few.
+def sampling_notes(tests: Iterable[DamperTest]) -> tuple[str, ...]:
+    """Return what is to be said of tests whose samples are too few for their motions, one line each.
 
     Args:
-        tests: name, time (n,) s and displacement (n,) m of each.
+        tests: of a campaign.
     """
-    found = ((name, Interpolation.of(time, displacement)) for name, time, displacement in tests)
-    return tuple(note for name, one in found if one is not None and (note := sampling_note(name, one)))
+    found = []
+    for test in tests:
+        beside = () if test.force is None else (test.measured_force(),)
+        one = Interpolation.of(test.time, smooth(test.time, test.displacement, beside=beside)[0])
+        if one is not None and one.lost > NOTHING:
+            enough = "" if math.isnan(one.enough) else f"; {_rounded(one.enough)} samples a second would be enough"
+            found.append(
+                f"{test.name}: {one.samples_a_period:.3g} samples in a period of the fastest motion "
+                f"({one.fastest:.3g} Hz): what it does between them is not known, which is an NRMS of "
+                f"{100.0 * one.lost:.2g} % of its velocity{enough}"
+            )
+    return tuple(found)
 
 
 def _rounded(value: float) -> str:

@@ -77,6 +77,8 @@ def tests_summary(path: Path) -> dict[str, str]:
 
 
 def _campaign_summary(path: Path) -> dict[str, str]:
+    from edesign.calibration.signals.interpolation import sampling_notes
+
     campaign = load_campaign(path, needs_force=False)
     specimen, tests = campaign.specimen, campaign.tests
     warnings = [*campaign.left_out, *_specimen_warnings(specimen)]
@@ -94,6 +96,7 @@ def _campaign_summary(path: Path) -> dict[str, str]:
         **({"read": "\n".join(campaign.readings).replace(": read: ", ": ")} if campaign.readings else {}),
         "tests": f"{len(tests)}: {uses['fit']} to fit to, {uses['validate']} to validate",
         "range": _range(tests, specimen),
+        **({"sampling": "\n".join(notes)} if (notes := sampling_notes(tests)) else {}),
         **warnings_of(warnings),
     }
 

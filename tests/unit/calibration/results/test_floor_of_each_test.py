@@ -29,7 +29,7 @@ def floor_and_errors(louder: dict[int, float], seed: int = 1):
     noisy = tests.with_experiments(
         [replace(one, force=f, channel_noise=NOISE) for one, f in zip(tests.experiments, measured, strict=True)]
     )
-    floor = Floor(noisy, (NOISE,) * TESTS, (0.0,) * TESTS)
+    floor = Floor(noisy, (NOISE,) * TESTS, (0.0,) * TESTS, (0.0,) * TESTS, True)
     return floor, errors_of(noisy, forces)
 
 
