@@ -96,20 +96,21 @@ def with_noise(
 def with_channel_noise(tests: Sequence[Experiment], predicted: Sequence[np.ndarray]) -> list[Experiment]:
     """Return tests with the noise of their force channels.
 
+    A test that shows less than any load cell has, as the band above its motion is cut by a filter, has that of the
+    others.
+
     Args:
         tests: of a campaign, with one load cell.
         predicted: (n_i,) N of every test.
     """
     measured = [_channel_noise(*each) for each in zip(tests, predicted, strict=True)]
-    known = [one for one in measured if not math.isnan(one)]
+    least = [least_noise(one.force) for one in tests]
+    found = [one for one in measured if not math.isnan(one)]
+    known = [one for one, own in zip(measured, least, strict=True) if one > own]  # and not what a filter has left
     other = float(np.median(known)) if known else 0.0
     return [
-        replace(
-            test,
-            channel_noise=max(other if math.isnan(one) else one, least_noise(test.force)),
-            noise_measured=bool(known),
-        )
-        for test, one in zip(tests, measured, strict=True)
+        replace(test, channel_noise=one if one > own else max(other, own), noise_measured=bool(found))
+        for test, one, own in zip(tests, measured, least, strict=True)
     ]
 
 

@@ -73,8 +73,11 @@ def noise_level(values: np.ndarray, dt: float, beside: Sequence[np.ndarray] = ()
         return None
     own = transforms(segments)
     spectra = np.abs(own) ** 2
-    moved = max((_moved(own, transforms(_windows(np.diff(one, 2), *at_rows))) for one in beside), default=0)
-    if moved > spectra.shape[1] - 2 * _EVENED:
+    free = np.ones(spectra.shape[1], dtype=bool)
+    for one in beside:
+        free &= ~_locked(own, transforms(_windows(np.diff(one, 2), *at_rows)))
+    moved = _end_of_motion(free)
+    if moved is None:
         return NOT_MEASURED
     at = np.arange(spectra.shape[1]) / (spectra.shape[1] - 1.0)  # of the Nyquist frequency
     typical = np.median(spectra, axis=0) / np.log(2.0)  # the median of an exponential distribution
@@ -85,7 +88,8 @@ def noise_level(values: np.ndarray, dt: float, beside: Sequence[np.ndarray] = ()
     power = np.exp(np.interp(at, at[~tone], np.log(np.maximum(typical[~tone], 1e-300))))
     even = np.exp(uniform_filter1d(np.log(power), _EVENED, mode="nearest"))
     flat = _FLAT * (1.0 + 3.0 * 1.44 / np.sqrt(max(_EVENED * len(spectra) / 4.0, 1.0)))
-    first, last = _plateau(even, at, float(at[moved]) if moved else min(MOTION * 2.0 * dt, _MOTION_SHARE), flat)
+    start = float(at[moved]) if moved else min(MOTION * 2.0 * dt, _MOTION_SHARE)
+    first, last = _plateau(even, at, start, flat)
     level = float(np.median(spectra[:, first : last + 1][:, ~tone[first : last + 1]])) / np.log(2.0)
     if not math.isfinite(level):
         level = float(even[first])
@@ -115,14 +119,25 @@ def _plateau(even: np.ndarray, at: np.ndarray, start: float, flat: float) -> tup
     return max(at.size // 2, int(np.searchsorted(at, start))), at.size - 1
 
 
-def _moved(own: np.ndarray, other: np.ndarray) -> int:
-    """Return the last bin at which transforms (m, bins) of two channels keep their phases together; 0: at none."""
+def _locked(own: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Return the bins (bins,) at which transforms (m, bins) of two channels keep their phases together."""
     both = (own * np.conj(other))[:, :-_EVENED]  # beside the Nyquist frequency transforms are real, and alike by chance
-    size = np.abs(both)
-    locked = len(both) * np.abs(np.mean(both / np.maximum(size, 1e-300), axis=0)) ** 2
+    together = len(both) * np.abs(np.mean(both / np.maximum(np.abs(both), 1e-300), axis=0)) ** 2
     least = max(_LOCKED, 1.0 + _SHARED * len(both))
-    found = np.flatnonzero(uniform_filter1d(locked, _LOCKED_OVER, mode="nearest") > least)
-    return int(found[-1]) if found.size else 0
+    found = uniform_filter1d(together, _LOCKED_OVER, mode="nearest") > least
+    return np.append(found, np.full(_EVENED, found[-1]))
+
+
+def _end_of_motion(free: np.ndarray) -> int | None:
+    """Return the last bin below the first half octave that is free of the motion; None: there is none.
+
+    Above a logger's filter, where noise is cut, channels may keep together again.
+    """
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], free.astype(np.int8), [0]))))
+    for first, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if end - first >= 2 * _EVENED and (end == free.size or end > _OCTAVE * first):
+            return max(first - 1, 0)
+    return None
 
 
 def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
