@@ -35,6 +35,9 @@ below which motion has less than a quarter of the power there, which adds an eig
 """
 
 
+_CUT = 0.1  # of the noise below, above a filter
+
+
 class Level(NamedTuple):
     """Noise of a channel.
 
@@ -76,11 +79,11 @@ def noise_level(values: np.ndarray, dt: float, beside: Sequence[np.ndarray] = ()
     free = np.ones(spectra.shape[1], dtype=bool)
     for one in beside:
         free &= ~_locked(own, transforms(_windows(np.diff(one, 2), *at_rows)))
-    moved = _end_of_motion(free)
-    if moved is None:
-        return NOT_MEASURED
     at = np.arange(spectra.shape[1]) / (spectra.shape[1] - 1.0)  # of the Nyquist frequency
     typical = np.median(spectra, axis=0) / np.log(2.0)  # the median of an exponential distribution
+    moved = _end_of_motion(free, typical)
+    if moved is None:
+        return NOT_MEASURED
     tone = typical > _TONE * median_filter(typical, size=max(at.size // 6, 3), mode="nearest")
     tone[[0, -1]] = True  # of a spectrum that ends there
     if np.count_nonzero(~tone) < _FEWEST:
@@ -128,14 +131,19 @@ def _locked(own: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.append(found, np.full(_EVENED, found[-1]))
 
 
-def _end_of_motion(free: np.ndarray) -> int | None:
+def _end_of_motion(free: np.ndarray, power: np.ndarray) -> int | None:
     """Return the last bin below the first half octave that is free of the motion; None: there is none.
 
     Above a logger's filter, where noise is cut, channels may keep together again.
+
+    Args:
+        free: (bins,) whether channels do not keep together.
+        power: (bins,) spectrum.
     """
     edges = np.flatnonzero(np.diff(np.concatenate(([0], free.astype(np.int8), [0]))))
     for first, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        if end - first >= 2 * _EVENED and (end == free.size or end > _OCTAVE * first):
+        wide = end - first >= 2 * _EVENED and (end == free.size or end > _OCTAVE * first)
+        if wide and not np.any(power[end:] > _CUT * np.mean(power[first:end])):
             return max(first - 1, 0)
     return None
 
