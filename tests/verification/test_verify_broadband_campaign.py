@@ -13,12 +13,14 @@ import pytest
 
 from edesign.calibration import calibrate
 from edesign.calibration.dampers.from_campaign import damper_problem
-from edesign.damper.parameters import write_parameters
+from edesign.calibration.results.floor import _from_test_to_test
 from edesign.damper.laws import law
+from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.campaign import Campaign, load_campaign, write_campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.damper.testing.specimen import Specimen
+from edesign.report.calibration.verdict import verdict_text
 
 DT, N, OVER = 0.01, 1630, 8
 K, C, MASS = 5.0e6, 5.0e4, 150.0  # N/m, N s/m, kg
@@ -64,16 +66,28 @@ def test_the_mass_is_found_and_no_branch(tmp_path: Path) -> None:
     assert found.errors["corrected"].validate < 3.0 * NOISE**2
 
 
-def test_motion_up_to_the_nyquist_frequency_has_no_measured_noise(tmp_path: Path) -> None:
-    """Nothing rests, and the law leaves no place in the spectrum: the least noise is assumed."""
-    tests = [made(i, 60.0, 0.0, 0.0) for i in range(6)]
+@pytest.mark.parametrize("top", [45.0, 60.0])  # Hz; the Nyquist frequency is 50 Hz
+def test_motion_up_to_the_nyquist_frequency_has_no_measured_noise(top: float, tmp_path: Path) -> None:
+    """Nothing rests, and the motion leaves no place in the spectrum: the least noise is assumed."""
+    tests = [made(i, top, 0.0, 0.0) for i in range(6)]
     for one in damper_problem(campaign(tmp_path, tests, 1.04), threads=1).experiments:
         assert not one.noise_measured and one.displacement_noise == 0.0
         assert one.channel_noise == pytest.approx(1e-3 * np.sqrt(np.mean(one.force**2)), rel=0.01)
+        assert one.interpolation_noise > 0.1 * np.sqrt(np.mean(one.force**2))
+
+
+@pytest.mark.parametrize("again", [False, True])
+def test_a_test_made_again_measures_what_the_motion_hides(again: bool, tmp_path: Path) -> None:
+    """Motions of 0.9 of the Nyquist frequency, of which each is made once or twice."""
+    tests = [made(i, 45.0, 0.0, 0.0, i // 2 if again else i) for i in range(6)]
+    problem = damper_problem(campaign(tmp_path, tests, 1.0), threads=1).full_rate
+    left = [NOISE * 1e4 * np.random.default_rng(i).standard_normal(N) for i in range(6)]
+    found = _from_test_to_test(problem.experiments, left)
+    assert found == pytest.approx([NOISE * 1e4] * 6, rel=0.1) if again else np.all(np.isnan(found))
 
 
 def test_what_is_left_beyond_noise_that_was_assumed_is_not_called_missing(tmp_path: Path) -> None:
-    tests = [made(i, 60.0, 0.0, 0.0) for i in range(6)]
-    found = calibrate(campaign(tmp_path / "once", tests, 1.0), threads=1)
-    assert found.verdict != "none" or not found.doubtful
+    found = calibrate(campaign(tmp_path, [made(i, 45.0, 0.0, 0.0) for i in range(6)], 1.0), threads=1)
+    assert found.verdict == "nothing_found" and "of what is not known of the motion between samples" in found.doubtful
     assert not found.law_file.effects and all(one.assumed for one in found.series)
+    assert "Whether more than noise is left cannot be said" in verdict_text(found)

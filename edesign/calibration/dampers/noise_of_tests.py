@@ -17,7 +17,7 @@ from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.signals.corners import cornered
 from edesign.calibration.signals.interpolation import CUBIC, SMOOTH, Interpolation
-from edesign.calibration.signals.noise import least_noise, smooth, white_noise
+from edesign.calibration.signals.noise import MOST_NOISE, least_noise, smooth, white_noise
 from edesign.estimation.differences import difference_noise
 from edesign.estimation.model import PredictionError
 
@@ -169,7 +169,8 @@ def _channel_noise(test: Experiment, predicted: np.ndarray) -> float:
     if test.clipped is not None:  # there is no noise at the end of a range
         return difference_noise(force, ~test.clipped)
     both = [white_noise(values, time, beside) for values in (force, force - predicted)]
-    return min((one for one in both if not math.isnan(one)), default=math.nan)
+    most = MOST_NOISE * float(np.std(force))
+    return min((one for one in both if one <= most), default=math.nan)
 
 
 def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray, between: np.ndarray) -> Experiment:

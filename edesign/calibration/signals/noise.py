@@ -14,9 +14,11 @@ from edesign.calibration.signals.sampling import even, evenly, rounding, step
 from edesign.calibration.signals.smoothing import smoothed
 from edesign.estimation.differences import difference_noise, divided_difference_noise
 
+MOST_NOISE = 0.3
+"""Of the rms of a channel: no transducer has so much, and what is more is motion."""
+
 _FEWEST = 64  # samples, for a spectrum
 _LEAST = 1e-3  # of a test's rms force: reproducibility of a force transducer of class 0.5 (ISO 376:2011, table 2)
-_MOST = 0.3  # of the rms of a motion: no transducer has so much
 _STILL, _FEWEST_AT_REST = 16, 32  # samples that move by less than that together; of all rests, for 15 % of the noise
 _STICKS_OUT = 3.0  # standard deviations; noise at times that are up to 40 % of a step off stays below 2.4
 _NONE = 1e-8  # of the range: noise below it is rounding or leakage; no instrument is as good
@@ -116,7 +118,7 @@ def _without_noise(
 ) -> tuple[np.ndarray, float]:
     """Return values without noise, and the standard deviation of white noise as strong next to the motion."""
     noise = _noise(values, time, beside)[1]
-    if math.isnan(noise) or noise > _MOST * float(np.std(values)):
+    if math.isnan(noise) or noise > MOST_NOISE * float(np.std(values)):
         noise = 0.0  # the motion itself reaches up to the highest frequency
     if noise == 0.0 or time.size < _FEWEST:
         return values.copy(), noise

@@ -72,6 +72,8 @@ def peak(
             found = _extreme(time, values, centre, omega, width, within, spread)
             centre = found.time
             yield found
+            if not within[0] <= centre <= within[1]:  # a half cycle of a few samples, which no fit can follow
+                return
 
     found = _widest(estimates())
     if found is None or found.misfit > CORNER * spread:
