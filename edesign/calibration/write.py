@@ -240,6 +240,9 @@ def _outlying(test: OutlyingTest) -> dict[str, Any]:
             for one in test.faults
         ],
         "beyond_others_in": list(test.beyond),
+    }
+
+
 def _free_curve(found: FreeCurve) -> dict[str, Any]:
     return {
         "of": found.of,

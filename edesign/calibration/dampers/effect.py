@@ -105,6 +105,8 @@ def either(
     """
     own = replace(form, kind="damper", title=title, laws=laws, usual_in=usual_in)
     return replace(form, twin=replace(own, mechanisms=mechanisms or form.mechanisms))
+
+
 def renamed(form: EffectForm, name: str, title: str) -> EffectForm:
     """Return a form with another name and titles.
 

@@ -158,7 +158,6 @@ class Sizes:
                 for name in experiments[0].conditions
             ),
             ordered=ordered,
-            names=tuple(one.name for one in experiments),
         )
 
 
