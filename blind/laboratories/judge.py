@@ -73,7 +73,7 @@ def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | 
 
     None where they are given otherwise: of the MGMM at 20 degC, and beside effects that share what the law does.
     """
-    if truth["law"] == "mgmm" or any(e["name"] in NOT_COMPARED for e in truth["effects"]):
+    if truth["law"] == "mgmm" or any({e["name"], *e.get("accept", ())} & set(NOT_COMPARED) for e in truth["effects"]):
         return None
     fitted = result["parameters"].get("corrected") or result["parameters"]["refit"]
     true, declared = (dict(truth[key].get("parameters", truth[key])) for key in ("law_true", "law_declared"))

@@ -73,9 +73,20 @@ def _with_units(law: str, values: Array) -> dict[str, Any]:
     return said
 
 
+def _si(law: str, values: Array) -> dict[str, float]:
+    """Parameters in SI, from kN and mm."""
+    numbers = dict(zip(LAWS[law].names, map(float, values), strict=True))
+    found = {}
+    for name, unit in zip(LAWS[law].names, LAWS[law].units, strict=True):
+        power = next((numbers[e] for e in ("alpha_d", "alpha") if unit.endswith(f"(s/mm)^{e}")), 1.0)
+        over, under = unit.partition("/")[0], unit.partition("/")[2]
+        scale = (1e3 if "kN" in over else 1.0) * (1e-3 if over.endswith("mm") else 1.0)
+        found[name] = numbers[name] * scale * (1e3**power if "mm" in under else 1.0)
+    return found
+
+
 def truth_of(of: Campaign, name: str, seed: int) -> dict[str, Any]:
-    """What the judge reads, and what people want to know beside it; parameters in kN, mm and s."""
-    names = LAWS[of.law].names
+    """What the judge reads, and what people want to know beside it; parameters of laws in SI, others in kN and mm."""
     listed = []
     for effect, ratio in zip(of.effects, of.ratios, strict=True):
         entry: dict[str, Any] = {
@@ -98,9 +109,8 @@ def truth_of(of: Campaign, name: str, seed: int) -> dict[str, Any]:
         "category": of.category,
         "group": of.group,
         "law": of.law,
-        "law_true": {"parameters": dict(zip(names, map(float, of.true), strict=True))},
-        "law_declared": {"parameters": dict(zip(names, map(float, of.stated), strict=True)), "exact": of.exact},
-        "units": dict(zip(names, LAWS[of.law].units, strict=True)),
+        "law_true": {"parameters": _si(of.law, of.true)},
+        "law_declared": {"parameters": _si(of.law, of.stated), "exact": of.exact},
         "remembers_between_tests": of.lasting if of.law in REMEMBER else None,
         "tests_in_motion": of.in_motion,
         "in_motion": [test.name for test in of.tests if test.in_motion],
