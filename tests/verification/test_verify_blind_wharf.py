@@ -129,7 +129,8 @@ def test_the_truth_has_all_that_the_judge_reads():
         "error": {"corrected": {"validate": truth["noise_floor_validate"] ** 2}},
     }
     score = judge("010_one_F", truth, result, {"seconds": 1.0, "failure": None}, validate)
-    assert score["all"] and score["ratio"] == pytest.approx(1.0) and score["inside"] == [2, 2]
+    assert score["all"] and score["ratio"] == pytest.approx(1.0)
+    assert score["inside"] is None  # beside a softening with temperature the law's numbers are a convention
 
 
 def test_every_effect_has_a_sentence():
