@@ -303,7 +303,7 @@ class DamperModel(EffectModel[DamperProblem]):
                     continue
                 if not uncertain.state:
                     told = Told(uncertain.name, uncertain.unit, np.array([uncertain.size]))
-                    found[k].append(Nuisance(uncertain.name, column, (told,), False))
+                    found[k].append(Nuisance(uncertain.name, column, (told,), uncertain.before))
                 elif self.tests[k] in self._after_motion(through):
                     ways.append(column)
             if ways:

@@ -26,6 +26,7 @@ class UncertainInput:
         thought: all tests as they are thought of, beside which these are.
         effects: names of the effects through which it acts.
         through_law: whether it acts through the law too.
+        before: whether it is what the specimen did before records: predictions have it as tests show it.
         state: whether it is what is inside the specimen at the first sample: it acts through all that remembers.
         size: of one standard deviation, for people.
         unit: of that.
@@ -36,6 +37,7 @@ class UncertainInput:
     thought: tuple[Experiment, ...]
     effects: tuple[str, ...]
     through_law: bool
+    before: bool = False
     state: bool = False
     size: float = 1.0
     unit: str = ""
@@ -69,7 +71,7 @@ def uncertain_inputs(
     if softened:
         for name, before in (("deformation before", _as_far), ("velocity before", _as_fast)):
             there = tuple(_softened(one, before) for one in experiments)
-            found.append(UncertainInput(name, there, every, ("extremes",), True))
+            found.append(UncertainInput(name, there, every, ("extremes",), True, True))
     # the way makes both extremes of the law: beside it stands what they have softened
     thought = tuple(_softened(one, _as_far_and_fast) for one in experiments) if softened else every
     for way in _WAYS:
@@ -77,7 +79,7 @@ def uncertain_inputs(
             replace(there, way=way) if one.prior_extremes_unknown else there
             for one, there in zip(experiments, thought, strict=True)
         )
-        found.append(UncertainInput("start", came, thought, (), True, True, unit="N"))
+        found.append(UncertainInput("start", came, thought, (), True, True, True, unit="N"))
     return tuple(found)
 
 
