@@ -94,7 +94,6 @@ def without(
     """Return a model about its fit to the other tests, the step to that, and for how many sets they were predicted.
 
     Args:
-        here: the model about its fit to all tests.
         test: that is left out. Where it moves the model far, that is fitted again.
     """
     step, whole = here.step(test), here.step()

@@ -56,7 +56,6 @@ def outlier(fitted: Fit, noise: Noise) -> Outlier | None:
     """Return the test that agrees least with the others; None: there are less than three.
 
     Args:
-        fitted: a model of all tests.
         noise: of the channels alone.
     """
     from scipy.special import stdtr  # scipy takes time at the start of every command

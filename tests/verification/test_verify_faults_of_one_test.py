@@ -64,7 +64,6 @@ CASES: list[tuple[str, Fault, int, str, float]] = [
     ("bouc_wen", inches, 2, "gain.displacement_of_test_2", 1.0 / 25.4 - 1.0),
     ("viscous_power", more_force(0.12), 3, "gain.force_of_test_3", 0.12),
     ("viscous_power", slow_clock(0.25), 2, "clock.of_test_2", 0.25),
-    ("viscous_power", late_force(0.02), 3, "lag.delay_of_test_3", 0.02),
 ]
 
 
@@ -111,8 +110,19 @@ def test_what_no_instrument_does_is_told_without_a_name(tmp_path: Path) -> None:
         top = 0.35 * np.max(np.abs(of[2]))
         return of[0], of[1], top * np.tanh(of[2] / top)
 
-    one = told(calibrate(campaign(tmp_path, "kelvin_voigt", limited, 3), threads=1), "run_03")
+    found = calibrate(campaign(tmp_path, "kelvin_voigt", limited, 3), threads=1)
+    one = told(found, "run_03")
     assert one.faults == () and one.only_noise
+    assert "No fault of an instrument that is known here explains all of it." in verdict_text(found)
+    # what is nearest to it keeps the test out of the law's way
+    assert found.verdict == "partly_explained" and found.errors["corrected"].validate < 2.0 * found.noise_floor
+
+
+@pytest.mark.slow
+def test_a_fault_is_told_though_validation_tests_withhold_the_effect(tmp_path: Path) -> None:
+    """A lag hardly moves a power law: the validation tests, both times at their noise, cannot judge it."""
+    found = calibrate(campaign(tmp_path, "viscous_power", late_force(0.02), 3), threads=1)
+    check_size(told(found, "run_03"), "lag.delay_of_test_3", 0.02)
 
 
 @pytest.mark.parametrize("law", ["kelvin_voigt", "bouc_wen", "viscous_power"])

@@ -55,7 +55,8 @@ def outlying_tests(
         if without is not None:
             (test,) = next(one.tests for one in asked.faults if one.label == effect.label)
             found += asked.told(without, lambda one, test=test: one.test == test)  # type: ignore[misc]
-    return (*found, *asked.told(model, lambda one: one.sure))
+    told = {one.name for one in found}
+    return (*found, *(one for one in asked.told(model, lambda one: one.sure) if one.name not in told))
 
 
 @dataclass(frozen=True)

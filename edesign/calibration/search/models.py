@@ -23,6 +23,7 @@ _REWEIGHTED = 0.2  # fall of the logarithm of the noise, below which a fit under
 _FITS = 4  # most of them
 _STEPS = 15
 _ROUGH = Settings(rough=True)
+_KNOWN = 1e-6  # of its prior spread: how far a parameter that counts as known may move
 _NEGLIGIBLE = 0.03  # singular value, of the largest, of differences between equations
 
 
@@ -343,12 +344,29 @@ class Fitter:
         return difference(self.score(better, noise, known), self.score(worse, noise, known))
 
     def outlier(self, model: FittedModel) -> Outlier | None:
-        """Return the test that agrees least with the others beside a model; None: there are too few."""
+        """Return the test that agrees least with the others beside a model; None: there are too few.
+
+        What a fault is in one test is known from that test alone, and is kept where the test is left out.
+        """
         if id(model) not in self._outliers:
-            found = outlier(model.fit, Noise.white(self.problem.deviations))
+            found = outlier(self._with_known_faults(model), Noise.white(self.problem.deviations))
             self.effort.spend(0 if found is None else found.evaluations, model.effects)
             self._outliers[id(model)] = model, found
         return self._outliers[id(model)][1]
+
+    def _with_known_faults(self, model: FittedModel) -> Fit:
+        """Return the fit of a model with faults in one test that have the values found, and next to no prior spread."""
+        effects, scale, values = list(model.effects), np.ones(model.fit.z.size), model.fit.values
+        for index, effect in enumerate(effects):
+            if len(effect.tests) == 1:
+                places = model.places(index)
+                scale[places] = _KNOWN
+                own = zip(effect.parameters, values[places], strict=True)
+                known = tuple(replace(one, centre=float(value), spread=_KNOWN * one.spread) for one, value in own)
+                effects[index] = replace(effect, parameters=known)
+        z = np.where(scale == 1.0, model.fit.z, 0.0)
+        slopes = tuple(j * scale for j in model.fit.slopes)
+        return replace(model.fit, model=self.problem.model(effects), z=z, slopes=slopes)
 
     def noise(self, leader: FittedModel, known: FittedModel) -> Noise:
         """Return the noise by which models are compared: what the leader leaves.

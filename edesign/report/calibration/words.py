@@ -81,7 +81,7 @@ def outlying_text(test: OutlyingTest) -> str:
     if test.faults:
         texts.append(f"One fault explains it: {', or '.join(map(fault_text, test.faults))}.")
     else:
-        texts.append("No fault of an instrument that is known here explains it.")
+        texts.append("No fault of an instrument that is known here explains all of it.")
         if test.beyond:
             texts.append(
                 f"It goes beyond all others in {' and '.join(test.beyond)}, where the law itself may be wrong."
