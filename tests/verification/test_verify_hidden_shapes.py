@@ -62,7 +62,21 @@ def limited_to_one_side(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray
     return np.where(force > 30.0, 30.0 + 0.25 * (force - 30.0), force)
 
 
-def calibrated(folder: Path, force: Force) -> Calibration:
+def steel(u: np.ndarray, v: np.ndarray, gone: float) -> np.ndarray:
+    """Steel that gains 15 kN along its plastic path, and has a backstress of 30 kN (Euler's steps)."""
+    p = s = x = 0.0
+    force = np.zeros_like(u)
+    for i, deformation in enumerate(u):
+        side = 1.0 if 40.0 * (deformation - p) > x else -1.0
+        over = side * (40.0 * (deformation - p) - x) - 50.0 - 15.0 * (1.0 - np.exp(-0.02 * s))
+        if over > 0.0:
+            way = over / (40.0 + 15.0 - side * 0.5 * x + 0.3 * np.exp(-0.02 * s))
+            x, p, s = x + (side * 15.0 - 0.5 * x) * way, p + side * way, s + way
+        force[i] = 40.0 * (deformation - p)
+    return force
+
+
+def calibrated(folder: Path, force: Force, head: str = HEAD) -> Calibration:
     random, rows, gone = np.random.default_rng(7), "", 0.0
     for number, (amplitude, frequency) in enumerate(TESTS):
         t = np.arange(0.0, 10.0, 0.05 / RATE)
@@ -77,7 +91,7 @@ def calibrated(folder: Path, force: Force) -> Calibration:
         use = "validate" if number in VALIDATED else "fit"
         rows += f"  - {{file: test_{number}.csv, temperature: 20 degC, use: {use}}}\n"
     path = folder / "campaign.yaml"
-    path.write_text(HEAD + rows, encoding="utf-8")
+    path.write_text(head + rows, encoding="utf-8")
     return calibrate(load_campaign(path), threads=1)
 
 
@@ -104,3 +118,14 @@ def test_a_shape_is_found_alone_with_its_size(
     assert law_now["k"].value == pytest.approx(1e6 * K, rel=0.03) and law_now["c"].value == pytest.approx(
         1e6 * C, rel=0.03
     )
+
+
+@pytest.mark.slow
+def test_steel_that_hardens_in_both_ways_is_another_law_than_the_declared_one(tmp_path: Path) -> None:
+    """Each test has a fresh specimen in the law's equation: it begins without a past."""
+    declared = HEAD.replace(
+        "kelvin_voigt, parameters: {k: 4.4 kN/mm, c: 0.135 kN*s/mm}",
+        "elastic_plastic, parameters: {k: 38 kN/mm, Fy: 70 kN, b: 0.02}",
+    )
+    found = calibrated(tmp_path, steel, declared)
+    assert found.other_law is not None and found.other_law.law == "chaboche"

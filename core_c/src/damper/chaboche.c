@@ -53,9 +53,9 @@ static double yielded(const double *p, const double *memory, double side, double
     const double over = trial - p[K] * way - carried(p, memory, side, way, &hardening);
     *(over > 0.0 ? &low : &high) = way;
     double next = way + over / (p[K] + hardening);
-    if (!(next >= low && next <= high))
+    if (!(next > low && next < high)) /* or at an end that has been tried: rounding would send it to and fro */
       next = 0.5 * (low + high);
-    if (fabs(next - way) <= 2.0 * DBL_EPSILON * fmax(next, trial / p[K]))
+    if (fabs(next - way) <= 4.0 * DBL_EPSILON * fmax(next, trial / p[K]))
       return next;
     way = next;
   }

@@ -33,7 +33,7 @@ from edesign.estimation.parameters import Parameter
 
 RIVALS = (
     *("viscous", "viscous_power", "kelvin_voigt", "maxwell", "maxwell_power", "zener"),
-    *("fractional_kelvin", "fractional_zener", "generalised_maxwell", "elastic_plastic", "bouc_wen"),
+    *("fractional_kelvin", "fractional_zener", "generalised_maxwell", "elastic_plastic", "bouc_wen", "chaboche"),
 )
 """Laws of every kind that are fitted within seconds: dashpots, springs beside them, relaxation by one time, by two and
 by a power of the frequency, and hysteresis without rate."""
